@@ -1,0 +1,1 @@
+export const clientPlaceholder = 1;

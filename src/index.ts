@@ -1,0 +1,1 @@
+export { clientPlaceholder } from './client/index.js';
