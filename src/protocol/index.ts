@@ -1,1 +1,44 @@
-export const protocolPlaceholder = 1;
+export {
+  COMMAND_NAMES,
+  COMMANDS,
+  type Command,
+  type CommandName,
+  commandOf,
+  type Reply,
+  type ReplyOf,
+  type Request,
+  type RequestOf,
+} from './commands.js';
+export {
+  type DecoderQuirks,
+  FrameDecoder,
+  type FrameDecoderOptions,
+  type Rejection,
+  type RejectionReason,
+} from './decoder.js';
+export { CodecError, type CodecErrorCode, type CodecErrorDetails } from './errors.js';
+export { type Layout, type LayoutQuirks, MAX_POSITION, MAX_TIME } from './fields.js';
+export {
+  checksum,
+  type EncodeFrameOptions,
+  encodeFrame,
+  type Frame,
+  frameSize,
+  MAX_DATA,
+  MAX_LENGTH,
+  MIN_LENGTH,
+  TERMINATOR,
+  ZEROS_NEEDED,
+  ZEROS_SENT,
+} from './frame.js';
+export { columnCount, type Identity, requireIdentity, type TimerClass } from './identity.js';
+export {
+  answers,
+  type CodecOptions,
+  type DecodeReplyOptions,
+  decodeReply,
+  decodeRequest,
+  encodeReply,
+  encodeRequest,
+  exchangeSize,
+} from './messages.js';

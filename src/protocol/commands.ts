@@ -1,0 +1,170 @@
+import {
+  byteField,
+  type Field,
+  identityField,
+  MAX_POSITION,
+  optionalByteField,
+  positionsField,
+  timesField,
+} from './fields.js';
+
+/** One row of the table of commands. */
+export interface Command {
+  /** The letter of the request: odd. */
+  readonly request: number;
+  /** The letter of the reply: the next, even. */
+  readonly reply: number;
+  /** Another letter that the source prints for the reply in one place, though it belongs to another command. */
+  readonly misprint?: number;
+  /** The values that the request carries, in their order on the wire. */
+  readonly sends: readonly Field[];
+  /** The values that the reply carries. */
+  readonly answers: readonly Field[];
+  /** Asking once more does no harm: the same request twice leaves the timer as once. */
+  readonly repeatable: boolean;
+  /** What it does to the timer: nothing, to what it stores, to its servos or its motor. */
+  readonly effect: 'reads' | 'stores' | 'moves' | 'frees-motor' | 'unknown';
+}
+
+/** Function numbers: 0 start, 1 .. NF-1, NF is DT. */
+const functionField = byteField('function', (identity) => identity.functions);
+const servoField = byteField('servo', (identity) => identity.servos - 1);
+const positionField = byteField('position', () => MAX_POSITION);
+const memoryField = byteField('memory', (identity) => identity.memories - 1);
+/**
+ * A timer that counts its memories from 1 answers up to their number, and one whose reply has no index says nothing: the
+ * number is passed on as it stands on the wire.
+ */
+const memoryReplyField = optionalByteField('memory', (identity) => identity.memories);
+/** Unit unknown. */
+const idleThrottleField = byteField('idleThrottle', () => 255);
+
+/**
+ * All commands of the protocol: the one place where a letter, the layout of its data and what it does are written.
+ * Encoders, decoders, client, virtual timer, log and documentation read it.
+ */
+export const COMMANDS = {
+  GETTIMERS: {
+    request: 0x61,
+    reply: 0x62,
+    misprint: 0x66,
+    sends: [],
+    answers: [timesField],
+    repeatable: true,
+    effect: 'reads',
+  },
+  SETSERVO: {
+    request: 0x63,
+    reply: 0x64,
+    sends: [functionField, servoField, positionField],
+    answers: [],
+    repeatable: true,
+    effect: 'stores',
+  },
+  SETTIMERS: {
+    request: 0x65,
+    reply: 0x66,
+    sends: [timesField],
+    answers: [timesField],
+    repeatable: true,
+    effect: 'stores',
+  },
+  GETSERVOPOS: {
+    request: 0x67,
+    reply: 0x68,
+    sends: [],
+    answers: [positionsField],
+    repeatable: true,
+    effect: 'reads',
+  },
+  MOVETOFUNC: {
+    request: 0x69,
+    reply: 0x6a,
+    sends: [functionField],
+    answers: [],
+    repeatable: false,
+    effect: 'moves',
+  },
+  GETSWVER: {
+    request: 0x6b,
+    reply: 0x6c,
+    sends: [],
+    answers: [identityField],
+    repeatable: true,
+    effect: 'reads',
+  },
+  UNLOCK: {
+    request: 0x6d,
+    reply: 0x6e,
+    misprint: 0x6a,
+    sends: [],
+    answers: [],
+    repeatable: false,
+    effect: 'frees-motor',
+  },
+  JUMP2: { request: 0x6f, reply: 0x70, sends: [], answers: [], repeatable: false, effect: 'unknown' },
+  GETMEMORY: {
+    request: 0x71,
+    reply: 0x72,
+    sends: [],
+    answers: [memoryReplyField],
+    repeatable: true,
+    effect: 'reads',
+  },
+  SETMEMORY: {
+    request: 0x73,
+    reply: 0x74,
+    sends: [memoryField],
+    answers: [],
+    repeatable: true,
+    effect: 'stores',
+  },
+  GETLOWRPM: {
+    request: 0x75,
+    reply: 0x76,
+    sends: [],
+    answers: [idleThrottleField],
+    repeatable: true,
+    effect: 'reads',
+  },
+  SETLOWRPM: {
+    request: 0x77,
+    reply: 0x78,
+    sends: [idleThrottleField],
+    answers: [],
+    repeatable: true,
+    effect: 'stores',
+  },
+} as const satisfies Record<string, Command>;
+
+/** The maker's name of a command, as in the table. */
+export type CommandName = keyof typeof COMMANDS;
+
+export const COMMAND_NAMES = Object.keys(COMMANDS) as CommandName[];
+
+/** The command whose request or reply has this letter, and which of the two it is; undefined for any other letter. */
+export function commandOf(code: number): { name: CommandName; direction: 'request' | 'reply' } | undefined {
+  for (const name of COMMAND_NAMES) {
+    if (COMMANDS[name].request === code) return { name, direction: 'request' };
+    if (COMMANDS[name].reply === code) return { name, direction: 'reply' };
+  }
+  return undefined;
+}
+
+type FieldValues<Fields extends readonly Field[]> = {
+  readonly [F in Fields[number] as F['name']]: F extends Field<string, infer Value> ? Value : never;
+};
+
+/** The request of one command: its name and its values. */
+export type RequestOf<Name extends CommandName> = { readonly name: Name } & FieldValues<
+  (typeof COMMANDS)[Name]['sends']
+>;
+/** The reply to one command: its name and its values. */
+export type ReplyOf<Name extends CommandName> = { readonly name: Name } & FieldValues<
+  (typeof COMMANDS)[Name]['answers']
+>;
+
+/** Any request: `{ name: 'GETSWVER' }`, `{ name: 'SETSERVO', function: 10, servo: 0, position: 65 }` ... */
+export type Request = { [Name in CommandName]: RequestOf<Name> }[CommandName];
+/** Any reply: `{ name: 'GETTIMERS', times: [...] }`, `{ name: 'SETSERVO' }` ... */
+export type Reply = { [Name in CommandName]: ReplyOf<Name> }[CommandName];

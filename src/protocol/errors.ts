@@ -1,0 +1,63 @@
+/**
+ * What can be wrong with a value that is to become bytes, or with bytes that are to become a value.
+ *
+ * - `not-an-integer`: a value is not a whole number.
+ * - `out-of-range`: a value is smaller or larger than its field can carry on this timer.
+ * - `wrong-count`: a list does not have one entry for each column, or for each servo.
+ * - `wrong-length`: the data of a frame is shorter or longer than its command wants, or than a frame can hold.
+ * - `unknown-command`: no command has this letter.
+ * - `unexpected-reply`: the frame does not answer the request that waits.
+ * - `bad-identity`: a version reply that no timer can have sent; the error carries its bytes.
+ * - `identity-needed`: the layout of these bytes is known only together with the timer's identity.
+ */
+export type CodecErrorCode =
+  | 'not-an-integer'
+  | 'out-of-range'
+  | 'wrong-count'
+  | 'wrong-length'
+  | 'unknown-command'
+  | 'unexpected-reply'
+  | 'bad-identity'
+  | 'identity-needed';
+
+/** Facts that go with a {@link CodecError}, for the sentence that is shown to a person. */
+export interface CodecErrorDetails {
+  /** The value that was refused. */
+  readonly value?: unknown;
+  /** Smallest value or length allowed. */
+  readonly min?: number;
+  /** Largest value or length allowed. */
+  readonly max?: number;
+  /** The bytes that could not be read. */
+  readonly bytes?: Uint8Array;
+}
+
+/** The one error of the rooms that turn values into bytes and back. Its message is for developers. */
+export class CodecError extends Error {
+  override readonly name = 'CodecError';
+  readonly code: CodecErrorCode;
+  /** Which value: `position`, `times[3]`, `identity.functions`, `data` ... */
+  readonly field: string;
+  readonly details: CodecErrorDetails;
+
+  constructor(code: CodecErrorCode, field: string, message: string, details: CodecErrorDetails = {}) {
+    super(message);
+    this.code = code;
+    this.field = field;
+    this.details = details;
+  }
+}
+
+/** @throws CodecError `not-an-integer` or `out-of-range` unless `value` is a whole number from `min` to `max`. */
+export function requireInteger(value: unknown, field: string, min: number, max: number): asserts value is number {
+  if (!Number.isInteger(value)) {
+    throw new CodecError('not-an-integer', field, `${field} must be a whole number, not ${String(value)}`, { value });
+  }
+  if ((value as number) < min || (value as number) > max) {
+    throw new CodecError('out-of-range', field, `${field} must be ${min} to ${max}, not ${String(value)}`, {
+      value,
+      min,
+      max,
+    });
+  }
+}

@@ -1,0 +1,139 @@
+import { CodecError, requireInteger } from './errors.js';
+import { columnCount, decodeIdentity, encodeIdentity, type Identity } from './identity.js';
+
+/** How this timer departs from the reading of the protocol that is taken for right. All off unless asked for. */
+export interface LayoutQuirks {
+  /** Times have their high byte first. */
+  readonly bigEndianTimes?: boolean;
+  /** SETSERVO carries servo, function, position instead of function, servo, position. */
+  readonly servoFirst?: boolean;
+}
+
+/** What the layout of a message may depend on besides its values. */
+export interface Layout {
+  readonly identity?: Identity | undefined;
+  readonly quirks?: LayoutQuirks | undefined;
+}
+
+/**
+ * One value in the data of a message: how it becomes bytes and comes back. All values but the last of a message are one
+ * byte; the last takes what is left.
+ */
+export interface Field<Name extends string = string, Value = unknown> {
+  readonly name: Name;
+  /** Bytes that it takes for a timer of this identity; for one that may be missing, with it. */
+  size(identity: Identity): number;
+  encode(value: Value, layout: Layout): readonly number[];
+  /** @param data exactly the bytes of this value, as many as there are. */
+  decode(data: Uint8Array, layout: Layout): Value;
+}
+
+function requireLength(data: Uint8Array, min: number, max: number): void {
+  if (data.length >= min && data.length <= max) return;
+  throw new CodecError('wrong-length', 'data', `expected ${min} to ${max} bytes, got ${data.length}`, {
+    bytes: data,
+    min,
+    max,
+  });
+}
+
+/** A number of one byte, 0 up to `max` of the identity; to 255 while the identity is unknown. */
+export function byteField<Name extends string>(name: Name, max: (identity: Identity) => number): Field<Name, number> {
+  const check = (value: number, { identity }: Layout): number => {
+    requireInteger(value, name, 0, identity ? max(identity) : 255);
+    return value;
+  };
+  return {
+    name,
+    size: () => 1,
+    encode: (value, layout) => [check(value, layout)],
+    decode(data, layout) {
+      requireLength(data, 1, 1);
+      return check(data[0] as number, layout);
+    },
+  };
+}
+
+/** The same, but it may be missing: null. */
+export function optionalByteField<Name extends string>(
+  name: Name,
+  max: (identity: Identity) => number,
+): Field<Name, number | null> {
+  const byte = byteField(name, max);
+  return {
+    name,
+    size: () => 1,
+    encode: (value, layout) => (value === null ? [] : byte.encode(value, layout)),
+    decode: (data, layout) => (data.length === 0 ? null : byte.decode(data, layout)),
+  };
+}
+
+/** Every column's time in hundredths of a second, 16 bits each, low byte first. */
+export const timesField: Field<'times', readonly number[]> = {
+  name: 'times',
+  size: (identity) => 2 * columnCount(identity),
+  encode(times, { identity, quirks }) {
+    requireCount(times, 'times', identity && columnCount(identity));
+    return times.flatMap((time, column) => {
+      requireInteger(time, `times[${column}]`, 0, MAX_TIME);
+      const low = time & 0xff;
+      const high = time >> 8;
+      return quirks?.bigEndianTimes ? [high, low] : [low, high];
+    });
+  },
+  decode(data, { identity, quirks }) {
+    if (identity) requireLength(data, this.size(identity), this.size(identity));
+    if (data.length % 2 !== 0) {
+      throw new CodecError('wrong-length', 'data', `times are two bytes each, got ${data.length}`, { bytes: data });
+    }
+    const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
+    return Array.from({ length: data.length / 2 }, (_, column) => view.getUint16(2 * column, !quirks?.bigEndianTimes));
+  },
+};
+
+/** Every servo's position in every column, servo by servo: S1 start .. DT, then S2, and so on. */
+export const positionsField: Field<'positions', readonly (readonly number[])[]> = {
+  name: 'positions',
+  size: (identity) => identity.servos * columnCount(identity),
+  encode(positions, { identity }) {
+    requireCount(positions, 'positions', identity?.servos);
+    return positions.flatMap((row, servo) => {
+      requireCount(row, `positions[${servo}]`, identity && columnCount(identity));
+      row.forEach((position, column) => {
+        // A timer may hold what cannot be set, 131 to 255, and then it says so.
+        requireInteger(position, `positions[${servo}][${column}]`, 0, 255);
+      });
+      return row;
+    });
+  },
+  decode(data, { identity }) {
+    if (!identity) throw new CodecError('identity-needed', 'positions', 'positions need the number of servos');
+    requireLength(data, this.size(identity), this.size(identity));
+    const columns = columnCount(identity);
+    return Array.from({ length: identity.servos }, (_, servo) => [
+      ...data.subarray(servo * columns, (servo + 1) * columns),
+    ]);
+  },
+};
+
+/** Class, firmware, functions, memories and servos. */
+export const identityField: Field<'identity', Identity> = {
+  name: 'identity',
+  size: () => 9,
+  encode: encodeIdentity,
+  decode: decodeIdentity,
+};
+
+/** The longest time that 16 bits of hundredths can carry: 655.35 s. */
+export const MAX_TIME = 0xffff;
+/** The last of a servo's steps, which are 0..130. Their angle is not known. */
+export const MAX_POSITION = 130;
+
+function requireCount(list: readonly unknown[], field: string, count: number | undefined): void {
+  if (count === undefined || list.length === count) return;
+  throw new CodecError('wrong-count', field, `${field} must have ${count} entries, not ${list.length}`, {
+    value: list.length,
+    min: count,
+    max: count,
+  });
+}

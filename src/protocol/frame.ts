@@ -1,0 +1,72 @@
+import { CodecError, requireInteger } from './errors.js';
+
+/**
+ * One message on the wire without its wrapping. Around it go five zeros (preamble and sync), the length, the checksum
+ * and the terminator 45.
+ */
+export interface Frame {
+  /** The command's letter, 0..255: odd for requests, the next even one for replies. */
+  readonly code: number;
+  /** 0 to 252 bytes. */
+  readonly data: Uint8Array;
+}
+
+/** Zeros that are sent before each frame: one of preamble, four of sync. */
+export const ZEROS_SENT = 5;
+/** Zeros that must stand before a frame for it to be taken: the maker's own examples print four. */
+export const ZEROS_NEEDED = 4;
+/** The last byte of every frame. It may stand inside data too, so it ends nothing by itself. */
+export const TERMINATOR = 0x45;
+/** The length counts itself, the command, the data and the checksum: all but the data is 3. */
+export const MIN_LENGTH = 3;
+/** The length is one byte. */
+export const MAX_LENGTH = 255;
+/** The longest data that a frame can carry. */
+export const MAX_DATA = MAX_LENGTH - MIN_LENGTH;
+
+/** Bytes on the wire of a frame with this much data. */
+export function frameSize(dataLength: number): number {
+  return ZEROS_SENT + MIN_LENGTH + dataLength + 1;
+}
+
+/** Sum of command and data, modulo 256. The length is not in it. */
+export function checksum(code: number, data: ArrayLike<number>): number {
+  let sum = code;
+  for (let i = 0; i < data.length; i++) sum += data[i] as number;
+  return sum & 0xff;
+}
+
+export interface EncodeFrameOptions {
+  /** Sends the bare command byte where the checksum belongs, as three examples of the source print it. Default false. */
+  readonly bareChecksum?: boolean;
+}
+
+const NO_DATA = new Uint8Array(0);
+
+/**
+ * Wraps a command and its data: `00 00 00 00 00 LENGTH CODE DATA... CHECKSUM 45`.
+ * @param code the command's letter, 0..255.
+ * @param data 0 to 252 bytes.
+ * @throws CodecError `not-an-integer`, `out-of-range` (code) or `wrong-length` (data).
+ */
+export function encodeFrame(
+  code: number,
+  data: ArrayLike<number> = NO_DATA,
+  options: EncodeFrameOptions = {},
+): Uint8Array {
+  requireInteger(code, 'code', 0, 0xff);
+  if (data.length > MAX_DATA) {
+    throw new CodecError('wrong-length', 'data', `a frame carries at most ${MAX_DATA} bytes, not ${data.length}`, {
+      max: MAX_DATA,
+    });
+  }
+  for (let i = 0; i < data.length; i++) requireInteger(data[i], `data[${i}]`, 0, 0xff);
+  const length = MIN_LENGTH + data.length;
+  const bytes = new Uint8Array(frameSize(data.length));
+  bytes[ZEROS_SENT] = length;
+  bytes[ZEROS_SENT + 1] = code;
+  bytes.set(data, ZEROS_SENT + 2);
+  bytes[ZEROS_SENT + length - 1] = options.bareChecksum ? code : checksum(code, data);
+  bytes[ZEROS_SENT + length] = TERMINATOR;
+  return bytes;
+}

@@ -1,0 +1,79 @@
+import { CodecError } from './errors.js';
+import { MAX_DATA } from './frame.js';
+
+/** The letters the maker gives: B for rubber motor, Q for electric motor, E for slope. Any other letter is kept as it came. */
+export type TimerClass = 'B' | 'Q' | 'E' | (string & {});
+
+/**
+ * What a timer says of itself in its version reply. It tells the layout of every other message, and nothing tells one
+ * timer from another of the same class and firmware.
+ */
+export interface Identity {
+  /** One printable ASCII letter. */
+  readonly timerClass: TimerClass;
+  /** Three ASCII digits, such as `536`. */
+  readonly firmware: string;
+  /** NF, 1 or more: the functions 1 .. NF-1 and DT, which is number NF. Start comes before them. */
+  readonly functions: number;
+  /** NM, 1 or more: memories, counted from 0. */
+  readonly memories: number;
+  /** NS, 1 or more: servos, counted from 0. */
+  readonly servos: number;
+}
+
+/** The columns of a program: start, function 1 .. NF-1, DT. */
+export function columnCount(identity: Identity): number {
+  return identity.functions + 1;
+}
+
+const VERSION_LENGTH = 9;
+const SPACE = 0x20;
+
+/**
+ * Makes sure that an identity can be real and that its messages fit into frames.
+ * @throws CodecError `bad-identity`.
+ */
+export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
+  const refuse = (field: string, why: string): never => {
+    throw new CodecError('bad-identity', `identity.${field}`, why, bytes ? { bytes } : {});
+  };
+  if (!/^[!-~]$/.test(identity.timerClass)) refuse('timerClass', 'the class must be one printable character');
+  if (!/^[0-9]{3}$/.test(identity.firmware)) refuse('firmware', 'the firmware must be three digits');
+  for (const field of ['functions', 'memories', 'servos'] as const) {
+    const value = identity[field];
+    if (!Number.isInteger(value) || value < 1 || value > 255) refuse(field, `${field} must be 1 to 255, not ${value}`);
+  }
+  if (2 * columnCount(identity) > MAX_DATA) refuse('functions', 'more functions than one frame of times can hold');
+  if (identity.servos * columnCount(identity) > MAX_DATA) {
+    refuse('servos', 'more servo positions than one frame can hold');
+  }
+}
+
+/** The nine bytes of a version reply: class, three digits, space, NF, NM, NS, space. */
+export function encodeIdentity(identity: Identity): number[] {
+  requireIdentity(identity);
+  const { timerClass, firmware, functions, memories, servos } = identity;
+  return [...`${timerClass}${firmware}`].map((c) => c.charCodeAt(0)).concat(SPACE, functions, memories, servos, SPACE);
+}
+
+/** @throws CodecError `wrong-length` or `bad-identity`, both with the raw bytes. */
+export function decodeIdentity(data: Uint8Array): Identity {
+  if (data.length !== VERSION_LENGTH) {
+    throw new CodecError('wrong-length', 'data', `a version is ${VERSION_LENGTH} bytes, not ${data.length}`, {
+      bytes: data,
+    });
+  }
+  const [letter, d1, d2, d3, space1, functions, memories, servos, space2] = data as unknown as number[];
+  const identity: Identity = {
+    timerClass: String.fromCharCode(letter as number),
+    firmware: String.fromCharCode(d1 as number, d2 as number, d3 as number),
+    functions: functions as number,
+    memories: memories as number,
+    servos: servos as number,
+  };
+  requireIdentity(identity, data);
+  if (space1 !== SPACE || space2 !== SPACE) {
+    throw new CodecError('bad-identity', 'identity', 'the two separators of a version must be 20', { bytes: data });
+  }
+  return identity;
+}

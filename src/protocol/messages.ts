@@ -1,0 +1,117 @@
+import { COMMANDS, type CommandName, commandOf, type Reply, type Request } from './commands.js';
+import { CodecError } from './errors.js';
+import type { Field, Layout } from './fields.js';
+import { type EncodeFrameOptions, encodeFrame, type Frame, frameSize } from './frame.js';
+import type { Identity } from './identity.js';
+
+/** Everything in which a timer may depart from the reading of the protocol that is taken for right, as far as bytes go. */
+export interface CodecOptions extends Layout, EncodeFrameOptions {}
+
+export interface DecodeReplyOptions extends Layout {
+  /** The request that waits. Without it the reply is named by its letter alone. */
+  readonly pending?: Request | CommandName | undefined;
+}
+
+type Values = Readonly<Record<string, unknown>>;
+
+/**
+ * A request as it goes on the wire.
+ * @param options with an identity every value is held to what that timer has; without, to what its bytes can carry.
+ * @throws CodecError `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
+ */
+export function encodeRequest(request: Request, options: CodecOptions = {}): Uint8Array {
+  const { request: code } = COMMANDS[request.name];
+  return encodeFrame(code, encodeFields(requestFields(request.name, options), request, options), options);
+}
+
+/**
+ * A request as a timer reads it.
+ * @throws CodecError `unknown-command`, `wrong-length`, `out-of-range`.
+ */
+export function decodeRequest(frame: Frame, options: Layout = {}): Request {
+  const command = commandOf(frame.code);
+  if (command?.direction !== 'request') throw unknownCommand(frame);
+  const values = decodeFields(requestFields(command.name, options), frame.data, options);
+  return { name: command.name, ...values } as Request;
+}
+
+/**
+ * A reply as it goes on the wire.
+ * @throws CodecError `not-an-integer`, `out-of-range`, `wrong-count` or `bad-identity`.
+ */
+export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Array {
+  const { reply: code } = COMMANDS[reply.name];
+  return encodeFrame(code, encodeFields(replyFields(reply.name), reply, options), options);
+}
+
+/**
+ * A reply as the client reads it. With a pending GETTIMERS the letter 66 is taken for 62, with a pending UNLOCK 6A for 6E,
+ * as the source prints them in one place; whoever calls decides whether that is safe now (see {@link answers}).
+ * @throws CodecError `unexpected-reply` when it does not answer the pending request, `unknown-command` when no reply has
+ * this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
+ */
+export function decodeReply(frame: Frame, options: DecodeReplyOptions = {}): Reply {
+  const { pending } = options;
+  const command = commandOf(frame.code);
+  if (command?.direction !== 'reply') throw unknownCommand(frame);
+  let { name } = command;
+  if (pending !== undefined) {
+    const asked = typeof pending === 'string' ? pending : pending.name;
+    if (!answers(frame.code, asked)) {
+      throw new CodecError('unexpected-reply', 'code', `a reply to ${name} does not answer ${asked}`, {
+        value: frame.code,
+      });
+    }
+    name = asked;
+  }
+  return { name, ...decodeFields(replyFields(name), frame.data, options) } as Reply;
+}
+
+/**
+ * Whether a frame with this letter answers a request: `exact`, or by a letter that the source misprints and that belongs to
+ * another command. A misprint is safe to take only when no earlier request can still be answered.
+ */
+export function answers(code: number, asked: CommandName): 'exact' | 'misprint' | undefined {
+  const command: { reply: number; misprint?: number } = COMMANDS[asked];
+  if (command.reply === code) return 'exact';
+  return command.misprint === code ? 'misprint' : undefined;
+}
+
+/** Bytes on the wire of a request and of its reply, for a timer of this identity. */
+export function exchangeSize(name: CommandName, identity: Identity): { request: number; reply: number } {
+  const size = (fields: readonly Field[]): number => frameSize(fields.reduce((sum, f) => sum + f.size(identity), 0));
+  return { request: size(requestFields(name, {})), reply: size(replyFields(name)) };
+}
+
+function requestFields(name: CommandName, { quirks }: Layout): readonly Field[] {
+  if (name === 'SETSERVO' && quirks?.servoFirst) {
+    const [functionField, servoField, positionField] = COMMANDS.SETSERVO.sends;
+    return [servoField, functionField, positionField];
+  }
+  return COMMANDS[name].sends;
+}
+
+function replyFields(name: CommandName): readonly Field[] {
+  return COMMANDS[name].answers;
+}
+
+function encodeFields(fields: readonly Field[], values: object, layout: Layout): readonly number[] {
+  return fields.flatMap((field) => field.encode((values as Values)[field.name], layout));
+}
+
+function decodeFields(fields: readonly Field[], data: Uint8Array, layout: Layout): Values {
+  if (data.length < fields.length - 1 || (fields.length === 0 && data.length > 0)) {
+    throw new CodecError('wrong-length', 'data', `${data.length} bytes do not fit this command`, { bytes: data });
+  }
+  const values: Record<string, unknown> = {};
+  fields.forEach((field, index) => {
+    const isLast = index === fields.length - 1;
+    values[field.name] = field.decode(data.subarray(index, isLast ? data.length : index + 1), layout);
+  });
+  return values;
+}
+
+function unknownCommand(frame: Frame): CodecError {
+  const letter = frame.code.toString(16).padStart(2, '0');
+  return new CodecError('unknown-command', 'code', `no such command: ${letter}`, { value: frame.code });
+}
