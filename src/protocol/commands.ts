@@ -1,9 +1,10 @@
 import {
   byteField,
+  currentMemoryField,
   type Field,
   identityField,
   MAX_POSITION,
-  optionalByteField,
+  memoryField,
   positionsField,
   timesField,
 } from './fields.js';
@@ -30,12 +31,6 @@ export interface Command {
 const functionField = byteField('function', (identity) => identity.functions);
 const servoField = byteField('servo', (identity) => identity.servos - 1);
 const positionField = byteField('position', () => MAX_POSITION);
-const memoryField = byteField('memory', (identity) => identity.memories - 1);
-/**
- * A timer that counts its memories from 1 answers up to their number, and one whose reply has no index says nothing: the
- * number is passed on as it stands on the wire.
- */
-const memoryReplyField = optionalByteField('memory', (identity) => identity.memories);
 /** Unit unknown. */
 const idleThrottleField = byteField('idleThrottle', () => 255);
 
@@ -107,7 +102,7 @@ export const COMMANDS = {
     request: 0x71,
     reply: 0x72,
     sends: [],
-    answers: [memoryReplyField],
+    answers: [currentMemoryField],
     repeatable: true,
     effect: 'reads',
   },
@@ -155,16 +150,16 @@ type FieldValues<Fields extends readonly Field[]> = {
   readonly [F in Fields[number] as F['name']]: F extends Field<string, infer Value> ? Value : never;
 };
 
-/** The request of one command: its name and its values. */
-export type RequestOf<Name extends CommandName> = { readonly name: Name } & FieldValues<
-  (typeof COMMANDS)[Name]['sends']
->;
-/** The reply to one command: its name and its values. */
-export type ReplyOf<Name extends CommandName> = { readonly name: Name } & FieldValues<
-  (typeof COMMANDS)[Name]['answers']
->;
+/** The request of one command: its name and its values; of several commands, any of them. */
+export type RequestOf<Name extends CommandName> = Name extends CommandName
+  ? { readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['sends']>
+  : never;
+/** The reply to one command: its name and its values; to several, any of them. */
+export type ReplyOf<Name extends CommandName> = Name extends CommandName
+  ? { readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['answers']>
+  : never;
 
 /** Any request: `{ name: 'GETSWVER' }`, `{ name: 'SETSERVO', function: 10, servo: 0, position: 65 }` ... */
-export type Request = { [Name in CommandName]: RequestOf<Name> }[CommandName];
+export type Request = RequestOf<CommandName>;
 /** Any reply: `{ name: 'GETTIMERS', times: [...] }`, `{ name: 'SETSERVO' }` ... */
-export type Reply = { [Name in CommandName]: ReplyOf<Name> }[CommandName];
+export type Reply = ReplyOf<CommandName>;

@@ -7,6 +7,8 @@ export interface LayoutQuirks {
   readonly bigEndianTimes?: boolean;
   /** SETSERVO carries servo, function, position instead of function, servo, position. */
   readonly servoFirst?: boolean;
+  /** Memories are counted from 1 on the wire. In values they always count from 0. */
+  readonly memoriesFromOne?: boolean;
 }
 
 /** What the layout of a message may depend on besides its values. */
@@ -54,18 +56,45 @@ export function byteField<Name extends string>(name: Name, max: (identity: Ident
   };
 }
 
-/** The same, but it may be missing: null. */
-export function optionalByteField<Name extends string>(
-  name: Name,
-  max: (identity: Identity) => number,
-): Field<Name, number | null> {
-  const byte = byteField(name, max);
-  return {
-    name,
-    size: () => 1,
-    encode: (value, layout) => (value === null ? [] : byte.encode(value, layout)),
-    decode: (data, layout) => (data.length === 0 ? null : byte.decode(data, layout)),
-  };
+/** The memory to be selected, counted from 0. */
+export const memoryField: Field<'memory', number> = {
+  name: 'memory',
+  size: () => 1,
+  encode(memory, { identity, quirks }) {
+    requireInteger(memory, 'memory', 0, identity ? identity.memories - 1 : 254);
+    return [memory + firstMemory(quirks)];
+  },
+  decode(data, { identity, quirks }) {
+    requireLength(data, 1, 1);
+    const memory = (data[0] as number) - firstMemory(quirks);
+    requireInteger(memory, 'memory', 0, identity ? identity.memories - 1 : 254);
+    return memory;
+  },
+};
+
+/**
+ * The memory that is current, or null: the source prints this reply once with an index and once without. A timer that counts from
+ * 1 gives itself away by answering the number of its memories, so that value is let through for the caller to judge.
+ */
+export const currentMemoryField: Field<'memory', number | null> = {
+  name: 'memory',
+  size: () => 1,
+  encode(memory, { quirks }) {
+    if (memory === null) return [];
+    requireInteger(memory, 'memory', 0, 254);
+    return [memory + firstMemory(quirks)];
+  },
+  decode(data, { identity, quirks }) {
+    if (data.length === 0) return null;
+    requireLength(data, 1, 1);
+    const memory = (data[0] as number) - firstMemory(quirks);
+    requireInteger(memory, 'memory', 0, identity ? identity.memories - firstMemory(quirks) : 255);
+    return memory;
+  },
+};
+
+function firstMemory(quirks: LayoutQuirks | undefined): number {
+  return quirks?.memoriesFromOne ? 1 : 0;
 }
 
 /** Every column's time in hundredths of a second, 16 bits each, low byte first. */

@@ -1,1 +1,4 @@
-export const simulatorPlaceholder = 1;
+export { firstContent, type MemoryContent } from './memory.js';
+export type { TimerQuirks } from './quirks.js';
+export { TimerCore, type TimerCoreOptions, type TimerPhase } from './timer-core.js';
+export { type LineFaults, VirtualTimer, type VirtualTimerOptions } from './virtual-timer.js';

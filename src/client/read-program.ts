@@ -1,0 +1,78 @@
+import type { TimerProgram } from '../program/index.js';
+import type { Identity, ReplyOf } from '../protocol/index.js';
+import { TimerError } from './errors.js';
+import type { Exchange } from './exchange.js';
+import type { QuirkCode } from './log.js';
+import { type Progress, StageProgress } from './progress.js';
+
+/** What a job of the client works with. */
+export interface Job {
+  readonly exchange: Exchange;
+  readonly identity: Identity;
+  readonly signal: AbortSignal | undefined;
+  readonly onProgress: ((progress: Progress) => void) | undefined;
+  /** Notes a quirk of this timer. */
+  readonly note: (quirk: QuirkCode) => void;
+  /** The index of the reply as a memory counted from 0. */
+  readonly memoryOf: (reply: ReplyOf<'GETMEMORY'>) => number | null;
+}
+
+const ALWAYS = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
+type Question = (typeof ALWAYS)[number] | 'GETLOWRPM' | 'GETSWVER';
+
+/** The questions that a timer of this class is asked for its program: only Q knows a motor. */
+function questionsFor(identity: Identity): Question[] {
+  return identity.timerClass === 'Q' ? [...ALWAYS, 'GETLOWRPM'] : [...ALWAYS];
+}
+
+/**
+ * Reads what the current memory holds. When damage is first seen on the way, all that was believed on a single reading, the identity
+ * included, is read again until two agree.
+ * @throws TimerError `other-timer` when that shows another identity; as Exchange.
+ */
+export async function readContent(job: Job, stage: 'read' | 'verify'): Promise<TimerProgram> {
+  const { exchange, identity, signal } = job;
+  const questions = questionsFor(identity);
+  const progress = new StageProgress(stage, questions, identity, job.onProgress);
+  const replies = new Map<Question, ReplyOf<Question> | null>();
+  const single = new Map<Question, ReplyOf<Question>>([['GETSWVER', { name: 'GETSWVER', identity }]]);
+
+  const ask = async (name: Question, before?: ReplyOf<Question>): Promise<void> => {
+    const { reply, agreed } = await exchange.read({ name }, signal, before);
+    replies.set(name, reply);
+    if (agreed) single.delete(name);
+    else single.set(name, reply);
+  };
+  const askOptional = async (name: Question, quirk: QuirkCode): Promise<void> => {
+    try {
+      await ask(name);
+    } catch (error) {
+      // Not known to be answered by every timer, and nothing else depends on it.
+      if (!(error instanceof TimerError) || error.code !== 'no-answer') throw error;
+      replies.set(name, null);
+      job.note(quirk);
+    }
+  };
+
+  for (const name of questions) {
+    if (name === 'GETMEMORY') await askOptional(name, 'memory-unknown');
+    else if (name === 'GETLOWRPM') await askOptional(name, 'idle-throttle-unanswered');
+    else await ask(name);
+    progress.finished(name);
+  }
+  if (exchange.damaged) {
+    for (const [name, reply] of [...single]) await ask(name, reply);
+  }
+  const again = replies.get('GETSWVER') as ReplyOf<'GETSWVER'> | undefined;
+  if (again && JSON.stringify(again.identity) !== JSON.stringify(identity)) {
+    throw new TimerError('other-timer', 'another timer answers than the one that was identified');
+  }
+  const memory = replies.get('GETMEMORY') as ReplyOf<'GETMEMORY'> | null;
+  return {
+    identity,
+    memory: memory && job.memoryOf(memory),
+    timers: (replies.get('GETTIMERS') as ReplyOf<'GETTIMERS'>).times,
+    positions: (replies.get('GETSERVOPOS') as ReplyOf<'GETSERVOPOS'>).positions,
+    idleThrottle: (replies.get('GETLOWRPM') as ReplyOf<'GETLOWRPM'> | null | undefined)?.idleThrottle ?? null,
+  };
+}

@@ -1,0 +1,201 @@
+import { type Clock, realClock } from '../line/index.js';
+import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
+import type { Identity, LayoutQuirks, ReplyOf, Request } from '../protocol/index.js';
+import { TimerError, throwIfAborted } from './errors.js';
+import { Exchange } from './exchange.js';
+import type { LineEntry, QuirkCode } from './log.js';
+import type { BytePort } from './port.js';
+import type { Progress } from './progress.js';
+import { type Job, readContent } from './read-program.js';
+import { Wire } from './wire.js';
+import { type WriteReport, writeContent } from './write-program.js';
+
+export interface TimerClientOptions {
+  /** Bits a second of the line, to know how long bytes take. Default 9600. */
+  readonly baudRate?: number;
+  /** Default: the real clock. */
+  readonly clock?: Clock;
+  /** Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered. Default 600. */
+  readonly margin?: number;
+  /** Told of everything on the line. */
+  readonly onLine?: (entry: LineEntry) => void;
+}
+
+/** What every job of more than one exchange takes. */
+export interface JobOptions {
+  /** Asks to stop. The exchange under way is waited for, so the port stays usable: at most one reply time. */
+  readonly signal?: AbortSignal | undefined;
+  readonly onProgress?: ((progress: Progress) => void) | undefined;
+}
+
+export interface WriteOptions extends JobOptions {
+  /** What the timer held when it was last read. Only what differs from it is sent. */
+  readonly baseline: TimerProgram;
+}
+
+/**
+ * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time; each
+ * rejects with a {@link TimerError} and leaves the port usable.
+ */
+export class TimerClient {
+  readonly #wire: Wire;
+  readonly #exchange: Exchange;
+  readonly #quirksFound = new Set<QuirkCode>();
+  #identity: Identity | null = null;
+  #quirks: LayoutQuirks = {};
+  #queue: Promise<unknown> = Promise.resolve();
+
+  constructor(port: BytePort, options: TimerClientOptions = {}) {
+    const { baudRate = 9600, clock = realClock, margin = 600, onLine } = options;
+    const onQuirk = (quirk: QuirkCode): void => void this.#quirksFound.add(quirk);
+    this.#wire = new Wire(port, { baudRate, clock, margin, onLine, onQuirk });
+    this.#exchange = new Exchange(this.#wire, clock, () => ({ identity: this.#identity, quirks: this.#quirks }));
+  }
+
+  /** What the timer said of itself; null before {@link identify}. */
+  get identity(): Identity | null {
+    return this.#identity;
+  }
+
+  /** In what this timer was found to depart from the usual reading of the protocol. */
+  get quirksFound(): ReadonlySet<QuirkCode> {
+    return this.#quirksFound;
+  }
+
+  /** Whether bytes came that belong to no reply. From then on a read is believed only when two agree. */
+  get damageSeen(): boolean {
+    return this.#exchange.damaged;
+  }
+
+  /** Asks the timer what it is (GETSWVER). */
+  identify({ signal }: JobOptions = {}): Promise<Identity> {
+    return this.#inTurn(() => this.#identify(signal));
+  }
+
+  /** Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, and on class Q GETLOWRPM. */
+  readProgram(options: JobOptions = {}): Promise<TimerProgram> {
+    return this.#inTurn(async () => readContent(await this.#job(options), 'read'));
+  }
+
+  /**
+   * Writes what differs from the baseline, reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing
+   * it again with what the timer holds as baseline finishes a write that was stopped.
+   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory` or `aborted`: all before anything is
+   * written. Once something was sent, the report says what stopped it.
+   */
+  writeProgram(edited: TimerProgram, options: WriteOptions): Promise<WriteReport> {
+    const { baseline } = options;
+    return this.#inTurn(async () => {
+      requireShape(baseline);
+      requireShape(edited);
+      const job = await this.#job(options);
+      if (!sameKind(job.identity, baseline.identity) || !sameKind(job.identity, edited.identity)) {
+        throw new TimerError('other-timer', 'the program is for another kind of timer');
+      }
+      const withQuirks = <T>(quirks: LayoutQuirks, work: () => Promise<T>): Promise<T> => {
+        const usual = this.#quirks;
+        this.#quirks = quirks;
+        return work().finally(() => {
+          this.#quirks = usual;
+        });
+      };
+      return writeContent({ ...job, quirks: this.#quirks, withQuirks }, baseline, edited);
+    });
+  }
+
+  /**
+   * Makes another memory current (SETMEMORY) and asks whether it is (GETMEMORY). It is what flies next.
+   * @param memory counted from 0.
+   * @throws CodecError when the timer has no such memory; TimerError `other-memory` when another one is current afterwards.
+   */
+  selectMemory(memory: number, options: JobOptions = {}): Promise<void> {
+    return this.#inTurn(async () => {
+      const { exchange, signal, memoryOf } = await this.#job(options);
+      await exchange.ask({ name: 'SETMEMORY', memory }, signal);
+      const { reply } = await exchange.read({ name: 'GETMEMORY' }, signal);
+      const found = memoryOf(reply);
+      if (found === null || found === memory) return;
+      throw new TimerError('other-memory', `memory ${found} is current, not ${memory}`, { expected: memory, found });
+    });
+  }
+
+  /**
+   * Moves the servos to a column (MOVETOFUNC). Sent once: after `no-answer` they may have moved.
+   * @param column 0 start, 1 .. NF-1 functions, NF is DT.
+   */
+  moveToFunction(column: number, options: JobOptions = {}): Promise<void> {
+    return this.#command({ name: 'MOVETOFUNC', function: column }, options);
+  }
+
+  /** Frees the motor (UNLOCK). A propeller may start after that. Sent once: after `no-answer` the motor may be free. */
+  unlockMotor(options: JobOptions = {}): Promise<void> {
+    return this.#command({ name: 'UNLOCK' }, options);
+  }
+
+  /** Jumps to the function after an early DT (JUMP2), whose effect is not documented. Sent once; servos may move. */
+  jump(options: JobOptions = {}): Promise<void> {
+    return this.#command({ name: 'JUMP2' }, options);
+  }
+
+  /**
+   * Sets the idle throttle (SETLOWRPM) and reads it back (GETLOWRPM).
+   * @param idleThrottle 0..255, unit unknown.
+   * @returns what the timer holds now.
+   */
+  setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
+    return this.#inTurn(async () => {
+      const { exchange, signal } = await this.#job(options);
+      await exchange.ask({ name: 'SETLOWRPM', idleThrottle }, signal);
+      const { reply } = await exchange.read({ name: 'GETLOWRPM' }, signal);
+      return reply.idleThrottle;
+    });
+  }
+
+  /** Lets go of the streams: whatever waits rejects with `closed`, both locks are released. The port itself stays open. */
+  async close(): Promise<void> {
+    await this.#wire.close();
+  }
+
+  /** One job after another: two that mixed their requests could read half of one memory and half of another. */
+  #inTurn<T>(work: () => Promise<T>): Promise<T> {
+    const turn = this.#queue.then(work);
+    // A failure belongs to its caller alone: the next in the queue starts all the same.
+    this.#queue = turn.catch(() => {});
+    return turn;
+  }
+
+  #command(request: Request, options: JobOptions): Promise<void> {
+    return this.#inTurn(async () => {
+      const { exchange, signal } = await this.#job(options);
+      await exchange.ask(request, signal);
+    });
+  }
+
+  async #identify(signal: AbortSignal | undefined): Promise<Identity> {
+    const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal);
+    this.#identity = reply.identity;
+    return reply.identity;
+  }
+
+  async #job({ signal, onProgress }: JobOptions): Promise<Job> {
+    throwIfAborted(signal);
+    const identity = this.#identity ?? (await this.#identify(signal));
+    return {
+      exchange: this.#exchange,
+      identity,
+      signal,
+      onProgress,
+      note: (quirk) => void this.#quirksFound.add(quirk),
+      memoryOf: (reply) => this.#memoryOf(reply, identity),
+    };
+  }
+
+  #memoryOf({ memory }: ReplyOf<'GETMEMORY'>, identity: Identity): number | null {
+    if (memory === null) this.#quirksFound.add('memory-unknown');
+    if (memory !== identity.memories) return memory;
+    // One more than the last that is counted from 0: this timer counts from 1.
+    this.#quirksFound.add('memories-from-one');
+    this.#quirks = { ...this.#quirks, memoriesFromOne: true };
+    return memory - 1;
+  }
+}

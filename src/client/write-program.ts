@@ -1,0 +1,198 @@
+import {
+  type Change,
+  changeRequests,
+  differences,
+  fieldKey,
+  type ProgramField,
+  type TimerProgram,
+  valueAt,
+} from '../program/index.js';
+import { encodeRequest, type LayoutQuirks, type Request } from '../protocol/index.js';
+import { TimerError, throwIfAborted } from './errors.js';
+import { StageProgress } from './progress.js';
+import { type Job, readContent } from './read-program.js';
+
+/** What became of one value. */
+export interface ValueReport {
+  readonly field: ProgramField;
+  /** What the timer should hold. */
+  readonly wanted: number | null;
+  /** What a fresh read gave; null when it is not known. */
+  readonly held: number | null;
+  /** `verified`: a fresh read gave the wanted value. `differs`: it gave another. `unknown`: there was no fresh read. */
+  readonly status: 'verified' | 'differs' | 'unknown';
+  /** False for a value that was not to be changed and changed all the same; then `verified` means that it was put back. */
+  readonly asked: boolean;
+}
+
+export interface WriteReport {
+  /** `verified` only when a fresh read equals the whole program that was wanted. */
+  readonly result: 'verified' | 'differs' | 'unknown';
+  /** All values that were to be changed, and all that changed without being asked. */
+  readonly values: readonly ValueReport[];
+  /** What the timer holds by the last fresh read; null when there was none after the first SET request. */
+  readonly held: TimerProgram | null;
+  /** SET requests that were acknowledged. */
+  readonly acknowledged: number;
+  /** Requests that went out more than once, fences included. */
+  readonly repeats: number;
+  /** What stopped the write or the reading back; null when nothing did. */
+  readonly stopped: TimerError | null;
+}
+
+/** What the writing needs beyond a reading job. */
+export interface WriteJob extends Job {
+  readonly quirks: LayoutQuirks;
+  /** Runs with other layout quirks for a while: to put back what a timer with exchanged order changed. */
+  readonly withQuirks: <T>(quirks: LayoutQuirks, work: () => Promise<T>) => Promise<T>;
+}
+
+/**
+ * Sends what differs, reads everything back and compares. What changed without being asked is put back once.
+ * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `aborted`, or as
+ * Exchange. Afterwards it never throws a TimerError: the report says what stopped it and what is known of each value.
+ */
+export async function writeContent(job: WriteJob, baseline: TimerProgram, goal: TimerProgram): Promise<WriteReport> {
+  const { exchange, identity, signal } = job;
+  const asked = differences(baseline, goal).filter(({ to }) => to !== null);
+  const requests = changeRequests(baseline, goal);
+  // All of it must fit before any of it is sent.
+  for (const request of requests) encodeRequest(request, { identity, quirks: job.quirks });
+  throwIfAborted(signal);
+  await requireMemory(job, baseline);
+
+  const before = exchange.repeats;
+  const strays = new Map<string, ProgramField>();
+  const known: { acknowledged: number; held: TimerProgram | null } = { acknowledged: 0, held: null };
+
+  const send = async (stage: 'write' | 'repair', batch: readonly Request[]): Promise<void> => {
+    known.held = null;
+    const names = batch.map(({ name }) => name);
+    const progress = new StageProgress(stage, names, identity, job.onProgress);
+    for (const request of batch) {
+      await exchange.ask(request, signal);
+      known.acknowledged++;
+      progress.finished(request.name);
+    }
+  };
+  const readBack = async (): Promise<void> => {
+    const held = await readContent(job, 'verify');
+    requireSameMemory(held.memory, baseline.memory);
+    for (const { field } of unasked(held, goal, asked)) strays.set(fieldKey(field), field);
+    known.held = held;
+  };
+
+  let stopped = await attempt(() => send('write', requests));
+  if (!stopped || stopped.code === 'no-answer' || stopped.code === 'bad-reply') {
+    stopped = (await attempt(readBack)) ?? stopped;
+  }
+  const repair = !stopped && known.held && repairs(job, known.held, asked, goal, requests);
+  if (repair) {
+    stopped = await attempt(() => job.withQuirks(repair.quirks, () => send('repair', repair.requests)));
+    stopped = (await attempt(readBack)) ?? stopped;
+  }
+  const values = [...asked.map(({ field }) => ({ field, asked: true })), ...[...strays.values()].map(putBack)];
+  return {
+    ...compare(goal, values, known.held),
+    ...known,
+    repeats: exchange.repeats - before,
+    stopped,
+  };
+}
+
+function putBack(field: ProgramField): { field: ProgramField; asked: boolean } {
+  return { field, asked: false };
+}
+
+/** Nothing may be written into another memory than the one that was read. */
+async function requireMemory(job: Job, { memory }: TimerProgram): Promise<void> {
+  if (memory === null) return;
+  const { reply } = await job.exchange.read({ name: 'GETMEMORY' }, job.signal);
+  requireSameMemory(job.memoryOf(reply), memory);
+}
+
+function requireSameMemory(found: number | null, expected: number | null): void {
+  if (found === null || expected === null || found === expected) return;
+  throw new TimerError('other-memory', `memory ${found} is current, not ${expected}`, { expected, found });
+}
+
+async function attempt(work: () => Promise<void>): Promise<TimerError | null> {
+  try {
+    await work();
+    return null;
+  } catch (error) {
+    if (error instanceof TimerError) return error;
+    throw error;
+  }
+}
+
+/** Values that are not as wanted although nobody asked to change them. */
+function unasked(held: TimerProgram, goal: TimerProgram, asked: readonly Change[]): Change[] {
+  const changed = new Set(asked.map(({ field }) => fieldKey(field)));
+  return differences(held, goal).filter(({ field, to }) => to !== null && !changed.has(fieldKey(field)));
+}
+
+/**
+ * What to send after the reading back, or nothing. Values that changed without being asked are put back. Values that did not take
+ * are sent once more only when damage was seen on the line: otherwise the timer rounds, or wants something else, and would do so again.
+ */
+function repairs(
+  job: WriteJob,
+  held: TimerProgram,
+  asked: readonly Change[],
+  goal: TimerProgram,
+  sent: readonly Request[],
+): { requests: Request[]; quirks: LayoutQuirks } | null {
+  const wrong = unasked(held, goal, asked);
+  if (wrong.some(({ field, from }) => isExchanged(sent, field, from))) {
+    job.note('servo-first');
+    const cells = wrong.filter(({ field }) => field.kind === 'position');
+    const quirks = { ...job.quirks, servoFirst: !job.quirks.servoFirst };
+    return { requests: requestsFor(held, goal, cells), quirks };
+  }
+  const positions = asked.filter(({ field }) => field.kind === 'position');
+  if (positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from)) {
+    job.note('positions-unchanged');
+  }
+  const again = job.exchange.damaged ? differences(held, goal) : wrong;
+  return again.length > 0 ? { requests: requestsFor(held, goal, again), quirks: job.quirks } : null;
+}
+
+/** Whether a cell changed to a position that was sent for the cell with function and servo exchanged. */
+function isExchanged(sent: readonly Request[], field: ProgramField, value: number | null): boolean {
+  return sent.some(
+    (request) =>
+      request.name === 'SETSERVO' &&
+      field.kind === 'position' &&
+      request.function !== request.servo &&
+      request.function === field.servo &&
+      request.servo === field.column &&
+      request.position === value,
+  );
+}
+
+/** The requests for some of the changes only. */
+function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly Change[]): Request[] {
+  const kept = new Set(changes.map(({ field }) => fieldKey(field)));
+  return changeRequests(held, goal).filter((request) => {
+    if (request.name === 'SETTIMERS') return changes.some(({ field }) => field.kind === 'time');
+    if (request.name === 'SETLOWRPM') return kept.has('idleThrottle');
+    return request.name === 'SETSERVO' && kept.has(`position:${request.servo}:${request.function}`);
+  });
+}
+
+function compare(
+  goal: TimerProgram,
+  fields: readonly { field: ProgramField; asked: boolean }[],
+  held: TimerProgram | null,
+): Pick<WriteReport, 'result' | 'values'> {
+  const values = fields.map(({ field, asked }): ValueReport => {
+    const wanted = valueAt(goal, field);
+    const found = held && valueAt(held, field);
+    const status = found === null ? 'unknown' : found === wanted ? 'verified' : 'differs';
+    return { field, wanted, held: found, status, asked };
+  });
+  if (values.some(({ status }) => status === 'differs')) return { result: 'differs', values };
+  const known = held !== null && values.every(({ status }) => status === 'verified');
+  return { result: known ? 'verified' : 'unknown', values };
+}

@@ -1,0 +1,202 @@
+import { type Identity, MAX_POSITION, MAX_TIME } from '../protocol/index.js';
+import { columnKind, fieldsOf, type ProgramField, requireShape, type TimerProgram, valueAt } from './program.js';
+
+/**
+ * How much a finding weighs. An `error` is what the wire cannot carry: it cannot be written. A `serious` one may cost a model
+ * and must be acknowledged before a write. A `warning` is unusual.
+ */
+export type Severity = 'error' | 'serious' | 'warning';
+
+/**
+ * What the check may find. Times in the parameters are hundredths of a second.
+ *
+ * - `time-not-whole`, `time-out-of-range` (min, max): the wire cannot carry this time.
+ * - `position-not-whole`, `position-out-of-range` (min, max): nor this position.
+ * - `throttle-not-whole`, `throttle-out-of-range` (min, max): nor this idle throttle.
+ * - `position-as-read` (value): the timer holds a position past its last step; it is kept unless edited.
+ * - `time-falls` (previous): a function comes before the one it follows.
+ * - `time-repeats` (previous): two functions share a time and hold the same positions.
+ * - `position-never-reached` (previous): two functions share a time, so the earlier one's positions are passed over.
+ * - `motor-stop-after-dt` (dt): class Q; the model comes down with the motor running.
+ * - `motor-run-long` (limit): class Q; longer than the rules allow.
+ * - `time-outside-manual` (min, max): not in the range that the maker's manual gives.
+ * - `time-too-fine` (step): finer than the steps that the manual gives; the timer may round it.
+ * - `dt-short` (limit): a short DT, good for trimming, lost for a contest flight.
+ * - `throttle-unusual` (limit): more than 100; the unit is not known.
+ * - `class-unknown` (timerClass): the timer's letter is not B, Q or E, so no rule of a class was checked.
+ */
+export type FindingCode =
+  | 'time-not-whole'
+  | 'time-out-of-range'
+  | 'position-not-whole'
+  | 'position-out-of-range'
+  | 'throttle-not-whole'
+  | 'throttle-out-of-range'
+  | 'position-as-read'
+  | 'time-falls'
+  | 'time-repeats'
+  | 'position-never-reached'
+  | 'motor-stop-after-dt'
+  | 'motor-run-long'
+  | 'time-outside-manual'
+  | 'time-too-fine'
+  | 'dt-short'
+  | 'throttle-unusual'
+  | 'class-unknown';
+
+export interface Finding {
+  readonly severity: Severity;
+  readonly code: FindingCode;
+  /** The value it is about; null when it is about the whole program. */
+  readonly field: ProgramField | null;
+  readonly params: Readonly<Record<string, number | string>>;
+}
+
+export interface CheckOptions {
+  /** What the timer held: a position that it cannot have been set to is kept without an error while it is as it was read. */
+  readonly baseline?: TimerProgram | undefined;
+  /** A DT below this is called short, in hundredths of a second. Default 6000, a minute. */
+  readonly shortDt?: number | undefined;
+}
+
+/** F1Q: the motor may run for 40 s at most. */
+const LONGEST_MOTOR_RUN = 4000;
+const SHORT_DT = 6000;
+const MAX_THROTTLE = 255;
+const USUAL_THROTTLE = 100;
+
+/**
+ * Everything that a pilot should know of a program before it is written: errors first to last field, then warnings.
+ * Column 0 takes no part in the rising order: it is the motor stop on Q and reserved on B and E.
+ * @throws CodecError `wrong-count` when the lists do not have the shape of the identity.
+ */
+export function checkProgram(program: TimerProgram, options: CheckOptions = {}): Finding[] {
+  requireShape(program);
+  const errors = fieldsOf(program.identity).flatMap((field) => carried(program, field, options.baseline));
+  const wrong = new Set(
+    errors.filter((e) => e.severity === 'error' && e.field?.kind === 'time').map((e) => column(e.field)),
+  );
+  return [
+    ...errors,
+    ...order(program, wrong),
+    ...motor(program, wrong),
+    ...manual(program, wrong),
+    ...(wrong.has(program.identity.functions) ? [] : dethermaliser(program, options.shortDt ?? SHORT_DT)),
+    ...throttle(program),
+    ...timerClass(program.identity),
+  ];
+}
+
+/** Whether a write is impossible. */
+export function hasErrors(findings: readonly Finding[]): boolean {
+  return findings.some(({ severity }) => severity === 'error');
+}
+
+function column(field: ProgramField | null): number {
+  return field && field.kind !== 'idleThrottle' ? field.column : -1;
+}
+
+/** What the wire cannot carry. */
+function carried(program: TimerProgram, field: ProgramField, baseline: TimerProgram | undefined): Finding[] {
+  const value = valueAt(program, field);
+  if (value === null) return [];
+  const kind = field.kind === 'idleThrottle' ? 'throttle' : field.kind;
+  const max = { time: MAX_TIME, position: MAX_POSITION, throttle: MAX_THROTTLE }[kind];
+  if (!Number.isInteger(value)) return [{ severity: 'error', code: `${kind}-not-whole`, field, params: {} }];
+  if (value >= 0 && value <= max) return [];
+  if (field.kind === 'position' && baseline && valueAt(baseline, field) === value) {
+    return [{ severity: 'warning', code: 'position-as-read', field, params: { value, max } }];
+  }
+  return [{ severity: 'error', code: `${kind}-out-of-range`, field, params: { min: 0, max } }];
+}
+
+/** Functions rise strictly: certain for Q. For B and E the manuals differ, so it weighs less there. */
+function order({ identity, timers, positions }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
+  const found: Finding[] = [];
+  for (let at = 2; at <= identity.functions; at++) {
+    if (wrong.has(at) || wrong.has(at - 1)) continue;
+    const previous = timers[at - 1] as number;
+    const time = timers[at] as number;
+    const field: ProgramField = { kind: 'time', column: at };
+    if (time < previous) {
+      const severity = identity.timerClass === 'B' || identity.timerClass === 'E' ? 'warning' : 'serious';
+      found.push({ severity, code: 'time-falls', field, params: { previous } });
+    } else if (time === previous) {
+      const moves = positions.some((row) => row[at] !== row[at - 1]);
+      const code = moves ? 'position-never-reached' : 'time-repeats';
+      found.push({ severity: 'warning', code, field, params: { previous } });
+    }
+  }
+  return found;
+}
+
+function motor({ identity, timers }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
+  if (identity.timerClass !== 'Q' || wrong.has(0)) return [];
+  const field: ProgramField = { kind: 'time', column: 0 };
+  const stop = timers[0] as number;
+  const dt = timers[identity.functions] as number;
+  const found: Finding[] = [];
+  if (!wrong.has(identity.functions) && stop > dt) {
+    found.push({ severity: 'serious', code: 'motor-stop-after-dt', field, params: { dt } });
+  }
+  if (stop > LONGEST_MOTOR_RUN) {
+    found.push({ severity: 'warning', code: 'motor-run-long', field, params: { limit: LONGEST_MOTOR_RUN } });
+  }
+  return found;
+}
+
+/** Ranges and steps of the manuals of 2010, hundredths of a second. */
+interface ManualRange {
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+}
+
+const TENTHS: ManualRange = { min: 10, max: 9990, step: 10 };
+const HUNDREDTHS: ManualRange = { min: 1, max: 999, step: 1 };
+const SECONDS: ManualRange = { min: 100, max: 72000, step: 100 };
+
+/**
+ * The range and the step that the manual gives for the time of a column; null where it gives none: class E, an unknown class, the
+ * reserved column of B.
+ */
+export function manualRange(identity: Identity, at: number): ManualRange | null {
+  const { timerClass } = identity;
+  if (timerClass !== 'Q' && timerClass !== 'B') return null;
+  const kind = columnKind(identity, at);
+  if (kind === 'dt') return SECONDS;
+  if (timerClass === 'Q') return TENTHS;
+  if (kind === 'start') return null;
+  return at <= 2 ? HUNDREDTHS : TENTHS;
+}
+
+function manual({ identity, timers }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
+  return timers.flatMap((time, at): Finding[] => {
+    const range = manualRange(identity, at);
+    if (!range || wrong.has(at)) return [];
+    const field: ProgramField = { kind: 'time', column: at };
+    const { min, max, step } = range;
+    if (time < min || time > max) {
+      return [{ severity: 'warning', code: 'time-outside-manual', field, params: { min, max } }];
+    }
+    if (time % step !== 0) return [{ severity: 'warning', code: 'time-too-fine', field, params: { step } }];
+    return [];
+  });
+}
+
+function dethermaliser({ identity, timers }: TimerProgram, limit: number): Finding[] {
+  const at = identity.functions;
+  if ((timers[at] as number) >= limit) return [];
+  return [{ severity: 'warning', code: 'dt-short', field: { kind: 'time', column: at }, params: { limit } }];
+}
+
+function throttle({ idleThrottle }: TimerProgram): Finding[] {
+  if (idleThrottle === null || !(idleThrottle > USUAL_THROTTLE && idleThrottle <= MAX_THROTTLE)) return [];
+  const params = { limit: USUAL_THROTTLE };
+  return [{ severity: 'warning', code: 'throttle-unusual', field: { kind: 'idleThrottle' }, params }];
+}
+
+function timerClass({ timerClass: letter }: Identity): Finding[] {
+  if (letter === 'B' || letter === 'Q' || letter === 'E') return [];
+  return [{ severity: 'warning', code: 'class-unknown', field: null, params: { timerClass: letter } }];
+}

@@ -1,0 +1,46 @@
+import { CodecError, type Request } from '../protocol/index.js';
+import { fieldsOf, type ProgramField, requireShape, sameLayout, type TimerProgram, valueAt } from './program.js';
+
+/** One value in which two programs differ. */
+export interface Change {
+  readonly field: ProgramField;
+  /** Null for an idle throttle that is not known. */
+  readonly from: number | null;
+  readonly to: number | null;
+}
+
+/**
+ * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. The memory that
+ * they come from is not one of them.
+ * @throws CodecError `wrong-count` when they do not have the same columns and servos.
+ */
+export function differences(from: TimerProgram, to: TimerProgram): Change[] {
+  requireShape(from);
+  requireShape(to);
+  if (!sameLayout(from.identity, to.identity)) {
+    throw new CodecError('wrong-count', 'identity', 'the two programs are for timers of different layouts');
+  }
+  return fieldsOf(from.identity)
+    .map((field) => ({ field, from: valueAt(from, field), to: valueAt(to, field) }))
+    .filter((change) => change.from !== change.to);
+}
+
+/**
+ * The fewest requests that turn one program into the other: one SETTIMERS with all times if any time differs, a SETSERVO for
+ * each position, a SETLOWRPM. An idle throttle that is not known in `to` is left as it is.
+ * @throws CodecError `wrong-count`, see {@link differences}.
+ */
+export function changeRequests(from: TimerProgram, to: TimerProgram): Request[] {
+  const changes = differences(from, to);
+  const requests: Request[] = [];
+  if (changes.some(({ field }) => field.kind === 'time')) requests.push({ name: 'SETTIMERS', times: to.timers });
+  for (const { field, to: value } of changes) {
+    if (value === null) continue;
+    if (field.kind === 'position') {
+      requests.push({ name: 'SETSERVO', function: field.column, servo: field.servo, position: value });
+    } else if (field.kind === 'idleThrottle') {
+      requests.push({ name: 'SETLOWRPM', idleThrottle: value });
+    }
+  }
+  return requests;
+}

@@ -1,0 +1,37 @@
+import { columnCount, type Identity, MAX_TIME } from '../protocol/index.js';
+
+/** What one memory of the virtual timer holds. Times in hundredths of a second, positions as `[servo][column]`. */
+export interface MemoryContent {
+  timers: number[];
+  positions: number[][];
+}
+
+/** The positions of the one reply that is known from a real timer: 15, 25 ... 115, and on in the same steps. */
+const FIRST_POSITION = 15;
+const POSITION_STEP = 10;
+const POSITIONS_KNOWN = 11;
+
+/** Times of a usual flight, in hundredths of a second: a function every half a second, DT last. */
+const FUNCTION_STEP = 50;
+const DT = 18000;
+const MOTOR_STOP = 1000;
+
+/**
+ * What a memory holds when the timer is new: the captured positions for each servo, rising times, and a DT of 3 minutes that is
+ * 30 s longer in each further memory, so that memories can be told apart.
+ */
+export function firstContent(identity: Identity, memory: number): MemoryContent {
+  const columns = columnCount(identity);
+  const dt = Math.min(MAX_TIME, DT + 3000 * memory);
+  const motorStop = identity.timerClass === 'Q' ? MOTOR_STOP : 0;
+  const after = identity.timerClass === 'Q' ? MOTOR_STOP : 0;
+  const timers = Array.from({ length: columns }, (_, column) => {
+    if (column === 0) return motorStop;
+    return column === identity.functions ? dt : Math.min(dt - columns + column, after + FUNCTION_STEP * column);
+  });
+  const row = Array.from(
+    { length: columns },
+    (_, column) => FIRST_POSITION + POSITION_STEP * (column % POSITIONS_KNOWN),
+  );
+  return { timers, positions: Array.from({ length: identity.servos }, () => [...row]) };
+}

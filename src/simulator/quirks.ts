@@ -1,0 +1,22 @@
+import type { LayoutQuirks } from '../protocol/index.js';
+
+/**
+ * How a timer may differ from the reading of the protocol that is taken for right. Each is a contradiction of the source that
+ * nobody has settled with a real timer yet; all are off by default.
+ */
+export interface TimerQuirks extends LayoutQuirks {
+  /** Zeros before each reply: the source's examples print four, a real timer sent five. Default 5. */
+  readonly zeros?: 4 | 5;
+  /** GETTIMERS is answered with 66, the letter of SETTIMERS. */
+  readonly timersReplyAs66?: boolean;
+  /** UNLOCK is answered with 6A, the letter of MOVETOFUNC. */
+  readonly unlockReplyAs6A?: boolean;
+  /** The reply to GETMEMORY carries no index. */
+  readonly memoryReplyEmpty?: boolean;
+  /** The reply to GETLOWRPM carries the bare command byte where its checksum belongs. */
+  readonly bareChecksumReply?: boolean;
+  /** SETSERVO is answered, but kept only for the function the servos were last moved to. */
+  readonly servoNeedsMove?: boolean;
+  /** The adapter returns every byte that is sent to the timer. */
+  readonly echo?: boolean;
+}

@@ -1,0 +1,169 @@
+import type { Clock } from '../line/index.js';
+import {
+  CodecError,
+  type CommandName,
+  decodeRequest,
+  encodeFrame,
+  encodeReply,
+  type Frame,
+  type Identity,
+  type Reply,
+  type Request,
+} from '../protocol/index.js';
+import { firstContent, type MemoryContent } from './memory.js';
+import type { TimerQuirks } from './quirks.js';
+
+/** Where a timer stands between battery and landing. It answers in every phase but `asleep`. */
+export type TimerPhase = 'discharged' | 'armed' | 'running' | 'finished' | 'asleep';
+
+export interface TimerCoreOptions {
+  readonly identity: Identity;
+  readonly quirks: TimerQuirks;
+  readonly clock: Clock;
+  readonly sleepAfter?: number | undefined;
+}
+
+/**
+ * What is behind the line: memories, servos, motor lock, phase, and an answer to each request. A bad frame or a value out of
+ * range gets no answer, since the protocol has no letter for one.
+ */
+export class TimerCore {
+  readonly identity: Identity;
+  readonly memories: MemoryContent[];
+  /** The memory that requests act on and that flies next, counted from 0. */
+  memory = 0;
+  /** Idle throttle, unit unknown. Whether it belongs to a memory is not known either: here it belongs to the timer. */
+  idleThrottle = 30;
+  /** Class Q: locked after a flight, by rule and for safety. */
+  motorLocked: boolean;
+  phase: TimerPhase = 'discharged';
+  /** Where each servo stands, in steps. Connecting the battery moves them to DT. */
+  servos: number[];
+  /** The column that the servos were last moved to. */
+  column: number;
+  /** Every request that was answered, oldest first. */
+  readonly answered: Request[] = [];
+  /** Told of every request that was answered. */
+  onAnswer: ((request: Request) => void) | undefined;
+  readonly #quirks: TimerQuirks;
+  readonly #clock: Clock;
+  readonly #sleepAfter: number;
+  #awakeSince: number;
+  #phaseBeforeSleep: TimerPhase = 'discharged';
+
+  constructor({ identity, quirks, clock, sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
+    this.identity = identity;
+    this.#quirks = quirks;
+    this.#clock = clock;
+    this.#sleepAfter = sleepAfter;
+    this.#awakeSince = clock.now();
+    this.memories = Array.from({ length: identity.memories }, (_, memory) => firstContent(identity, memory));
+    this.motorLocked = identity.timerClass === 'Q';
+    this.column = identity.functions;
+    this.servos = this.#positionsAt(this.column);
+  }
+
+  /** What the current memory holds. */
+  get content(): MemoryContent {
+    return this.memories[this.memory] as MemoryContent;
+  }
+
+  /** Puts it to sleep at once. Nothing is lost. */
+  sleep(): void {
+    if (this.phase === 'asleep') return;
+    this.#phaseBeforeSleep = this.phase;
+    this.phase = 'asleep';
+  }
+
+  /** A short press of the start switch: wakes it. */
+  press(): void {
+    if (this.phase === 'asleep') this.phase = this.#phaseBeforeSleep;
+    this.#awakeSince = this.#clock.now();
+  }
+
+  /** The reply to a frame as bytes for the line; undefined when it keeps silent. */
+  answer(frame: Frame): Uint8Array | undefined {
+    if (this.#clock.now() - this.#awakeSince > this.#sleepAfter) this.sleep();
+    if (this.phase === 'asleep') return undefined;
+    const request = this.#understand(frame);
+    if (!request) return undefined;
+    this.#awakeSince = this.#clock.now();
+    const reply = this.#perform(request);
+    this.answered.push(request);
+    this.onAnswer?.(request);
+    return this.#wrap(reply);
+  }
+
+  #understand(frame: Frame): Request | undefined {
+    try {
+      return decodeRequest(frame, { identity: this.identity, quirks: this.#quirks });
+    } catch (error) {
+      if (error instanceof CodecError) return undefined;
+      throw error;
+    }
+  }
+
+  #perform(request: Request): Reply {
+    const { content } = this;
+    switch (request.name) {
+      case 'GETTIMERS':
+        return { name: 'GETTIMERS', times: content.timers };
+      case 'SETTIMERS':
+        content.timers = [...request.times];
+        return { name: 'SETTIMERS', times: content.timers };
+      case 'GETSERVOPOS':
+        return { name: 'GETSERVOPOS', positions: content.positions };
+      case 'SETSERVO':
+        this.#setServo(request.servo, request.function, request.position);
+        return { name: 'SETSERVO' };
+      case 'MOVETOFUNC':
+        this.column = request.function;
+        this.servos = this.#positionsAt(this.column);
+        return { name: 'MOVETOFUNC' };
+      case 'GETSWVER':
+        return { name: 'GETSWVER', identity: this.identity };
+      case 'UNLOCK':
+        this.motorLocked = false;
+        return { name: 'UNLOCK' };
+      case 'JUMP2':
+        return { name: 'JUMP2' };
+      case 'GETMEMORY':
+        return { name: 'GETMEMORY', memory: this.#quirks.memoryReplyEmpty ? null : this.memory };
+      case 'SETMEMORY':
+        this.memory = request.memory;
+        return { name: 'SETMEMORY' };
+      case 'GETLOWRPM':
+        return { name: 'GETLOWRPM', idleThrottle: this.idleThrottle };
+      case 'SETLOWRPM':
+        this.idleThrottle = request.idleThrottle;
+        return { name: 'SETLOWRPM' };
+    }
+  }
+
+  #setServo(servo: number, column: number, position: number): void {
+    if (this.#quirks.servoNeedsMove && this.column !== column) return;
+    const row = this.content.positions[servo] as number[];
+    row[column] = position;
+    if (this.column === column) this.servos[servo] = position;
+  }
+
+  #positionsAt(column: number): number[] {
+    return this.content.positions.map((row) => row[column] as number);
+  }
+
+  #wrap(reply: Reply): Uint8Array {
+    const quirks = this.#quirks;
+    const bareChecksum = quirks.bareChecksumReply === true && reply.name === 'GETLOWRPM';
+    const bytes = encodeReply(reply, { identity: this.identity, quirks, bareChecksum });
+    const code = this.#misprint(reply.name);
+    const frame = code === undefined ? bytes : encodeFrame(code, bytes.subarray(7, -2));
+    return frame.subarray(5 - (quirks.zeros ?? 5));
+  }
+
+  /** The letter that this timer puts in the place of the right one. */
+  #misprint(name: CommandName): number | undefined {
+    if (name === 'GETTIMERS' && this.#quirks.timersReplyAs66) return 0x66;
+    if (name === 'UNLOCK' && this.#quirks.unlockReplyAs6A) return 0x6a;
+    return undefined;
+  }
+}

@@ -1,0 +1,52 @@
+import { type LineEntry, TimerClient, type TimerClientOptions } from '../../src/client/index.js';
+import { VirtualClock } from '../../src/line/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
+import type { Request } from '../../src/protocol/index.js';
+import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
+
+/** A virtual timer and a client on one clock that is turned by hand. */
+export interface Bench {
+  readonly clock: VirtualClock;
+  readonly timer: VirtualTimer;
+  readonly client: TimerClient;
+  /** Everything that was on the line, as the client saw it. */
+  readonly line: LineEntry[];
+  /** Turns the clock until the promise settles. */
+  readonly run: <T>(promise: Promise<T>) => Promise<T>;
+}
+
+export function bench(timerOptions: VirtualTimerOptions = {}, clientOptions: TimerClientOptions = {}): Bench {
+  const clock = new VirtualClock(1_700_000_000_000);
+  const line: LineEntry[] = [];
+  const timer = new VirtualTimer({ clock, ...timerOptions });
+  const client = new TimerClient(timer, { clock, onLine: (entry) => line.push(entry), ...clientOptions });
+  return { clock, timer, client, line, run: (promise) => clock.run(promise) };
+}
+
+export function names(requests: readonly Request[]): string[] {
+  return requests.map(({ name }) => name);
+}
+
+/** What the virtual timer's current memory holds, as a program. */
+export function contentOf({ core }: VirtualTimer): TimerProgram {
+  return {
+    identity: core.identity,
+    memory: core.memory,
+    timers: core.content.timers,
+    positions: core.content.positions,
+    idleThrottle: core.identity.timerClass === 'Q' ? core.idleThrottle : null,
+  };
+}
+
+/** A copy of the program with other times and positions, given as `[column, time]` and `[servo, column, position]`. */
+export function edited(
+  program: TimerProgram,
+  times: readonly [number, number][],
+  positions: readonly [number, number, number][] = [],
+): TimerProgram {
+  const timers = [...program.timers];
+  for (const [column, time] of times) timers[column] = time;
+  const rows = program.positions.map((row) => [...row]);
+  for (const [servo, column, position] of positions) (rows[servo] as number[])[column] = position;
+  return { ...program, timers, positions: rows };
+}

@@ -1,0 +1,167 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { B536 } from '../protocol/vectors.js';
+import { fromHex } from '../tools/bytes.js';
+import { bench, contentOf, edited, names } from './bench.js';
+
+/** A fault that hits the bytes with these numbers only. */
+const at =
+  (indexes: readonly number[], change: (byte: number) => number[]) =>
+  (byte: number, index: number): number[] =>
+    indexes.includes(index) ? change(byte) : [byte];
+const lose = (): number[] => [];
+
+describe('a line that damages bytes', () => {
+  it('asks again for a reply that was lost, behind a fence of another letter', async () => {
+    const { client, timer, run } = bench({ fromTimer: { fault: at([18 + 7], lose) } });
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
+    expect(names(timer.core.answered).slice(0, 4)).toEqual(['GETSWVER', 'GETMEMORY', 'GETSWVER', 'GETMEMORY']);
+  });
+
+  it('believes a read only when two agree, once damage was seen, and reads again what it had believed', async () => {
+    // The second of two flips keeps the sum right: this reply to GETSERVOPOS passes, and is wrong.
+    const reply = 18 + 2 * 10 + 2 * 31;
+    const up = at([reply + 7], (byte) => [byte + 1]);
+    const down = at([reply + 8], (byte) => [byte - 1]);
+    const noise = at([18], (byte) => [0xaa, byte]);
+    const { client, timer, run } = bench({
+      fromTimer: {
+        fault: (byte, index) =>
+          noise(byte, index)
+            .flatMap((b) => up(b, index))
+            .flatMap((b) => down(b, index)),
+      },
+    });
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
+    expect(client.damageSeen).toBe(true);
+    const count = (name: string): number => names(timer.core.answered).filter((n) => n === name).length;
+    expect(count('GETTIMERS')).toBe(2);
+    expect(count('GETMEMORY')).toBe(2);
+    expect(count('GETSWVER')).toBe(2);
+    expect(count('GETSERVOPOS')).toBe(3);
+  });
+
+  it('takes no notice of noise before the first request', async () => {
+    const { client, run, timer } = bench();
+    const program = client.readProgram();
+    expect(await run(program)).toEqual(contentOf(timer));
+    expect(client.damageSeen).toBe(false);
+  });
+
+  it('finds a reply behind a false header when the line falls silent, without asking again', async () => {
+    const header = [...fromHex('00 00 00 00 24 68')];
+    const { client, timer, run } = bench({ fromTimer: { fault: at([0], (byte) => [...header, byte]) } });
+    expect(await run(client.identify())).toEqual(B536);
+    // Damage was seen, so it asked until two agreed: but never because a reply had not come.
+    expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETSWVER']);
+  });
+
+  it('gives up with a word when no two reads agree', async () => {
+    let value = 0;
+    const { client, timer, run } = bench({ fromTimer: { fault: at([0], (byte) => [0xaa, byte]) } });
+    timer.core.onAnswer = () => {
+      (timer.core.content.positions[0] as number[])[0] = value++ % 100;
+    };
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'unstable',
+      details: { request: 'GETSERVOPOS' },
+    });
+  });
+
+  it('says that a reply cannot be right when it comes each time with content that cannot be', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    timer.core.content.timers = [0, 1, 2];
+    // The virtual timer refuses to send three times, so a wrong number of servos serves.
+    timer.core.content.timers = Array<number>(11).fill(0);
+    Object.assign(timer.core, { identity: { ...B536, servos: 2 } });
+    timer.core.content.positions.pop();
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'bad-reply',
+      details: { request: 'GETSERVOPOS', sent: 3 },
+      cause: { code: 'wrong-length' },
+    });
+  });
+});
+
+describe('replies that come late', () => {
+  it('are never taken for a later request: the times of the other memory', async () => {
+    // The reply to GETTIMERS comes after its time is up, when the memory has been changed.
+    const { client, timer, run, clock } = bench({}, { margin: 100 });
+    await run(client.identify());
+    const first = [...timer.core.content.timers];
+    timer.core.sleep();
+    const reading = run(client.readProgram().catch((error: unknown) => error));
+    expect(await reading).toMatchObject({ code: 'no-answer' });
+    timer.core.press();
+    await run(client.selectMemory(2));
+    const program = await run(client.readProgram());
+    expect(program.timers).toEqual(timer.core.memories[2]?.timers);
+    expect(program.timers).not.toEqual(first);
+    expect(clock.now()).toBeGreaterThan(0);
+  });
+
+  it('do not confuse a slow timer: each answer belongs to its question', async () => {
+    // Slower than the margin allows: every reply is late until the fences have caught up.
+    const { client, timer, run } = bench({ latency: 450 }, { margin: 200 });
+    const result = await run(client.readProgram().catch((error: unknown) => error));
+    if (result instanceof Error) expect(result).toMatchObject({ code: 'no-answer' });
+    else expect(result).toEqual(contentOf(timer));
+  });
+});
+
+describe('dangerous requests', () => {
+  for (const [name, act] of [
+    ['UNLOCK', (client) => client.unlockMotor()],
+    ['JUMP2', (client) => client.jump()],
+    ['MOVETOFUNC', (client) => client.moveToFunction(3)],
+  ] satisfies [string, (client: ReturnType<typeof bench>['client']) => Promise<void>][]) {
+    it(`${name} goes out once, answered or not`, async () => {
+      const { client, timer, run, line } = bench({ identity: { timerClass: 'Q' } });
+      await run(client.identify());
+      await run(act(client));
+      expect(names(timer.core.answered)).toEqual(['GETSWVER', name]);
+      timer.core.sleep();
+      line.length = 0;
+      await expect(run(act(client))).rejects.toMatchObject({ code: 'no-answer', details: { request: name, sent: 1 } });
+      expect(line).toHaveLength(1);
+    });
+  }
+});
+
+describe('the law of the write', () => {
+  const fault = fc.record({ index: fc.integer({ min: 0, max: 400 }), kind: fc.constantFrom('lose', 'flip', 'double') });
+  const faults = fc.array(fault, { maxLength: 6 });
+  const build = (list: { index: number; kind: string }[]) => (byte: number, index: number) => {
+    const hit = list.find((f) => f.index === index);
+    if (!hit) return [byte];
+    return hit.kind === 'lose' ? [] : hit.kind === 'flip' ? [byte ^ 0x11] : [byte, byte];
+  };
+
+  it('verified means that the timer holds what was wanted, whatever the line does; once it is quiet, again reaches the goal', async () => {
+    await fc.assert(
+      fc.asyncProperty(faults, faults, async (out, back) => {
+        let quiet = false;
+        const guard = (f: ReturnType<typeof build>) => (byte: number, index: number) =>
+          quiet ? [byte] : f(byte, index);
+        const { client, timer, run } = bench({
+          identity: { functions: 2, memories: 2, servos: 1 },
+          toTimer: { fault: guard(build(out)) },
+          fromTimer: { fault: guard(build(back)) },
+        });
+        const baseline = contentOf(timer);
+        const goal = edited(baseline, [[2, 9000]], [[0, 1, 77]]);
+        const report = await run(client.writeProgram(goal, { baseline }).catch(() => null));
+        if (report?.result === 'verified') expect(contentOf(timer)).toEqual(goal);
+        quiet = true;
+        await run(client.identify().catch(() => {}));
+        const held = await run(client.readProgram());
+        expect(held).toEqual(contentOf(timer));
+        const second = await run(client.writeProgram(goal, { baseline: held }));
+        expect(second.result).toBe('verified');
+        expect(contentOf(timer)).toEqual(goal);
+      }),
+      { numRuns: 300 },
+    );
+  });
+});

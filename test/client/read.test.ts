@@ -1,0 +1,129 @@
+import { describe, expect, it } from 'vitest';
+import { TimerError } from '../../src/client/index.js';
+import { wireTime } from '../../src/line/index.js';
+import { exchangeSize } from '../../src/protocol/index.js';
+import { B536, CAPTURE, CAPTURE_PIECES, CAPTURED_POSITIONS } from '../protocol/vectors.js';
+import { toHex } from '../tools/bytes.js';
+import { bench, contentOf, names } from './bench.js';
+
+describe('identify', () => {
+  it('asks for the version and gives what the timer says', async () => {
+    const { client, run, line } = bench();
+    expect(await run(client.identify())).toEqual(B536);
+    expect(line.map(({ direction, bytes }) => `${direction} ${toHex(bytes)}`)).toEqual([
+      'out 00 00 00 00 00 03 6b 6b 45',
+      'in 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45',
+    ]);
+  });
+
+  it('says that a timer which sleeps did not answer, after three requests and in about two seconds', async () => {
+    const { client, timer, run, clock, line } = bench();
+    timer.core.sleep();
+    const begin = clock.now();
+    const error = await run(client.identify().catch((e: unknown) => e));
+    expect(error).toBeInstanceOf(TimerError);
+    expect(error).toMatchObject({ code: 'no-answer', details: { request: 'GETSWVER' } });
+    expect(line.filter(({ direction }) => direction === 'out')).toHaveLength(3);
+    expect(clock.now() - begin).toBeLessThan(3000);
+  });
+
+  it('works once the timer is awake again', async () => {
+    const { client, timer, run } = bench();
+    timer.core.sleep();
+    await run(client.identify().catch(() => {}));
+    timer.core.press();
+    expect(await run(client.identify())).toEqual(B536);
+  });
+});
+
+describe('read program', () => {
+  it('gives the captured positions for each servo, however the reply is cut', async () => {
+    const { client, run, line } = bench({ fromTimer: { chunks: CAPTURE_PIECES } });
+    const program = await run(client.readProgram());
+    expect(program.positions).toEqual([CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS]);
+    expect(line.map(({ bytes }) => toHex(bytes))).toContain(CAPTURE);
+  });
+
+  it('asks B for memory, times and positions, and Q for the idle throttle too', async () => {
+    const b = bench();
+    const programB = await b.run(b.client.readProgram());
+    expect(names(b.timer.core.answered)).toEqual(['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS']);
+    expect(programB).toEqual(contentOf(b.timer));
+    expect(programB.idleThrottle).toBeNull();
+
+    const q = bench({ identity: { timerClass: 'Q' } });
+    const programQ = await q.run(q.client.readProgram());
+    expect(names(q.timer.core.answered).at(-1)).toBe('GETLOWRPM');
+    expect(programQ).toEqual(contentOf(q.timer));
+    expect(programQ.idleThrottle).toBe(30);
+  });
+
+  it('fits any layout', async () => {
+    for (const identity of [
+      { functions: 1, memories: 1, servos: 1 },
+      { functions: 20, memories: 5, servos: 2 },
+      { functions: 125, memories: 9, servos: 2 },
+    ]) {
+      const { client, timer, run } = bench({ identity });
+      expect(await run(client.readProgram())).toEqual(contentOf(timer));
+    }
+  });
+
+  it('reports progress in bytes, from nothing to all', async () => {
+    const { client, run } = bench();
+    const seen: string[] = [];
+    await run(client.readProgram({ onProgress: ({ stage, done, total }) => seen.push(`${stage} ${done}/${total}`) }));
+    expect(seen).toEqual(['read 0/110', 'read 19/110', 'read 59/110', 'read 110/110']);
+  });
+
+  it.each([9600, 115_200])('takes no longer at %i baud than its bytes do', async (baudRate) => {
+    const { client, run, clock } = bench({ baudRate }, { baudRate });
+    const identity = await run(client.identify());
+    const begin = clock.now();
+    await run(client.readProgram());
+    const bytes = (['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const)
+      .map((name) => exchangeSize(name, identity))
+      .reduce((sum, { request, reply }) => sum + request + reply, 0);
+    expect((clock.now() - begin) / wireTime(bytes, baudRate)).toBeLessThan(1.05);
+  });
+
+  it('keeps a position that cannot be set', async () => {
+    const { client, timer, run } = bench();
+    (timer.core.content.positions[1] as number[])[4] = 200;
+    expect((await run(client.readProgram())).positions[1]?.[4]).toBe(200);
+  });
+
+  it('is refused when asked to stop before, and stops within one reply when asked on the way', async () => {
+    const { client, timer, run } = bench({ latency: 50 });
+    await run(client.identify());
+    const before = AbortSignal.abort();
+    await expect(run(client.readProgram({ signal: before }))).rejects.toMatchObject({ code: 'aborted' });
+    expect(names(timer.core.answered)).toEqual(['GETSWVER']);
+
+    const onTheWay = new AbortController();
+    timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && onTheWay.abort();
+    await expect(run(client.readProgram({ signal: onTheWay.signal }))).rejects.toMatchObject({ code: 'aborted' });
+    expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETMEMORY', 'GETTIMERS']);
+    timer.core.onAnswer = undefined;
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
+  });
+
+  it('says that the port is lost when the cable is pulled, to all who wait', async () => {
+    const { client, timer, run } = bench({ latency: 20 });
+    await run(client.identify());
+    timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.cut();
+    const both = Promise.allSettled([client.readProgram(), client.identify()]);
+    expect(await run(both)).toMatchObject([{ reason: { code: 'port-lost' } }, { reason: { code: 'port-lost' } }]);
+  });
+
+  it('lets go of the streams when closed, and settles what waits', async () => {
+    const { client, timer, run } = bench();
+    timer.core.sleep();
+    const waiting = client.identify().catch((error: unknown) => error);
+    await run(Promise.resolve());
+    await run(client.close());
+    expect(await run(waiting)).toMatchObject({ code: 'closed' });
+    expect(timer.readable.locked).toBe(false);
+    expect(timer.writable.locked).toBe(false);
+  });
+});

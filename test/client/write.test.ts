@@ -1,0 +1,232 @@
+import { describe, expect, it } from 'vitest';
+import { wireTime } from '../../src/line/index.js';
+import { exchangeSize, type Request } from '../../src/protocol/index.js';
+import { bench, contentOf, edited, names } from './bench.js';
+
+function sets(requests: readonly Request[]): Request[] {
+  return requests.filter(({ name }) => name.startsWith('SET'));
+}
+
+describe('write program', () => {
+  it('sends one SETTIMERS and one SETSERVO for each position, reads back, and says verified', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const goal = edited(
+      baseline,
+      [[10, 30000]],
+      [
+        [0, 3, 70],
+        [2, 10, 0],
+      ],
+    );
+    timer.core.answered.length = 0;
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(sets(timer.core.answered)).toEqual([
+      { name: 'SETTIMERS', times: goal.timers },
+      { name: 'SETSERVO', function: 3, servo: 0, position: 70 },
+      { name: 'SETSERVO', function: 10, servo: 2, position: 0 },
+    ]);
+    expect(names(timer.core.answered).slice(-3)).toEqual(['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS']);
+    expect(report).toMatchObject({ result: 'verified', held: goal, acknowledged: 3, repeats: 0, stopped: null });
+    expect(report.values).toEqual([
+      { field: { kind: 'time', column: 10 }, wanted: 30000, held: 30000, status: 'verified', asked: true },
+      { field: { kind: 'position', servo: 0, column: 3 }, wanted: 70, held: 70, status: 'verified', asked: true },
+      { field: { kind: 'position', servo: 2, column: 10 }, wanted: 0, held: 0, status: 'verified', asked: true },
+    ]);
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('writes the idle throttle of a Q timer', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    const baseline = await run(client.readProgram());
+    const report = await run(client.writeProgram({ ...baseline, idleThrottle: 12 }, { baseline }));
+    expect(report.result).toBe('verified');
+    expect(timer.core.idleThrottle).toBe(12);
+  });
+
+  it('reads back even when nothing differs, and sends no SET', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const report = await run(client.writeProgram(baseline, { baseline }));
+    expect(report).toMatchObject({ result: 'verified', values: [] });
+    expect(sets(timer.core.answered)).toEqual([]);
+  });
+
+  it('refuses what the wire cannot carry before anything is sent', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    timer.core.answered.length = 0;
+    const bad = edited(baseline, [[1, 40]], [[0, 0, 131]]);
+    await expect(run(client.writeProgram(bad, { baseline }))).rejects.toMatchObject({
+      code: 'out-of-range',
+      field: 'position',
+    });
+    const late = edited(baseline, [[10, 65536]]);
+    await expect(run(client.writeProgram(late, { baseline }))).rejects.toMatchObject({
+      code: 'out-of-range',
+      field: 'times[10]',
+    });
+    expect(timer.core.answered).toEqual([]);
+  });
+
+  it('refuses to write into another memory than the one that was read', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    timer.core.memory = 2;
+    const goal = edited(baseline, [[10, 30000]]);
+    await expect(run(client.writeProgram(goal, { baseline }))).rejects.toMatchObject({
+      code: 'other-memory',
+      details: { expected: 0, found: 2 },
+    });
+    expect(sets(timer.core.answered)).toEqual([]);
+  });
+
+  it('puts nothing back when the memory was changed on the way', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [[10, 30000]]);
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') timer.core.memory = 1;
+    };
+    const before = structuredClone(timer.core.memories[1]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report).toMatchObject({ result: 'unknown', held: null, stopped: { code: 'other-memory' } });
+    expect(report.values[0]?.status).toBe('unknown');
+    expect(timer.core.memories[1]).toEqual(before);
+  });
+
+  it('refuses a program for another kind of timer', async () => {
+    const { client, run } = bench();
+    const baseline = await run(client.readProgram());
+    const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };
+    await expect(run(client.writeProgram(other, { baseline }))).rejects.toMatchObject({ code: 'other-timer' });
+  });
+
+  it('says what differs when the timer rounds, and does not insist', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') timer.core.content.timers = timer.core.content.timers.map((time) => time - (time % 10));
+    };
+    const report = await run(client.writeProgram(edited(baseline, [[1, 123]]), { baseline }));
+    expect(report).toMatchObject({ result: 'differs', acknowledged: 1 });
+    expect(report.values).toEqual([
+      { field: { kind: 'time', column: 1 }, wanted: 123, held: 120, status: 'differs', asked: true },
+    ]);
+  });
+
+  it('puts back what changed without being asked, and says so', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    let once = true;
+    timer.core.onAnswer = ({ name }) => {
+      if (name !== 'SETTIMERS' || !once) return;
+      once = false;
+      (timer.core.content.positions[1] as number[])[5] = 99;
+    };
+    const goal = edited(baseline, [[10, 30000]]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report.result).toBe('verified');
+    expect(report.values).toContainEqual({
+      field: { kind: 'position', servo: 1, column: 5 },
+      wanted: 65,
+      held: 65,
+      status: 'verified',
+      asked: false,
+    });
+    expect(contentOf(timer)).toEqual(goal);
+    expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS', 'SETSERVO']);
+  });
+
+  it('stops when asked, within one reply, and says what is not known', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [[10, 30000]], [[0, 3, 70]]);
+    const stop = new AbortController();
+    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && stop.abort();
+    const report = await run(client.writeProgram(goal, { baseline, signal: stop.signal }));
+    expect(report).toMatchObject({ result: 'unknown', held: null, acknowledged: 1, stopped: { code: 'aborted' } });
+    expect(report.values.map(({ status }) => status)).toEqual(['unknown', 'unknown']);
+    timer.core.onAnswer = undefined;
+    const held = await run(client.readProgram());
+    expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
+  });
+
+  it('does not say verified when the cable is pulled while reading back', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.cut();
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report).toMatchObject({ result: 'unknown', stopped: { code: 'port-lost' } });
+    expect(report.values.map(({ status }) => status)).toEqual(['unknown']);
+  });
+
+  it('reports progress stage by stage, from nothing to all', async () => {
+    const { client, run } = bench();
+    const baseline = await run(client.readProgram());
+    const seen: string[] = [];
+    const onProgress = ({ stage, done, total }: { stage: string; done: number; total: number }): void => {
+      seen.push(`${stage} ${done}/${total}`);
+    };
+    await run(client.writeProgram(edited(baseline, [[10, 30000]], [[0, 0, 1]]), { baseline, onProgress }));
+    expect(seen).toEqual([
+      'write 0/83',
+      'write 62/83',
+      'write 83/83',
+      'verify 0/110',
+      'verify 19/110',
+      'verify 59/110',
+      'verify 110/110',
+    ]);
+  });
+
+  it.each([9600, 115_200])('takes no longer at %i baud than its bytes do', async (baudRate) => {
+    const { client, run, clock } = bench({ baudRate }, { baudRate });
+    const baseline = await run(client.readProgram());
+    const positions = baseline.positions.flatMap((row, servo) =>
+      row.map((p, column): [number, number, number] => [servo, column, p + 1]),
+    );
+    const goal = edited(baseline, [[10, 30000]], positions);
+    const begin = clock.now();
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+    const requests = [
+      'GETMEMORY',
+      'SETTIMERS',
+      ...positions.map(() => 'SETSERVO'),
+      'GETMEMORY',
+      'GETTIMERS',
+      'GETSERVOPOS',
+    ] as const;
+    const bytes = requests
+      .map((name) => exchangeSize(name as 'SETSERVO', baseline.identity))
+      .reduce((sum, { request, reply }) => sum + request + reply, 0);
+    expect((clock.now() - begin) / wireTime(bytes, baudRate)).toBeLessThan(1.05);
+  });
+});
+
+describe('other actions', () => {
+  it('selects a memory and makes sure of it', async () => {
+    const { client, timer, run } = bench();
+    await run(client.selectMemory(3));
+    expect(timer.core.memory).toBe(3);
+    await expect(run(client.selectMemory(4))).rejects.toMatchObject({ code: 'out-of-range' });
+  });
+
+  it('moves the servos, frees the motor, sets the idle throttle', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    await run(client.moveToFunction(0));
+    expect(timer.core.servos).toEqual([15, 15, 15]);
+    expect(timer.core.motorLocked).toBe(true);
+    await run(client.unlockMotor());
+    expect(timer.core.motorLocked).toBe(false);
+    expect(await run(client.setIdleThrottle(44))).toBe(44);
+  });
+
+  it('takes its turn: jobs started together run one after another', async () => {
+    const { client, timer, run } = bench({ latency: 10 });
+    await run(client.identify());
+    const [a, b] = await run(Promise.all([client.readProgram(), client.readProgram()]));
+    expect(a).toEqual(contentOf(timer));
+    expect(b).toEqual(a);
+  });
+});

@@ -1,0 +1,154 @@
+import { describe, expect, it } from 'vitest';
+import { VirtualClock } from '../../src/line/index.js';
+import { encodeRequest, type Request } from '../../src/protocol/index.js';
+import { TimerCore, VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
+import { B536, CAPTURE, CAPTURED_POSITIONS } from '../protocol/vectors.js';
+import { concat, fromHex, toHex } from '../tools/bytes.js';
+
+/** A virtual timer with its line, driven byte by byte with nothing of the client in between. */
+function timerOnLine(options: VirtualTimerOptions = {}) {
+  const clock = new VirtualClock();
+  const timer = new VirtualTimer({ clock, ...options });
+  const received: string[] = [];
+  const reader = timer.readable.getReader();
+  void (async () => {
+    for (;;) {
+      const { value, done } = await reader.read();
+      if (done) return;
+      received.push(toHex(value));
+    }
+  })().catch((error: Error) => received.push(error.message));
+  const writer = timer.writable.getWriter();
+  const send = async (bytes: Uint8Array, ms = 1000): Promise<string[]> => {
+    received.length = 0;
+    await writer.write(bytes);
+    await clock.advance(ms);
+    return [...received];
+  };
+  const ask = (request: Request): Promise<string[]> => send(encodeRequest(request));
+  return { clock, timer, send, ask, received };
+}
+
+describe('the virtual timer', () => {
+  it('answers the version request of the source, with its four zeros, as a timer of the source does', async () => {
+    const { send } = timerOnLine();
+    expect(await send(fromHex('00 00 00 00 03 6B 6B 45'))).toEqual([
+      '00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45',
+    ]);
+  });
+
+  it('holds the captured positions at first, and sends them as the real timer did', async () => {
+    const { ask, timer } = timerOnLine();
+    expect(timer.core.content.positions).toEqual([CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS]);
+    expect(await ask({ name: 'GETSERVOPOS' })).toEqual([CAPTURE]);
+  });
+
+  it('holds times that rise, in every class and layout', () => {
+    for (const timerClass of ['B', 'Q', 'E']) {
+      for (const functions of [1, 2, 10, 125]) {
+        const { core } = new VirtualTimer({ identity: { timerClass, functions, servos: 1 } });
+        const times = core.content.timers.slice(1);
+        expect(times).toEqual([...new Set(times)].sort((a, b) => a - b));
+      }
+    }
+  });
+
+  it('keeps each memory to itself', async () => {
+    const { ask, timer } = timerOnLine();
+    await ask({ name: 'SETSERVO', function: 0, servo: 1, position: 99 });
+    await ask({ name: 'SETMEMORY', memory: 1 });
+    await ask({ name: 'SETTIMERS', times: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10] });
+    expect(timer.core.memories[0]?.positions[1]?.[0]).toBe(99);
+    expect(timer.core.memories[1]?.positions[1]?.[0]).toBe(15);
+    expect(timer.core.memories[1]?.timers).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+    expect(timer.core.memories[0]?.timers[1]).toBe(50);
+    expect(await ask({ name: 'GETMEMORY' })).toEqual(['00 00 00 00 00 04 72 01 73 45']);
+  });
+
+  it('stands at DT when it gets power, moves when told, and follows a position that is set where it stands', async () => {
+    const { ask, timer } = timerOnLine();
+    expect(timer.core.servos).toEqual([115, 115, 115]);
+    await ask({ name: 'MOVETOFUNC', function: 2 });
+    expect(timer.core.servos).toEqual([35, 35, 35]);
+    await ask({ name: 'SETSERVO', function: 2, servo: 0, position: 40 });
+    await ask({ name: 'SETSERVO', function: 3, servo: 1, position: 41 });
+    expect(timer.core.servos).toEqual([40, 35, 35]);
+  });
+
+  it('keeps silent on damage, on values out of range and on what is no request', async () => {
+    const { send, timer } = timerOnLine();
+    for (const hex of [
+      '00 00 00 00 00 03 6b 6c 45',
+      '00 00 00 00 00 06 63 00 00 83 e6 45',
+      '00 00 00 00 00 04 73 04 77 45',
+      '00 00 00 00 00 03 6e 6e 45',
+      '00 00 00 00 00 04 6b 00 6b 45',
+    ]) {
+      expect(await send(fromHex(hex))).toEqual([]);
+    }
+    expect(timer.core.answered).toEqual([]);
+  });
+
+  it('is not deaf after a damaged length: it gives up when the line falls silent', async () => {
+    const { send, ask } = timerOnLine();
+    expect(await send(fromHex('00 00 00 00 00 ff 6b 6b 45'))).toEqual([]);
+    expect(await ask({ name: 'GETSWVER' })).toHaveLength(1);
+  });
+
+  it('sleeps after a while, loses nothing, and wakes by a press of its switch', async () => {
+    const { clock, ask, timer } = timerOnLine({ sleepAfter: 60_000 });
+    await ask({ name: 'SETMEMORY', memory: 2 });
+    await clock.advance(50_000);
+    expect(await ask({ name: 'GETMEMORY' })).toHaveLength(1);
+    await clock.advance(61_000);
+    expect(await ask({ name: 'GETMEMORY' })).toEqual([]);
+    expect(timer.core.phase).toBe('asleep');
+    timer.core.press();
+    expect(timer.core.phase).toBe('discharged');
+    expect(await ask({ name: 'GETMEMORY' })).toEqual(['00 00 00 00 00 04 72 02 74 45']);
+  });
+
+  it('locks the motor of class Q until it is freed', async () => {
+    const q = timerOnLine({ identity: { timerClass: 'Q' } });
+    expect(q.timer.core.motorLocked).toBe(true);
+    await q.ask({ name: 'UNLOCK' });
+    expect(q.timer.core.motorLocked).toBe(false);
+    expect(timerOnLine().timer.core.motorLocked).toBe(false);
+  });
+
+  it('takes the time of its line in both directions, and its latency once', async () => {
+    const { send } = timerOnLine({ baudRate: 9600, latency: 40 });
+    const request = encodeRequest({ name: 'GETSWVER' });
+    const ms = ((request.length + 18) * 10_000) / 9600 + 40;
+    expect(await send(request, ms - 1)).toEqual([]);
+    const again = timerOnLine({ baudRate: 9600, latency: 40 });
+    expect(await again.send(request, ms + 1)).toHaveLength(1);
+  });
+
+  it('fails reading and writing once its line is cut', async () => {
+    const { timer, send, received, clock } = timerOnLine();
+    timer.cut();
+    await clock.advance(0);
+    expect(received).toEqual(['The line to the virtual timer is cut.']);
+    await expect(send(Uint8Array.of(1))).rejects.toThrow('cut');
+  });
+
+  it('cannot be a timer that no version reply can describe', () => {
+    expect(() => new VirtualTimer({ identity: { servos: 0 } })).toThrowError(
+      expect.objectContaining({ code: 'bad-identity' }),
+    );
+  });
+
+  it('answers what it is asked in one go, in order', async () => {
+    const { send } = timerOnLine();
+    const both = concat(encodeRequest({ name: 'GETMEMORY' }), encodeRequest({ name: 'GETSWVER' }));
+    expect((await send(both)).join(' ')).toMatch(/^00 00 00 00 00 04 72 .* 6c 42 /);
+  });
+
+  it('has a core that works without any line', () => {
+    const core = new TimerCore({ identity: B536, quirks: {}, clock: new VirtualClock() });
+    expect(toHex(core.answer({ code: 0x6b, data: new Uint8Array(0) }) ?? new Uint8Array(0))).toContain(
+      '6c 42 35 33 36',
+    );
+  });
+});
