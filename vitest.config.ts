@@ -1,4 +1,14 @@
+import preact from '@preact/preset-vite';
+import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
+import { launchOptions } from './test/tools/browser.js';
+
+/** The parts of the screen are tested twice, by the same files: fast in happy-dom, and in a real browser. */
+const parts = {
+  include: ['test/app/**/*.test.{ts,tsx}'],
+  setupFiles: ['test/app/setup.ts'],
+};
+const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
 /** One project for each floor of tests: a fault is caught on the lowest floor that can catch it. */
 export default defineConfig({
@@ -8,7 +18,45 @@ export default defineConfig({
         test: {
           name: 'unit',
           environment: 'node',
-          include: ['test/{line,protocol,program,client,simulator,mock-serial,serial}/**/*.test.ts'],
+          include: [
+            'test/{line,protocol,program,client,simulator,mock-serial,serial}/**/*.test.ts',
+            'test/readme*.test.ts',
+          ],
+        },
+      },
+      {
+        plugins,
+        test: { ...parts, name: 'parts', environment: 'happy-dom' },
+      },
+      {
+        plugins,
+        test: {
+          ...parts,
+          name: 'parts-browser',
+          browser: {
+            enabled: true,
+            headless: true,
+            screenshotFailures: false,
+            provider: playwright({ launchOptions: launchOptions() }),
+            instances: [{ browser: 'chromium' }],
+          },
+        },
+      },
+      {
+        test: {
+          name: 'site',
+          environment: 'node',
+          include: ['test/site/**/*.test.ts'],
+          globalSetup: 'test/site/setup.js',
+          testTimeout: 30_000,
+        },
+      },
+      {
+        test: {
+          name: 'rig',
+          environment: 'node',
+          include: ['test/rig/**/*.test.ts'],
+          testTimeout: 60_000,
         },
       },
     ],

@@ -27,6 +27,8 @@ export class Exchange {
   readonly #outstanding = new Set<CommandName>();
   #lastSent = Number.NEGATIVE_INFINITY;
   #repeats = 0;
+  #closed = false;
+  #underWay: Promise<unknown> = Promise.resolve();
 
   constructor(wire: Wire, clock: Clock, layout: () => WireLayout) {
     this.#wire = wire;
@@ -74,6 +76,12 @@ export class Exchange {
     throw new TimerError('unstable', `no two of ${READS} replies agreed`, { request: request.name });
   }
 
+  /** Lets the request that is under way come to its end, and refuses all others with `closed`. */
+  async close(): Promise<void> {
+    this.#closed = true;
+    await this.#underWay;
+  }
+
   async #askUntilAnswered(request: Request, signal: AbortSignal | undefined): Promise<Reply> {
     const { name } = request;
     let sent = 0;
@@ -96,8 +104,11 @@ export class Exchange {
   }
 
   async #once(request: Request): Promise<Reply | undefined> {
+    if (this.#closed) throw new TimerError('closed', 'this client was closed', { request: request.name });
     this.#lastSent = this.#clock.now();
-    const reply = await this.#wire.ask(request, this.#layout(), this.#outstanding.size === 0);
+    const asking = this.#wire.ask(request, this.#layout(), this.#outstanding.size === 0);
+    this.#underWay = asking.catch(() => {});
+    const reply = await asking;
     if (!reply) this.#outstanding.add(request.name);
     return reply;
   }

@@ -18,7 +18,9 @@ export interface TimerClientOptions {
   /** Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered. Default 600. */
   readonly margin?: number;
   /** Told of everything on the line. */
-  readonly onLine?: (entry: LineEntry) => void;
+  readonly onLine?: ((entry: LineEntry) => void) | undefined;
+  /** Told once when the streams end or fail although nobody closed this client. They are watched from the first request on. */
+  readonly onLost?: ((error: TimerError) => void) | undefined;
 }
 
 /** What every job of more than one exchange takes. */
@@ -46,9 +48,9 @@ export class TimerClient {
   #queue: Promise<unknown> = Promise.resolve();
 
   constructor(port: BytePort, options: TimerClientOptions = {}) {
-    const { baudRate = 9600, clock = realClock, margin = 600, onLine } = options;
+    const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
     const onQuirk = (quirk: QuirkCode): void => void this.#quirksFound.add(quirk);
-    this.#wire = new Wire(port, { baudRate, clock, margin, onLine, onQuirk });
+    this.#wire = new Wire(port, { baudRate, clock, margin, onLine, onLost, onQuirk });
     this.#exchange = new Exchange(this.#wire, clock, () => ({ identity: this.#identity, quirks: this.#quirks }));
   }
 
@@ -151,8 +153,12 @@ export class TimerClient {
     });
   }
 
-  /** Lets go of the streams: whatever waits rejects with `closed`, both locks are released. The port itself stays open. */
+  /**
+   * Lets go of the streams: the request under way comes to its end, whatever waits rejects with `closed`, both locks are released.
+   * The port itself stays open.
+   */
   async close(): Promise<void> {
+    await this.#exchange.close();
     await this.#wire.close();
   }
 

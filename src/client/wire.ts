@@ -26,6 +26,7 @@ export interface WireOptions {
   /** Milliseconds beyond the time of the bytes that a reply may take. */
   readonly margin: number;
   readonly onLine: ((entry: LineEntry) => void) | undefined;
+  readonly onLost: ((error: TimerError) => void) | undefined;
   readonly onQuirk: (quirk: QuirkCode) => void;
 }
 
@@ -259,8 +260,10 @@ export class Wire {
   }
 
   #lose(error: TimerError): void {
-    this.#lost ??= error;
+    if (this.#lost) return;
+    this.#lost = error;
     this.#waiting?.settle(undefined);
+    if (error.code === 'port-lost') this.#options.onLost?.(error);
   }
 
   #log(entry: Omit<LineEntry, 'time'>): void {

@@ -1,0 +1,95 @@
+// Finds a Chromium for the tests, and installs one where there is none.
+// As a program (`node test/tools/browser.js`) it does both and prints where the browser is.
+
+import { execFileSync } from 'node:child_process';
+import { accessSync, constants, existsSync } from 'node:fs';
+import process, { env, platform, stderr } from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright';
+
+const { CHROME_PATH, HOME, LOCALAPPDATA, PROGRAMFILES } = env;
+
+/** @type {Partial<Record<NodeJS.Platform, (string | undefined)[]>>} */
+const usualPlaces = {
+  linux: [
+    '/usr/bin/chromium',
+    '/usr/bin/google-chrome-stable',
+    '/usr/bin/google-chrome',
+    '/opt/google/chrome/chrome',
+    '/usr/bin/chromium-browser',
+    '/snap/bin/chromium',
+  ],
+  darwin: ['', HOME].flatMap((home) => [
+    `${home}/Applications/Google Chrome.app/Contents/MacOS/Google Chrome`,
+    `${home}/Applications/Chromium.app/Contents/MacOS/Chromium`,
+  ]),
+  win32: [PROGRAMFILES, env['PROGRAMFILES(X86)'], LOCALAPPDATA].map(
+    (folder) => folder && `${folder}\\Google\\Chrome\\Application\\chrome.exe`,
+  ),
+};
+
+/** @param {string | undefined} path */
+function isProgram(path) {
+  try {
+    accessSync(path ?? '', constants.X_OK);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * The browser that is there: the one CHROME_PATH names, else one in the usual places, else Playwright's own.
+ * @returns {string | undefined} its path
+ */
+export function findBrowser() {
+  if (CHROME_PATH && !isProgram(CHROME_PATH)) throw new Error(`CHROME_PATH is ${CHROME_PATH}: no program is there.`);
+  if (CHROME_PATH) return CHROME_PATH;
+  return [...(usualPlaces[platform] ?? []), chromium.executablePath()].find(isProgram);
+}
+
+/** Puts a browser on this machine: Debian's, where that can be done, else Playwright's own. */
+function installBrowser() {
+  /** @param {string} program @param {string[]} args */
+  const run = (program, ...args) => {
+    stderr.write(`> ${program} ${args.join(' ')}\n`);
+    const options = { env: { ...env, DEBIAN_FRONTEND: 'noninteractive' }, shell: platform === 'win32' };
+    execFileSync(program, args, { ...options, stdio: ['ignore', 2, 2] });
+  };
+  stderr.write('The tests need Chrome or Chromium, and none is here: installing one.\n');
+  if (existsSync('/etc/debian_version') && process.getuid?.() === 0) {
+    run('apt-get', 'update', '-q');
+    run('apt-get', 'install', '-q', '-y', '--no-install-recommends', 'chromium');
+  } else {
+    run('npx', 'playwright', 'install', 'chromium');
+  }
+}
+
+/** What a browser is started with: no sandbox for root, who cannot have one, and no calls to its maker. */
+export const browserArgs = [
+  ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--disable-quic',
+];
+
+/** What Playwright's `chromium.launch` takes; without a browser, Playwright itself says so. */
+export function launchOptions() {
+  const executablePath = findBrowser();
+  return { ...(executablePath && { executablePath }), args: browserArgs };
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  try {
+    if (!findBrowser()) installBrowser();
+    const path = findBrowser();
+    if (!path) throw new Error('The installed browser is not where it was expected.');
+    console.log(`Browser: ${path}`);
+  } catch (error) {
+    console.error(`No browser for the tests: ${error instanceof Error ? error.message : error}`);
+    console.error('Install Chrome or Chromium, or set CHROME_PATH to the program, and start again.');
+    process.exit(1);
+  }
+}
