@@ -1,1 +1,19 @@
-export const mockserialPlaceholder = 1;
+export type { EventHandler, Listener, ListenerOptions } from './events.js';
+export { MockSerialPort } from './port.js';
+export { MockSerial } from './serial.js';
+export type {
+  Fault,
+  InputSignals,
+  MockDevice,
+  MockSerialOptions,
+  OpenedOptions,
+  OpenOptions,
+  OutputSignals,
+  PlugOptions,
+  PortFilter,
+  PortInfo,
+  PortRequestOptions,
+  ReadErrorKind,
+  SetSignals,
+  WriteErrorKind,
+} from './types.js';

@@ -1,0 +1,131 @@
+import { BITS_PER_BYTE, ByteLine, type ByteLineOptions, type Clock } from '../line/index.js';
+import type { OpenedOptions, PlugOptions } from './types.js';
+
+/** For lines that take no time: everything is due at once, though never before the caller has gone on. */
+const promptClock: Clock = {
+  now: () => 0,
+  after(_ms, callback) {
+    let due = true;
+    queueMicrotask(() => {
+      if (due) callback();
+    });
+    return () => {
+      due = false;
+    };
+  },
+};
+
+/** What is connected to the two ends of a cable. */
+export interface CableEnds {
+  /** Bytes reach the device; the array is its own to keep. */
+  toDevice(bytes: Uint8Array): void;
+  /** Bytes reach the port; the array is its own to keep. */
+  toPage(bytes: Uint8Array): void;
+}
+
+/** The two lines between a port and its device, with the wires that let bytes return where a test asks for them. */
+export class Cable {
+  /** The clock by which bytes move. */
+  readonly clock: Clock;
+  /** Bytes move by the clock alone, whether or not the device reads them. */
+  readonly free: boolean;
+  readonly #ends: CableEnds;
+  readonly #options: PlugOptions;
+  #toDevice: ByteLine;
+  #toPage: ByteLine;
+  #back: ByteLine;
+  /** Bytes that are to reach the page or have reached it, and those that have; what follows them waits till the two are equal. */
+  #dueAtPage = 0;
+  #arrivedAtPage = 0;
+  #behind: { readonly due: number; readonly callback: () => void }[] = [];
+
+  constructor(ends: CableEnds, options: PlugOptions & { readonly clock: Clock }) {
+    const timed = options.timing === true || (options.latency ?? 0) > 0;
+    this.clock = timed ? options.clock : promptClock;
+    this.free = timed || options.echo === true || options.loopback === true;
+    this.#ends = ends;
+    this.#options = options;
+    [this.#toDevice, this.#toPage, this.#back] = this.#lay();
+  }
+
+  /** Lets bytes take the time they take as the port is opened, if this cable knows time. */
+  setRate({ baudRate, dataBits, parity, stopBits }: OpenedOptions): void {
+    if (!this.#options.timing) return;
+    const bits = 1 + dataBits + (parity === 'none' ? 0 : 1) + stopBits;
+    this.#toDevice.baudRate = (baudRate * BITS_PER_BYTE) / bits;
+    this.#toPage.baudRate = this.#toDevice.baudRate;
+  }
+
+  /** @returns the time on `clock` at which the last of the bytes will have left the port. */
+  sendToDevice(bytes: Uint8Array): number {
+    return this.#toDevice.send(bytes);
+  }
+
+  sendToPage(bytes: Uint8Array): void {
+    if (!this.#options.fault?.toPage) this.#dueAtPage += bytes.length;
+    this.#toPage.send(bytes);
+  }
+
+  /** Calls back once all that was sent to the page before has arrived, never before this call has returned. */
+  behindToPage(callback: () => void): void {
+    this.#behind.push({ due: this.#dueAtPage, callback });
+    this.clock.after(0, () => this.#callBehind());
+  }
+
+  /** Drops what is still under way to the device. */
+  dropToDevice(): void {
+    this.#toDevice.clear();
+  }
+
+  /** Drops what is under way in either direction, for good. */
+  cut(): void {
+    for (const line of [this.#toDevice, this.#toPage, this.#back]) line.cut();
+    this.#behind = [];
+  }
+
+  /** Replaces what was cut. */
+  mend(): void {
+    this.#dueAtPage = 0;
+    this.#arrivedAtPage = 0;
+    [this.#toDevice, this.#toPage, this.#back] = this.#lay();
+  }
+
+  #lay(): [toDevice: ByteLine, toPage: ByteLine, back: ByteLine] {
+    const { clock } = this;
+    const { latency = 0, chunks, fault, echo, loopback } = this.#options;
+    const toPage: ByteLineOptions = { clock, ...(chunks && { chunks }) };
+    const damage = fault?.toPage;
+    return [
+      new ByteLine(
+        (bytes) => {
+          if (echo || loopback) this.#back.send(bytes);
+          if (!loopback) this.#ends.toDevice(bytes);
+        },
+        { clock, latency, ...(fault?.toDevice && { fault: fault.toDevice }) },
+      ),
+      new ByteLine((bytes) => this.#reachPage(bytes), {
+        ...toPage,
+        latency,
+        ...(damage && {
+          fault: (byte: number, index: number) => {
+            const arriving = damage(byte, index);
+            this.#dueAtPage += arriving.length;
+            return arriving;
+          },
+        }),
+      }),
+      // What comes back has had its time on the wire while it went.
+      new ByteLine((bytes) => this.#ends.toPage(bytes), toPage),
+    ];
+  }
+
+  #reachPage(bytes: Uint8Array): void {
+    this.#arrivedAtPage += bytes.length;
+    this.#ends.toPage(bytes);
+    this.#callBehind();
+  }
+
+  #callBehind(): void {
+    while (this.#behind[0] && this.#behind[0].due <= this.#arrivedAtPage) this.#behind.shift()?.callback();
+  }
+}

@@ -1,0 +1,86 @@
+import type { Hardware } from './hardware.js';
+import type { InputSignals, MockDevice, OpenedOptions, ReadErrorKind, SetSignals, WriteErrorKind } from './types.js';
+
+/** The device's end of the cable: what has arrived and who waits for more. */
+export class Device implements MockDevice {
+  opened: OpenedOptions | null = null;
+  onopenchange: ((opened: OpenedOptions | null) => void) | null = null;
+  busy: boolean;
+  failSignals = false;
+  readonly #hardware: Hardware;
+  #unplugged = false;
+  /** Bytes written here while there was no cable. */
+  #unsent = 0;
+  #arrived: Uint8Array[] = [];
+  #readers: ((bytes: Uint8Array) => void)[] = [];
+
+  constructor(hardware: Hardware, busy: boolean) {
+    this.#hardware = hardware;
+    this.busy = busy;
+  }
+
+  get signals(): SetSignals {
+    return this.#hardware.outputSignals;
+  }
+
+  get lost(): number {
+    return this.#unsent + this.#hardware.receiver.lost;
+  }
+
+  /** Whether a read waits for bytes that have not come. */
+  get waits(): boolean {
+    return this.#readers.length > 0;
+  }
+
+  read(): Promise<Uint8Array> {
+    const bytes = this.#arrived.shift();
+    if (bytes) return Promise.resolve(bytes);
+    if (this.#unplugged) return Promise.resolve(new Uint8Array());
+    return new Promise((resolve) => {
+      this.#readers.push(resolve);
+      this.#hardware.transmitter.pull();
+    });
+  }
+
+  write(bytes: ArrayLike<number>): void {
+    if (this.#unplugged) this.#unsent += bytes.length;
+    else this.#hardware.cable.sendToPage(Uint8Array.from(bytes));
+  }
+
+  error(kind: ReadErrorKind): void {
+    const { cable, receiver } = this.#hardware;
+    cable.behindToPage(() => receiver.fail(kind));
+  }
+
+  setSignals(signals: Partial<InputSignals>): void {
+    this.#hardware.setInputSignals(signals);
+  }
+
+  failNextWrite(error: WriteErrorKind | Error = 'system', after = 0): void {
+    this.#hardware.transmitter.failNext(error, after);
+  }
+
+  /** Bytes reach the device. */
+  arrive(bytes: Uint8Array): void {
+    const reader = this.#readers.shift();
+    if (reader) reader(bytes);
+    else this.#arrived.push(bytes);
+  }
+
+  setOpened(opened: OpenedOptions | null): void {
+    if (opened === this.opened) return;
+    this.opened = opened;
+    this.onopenchange?.(opened);
+  }
+
+  unplug(): void {
+    this.#unplugged = true;
+    const readers = this.#readers;
+    this.#readers = [];
+    for (const resolve of readers) resolve(new Uint8Array());
+  }
+
+  replug(): void {
+    this.#unplugged = false;
+  }
+}

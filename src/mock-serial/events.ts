@@ -1,0 +1,174 @@
+import { invalidState } from './errors.js';
+
+/** What `addEventListener` takes, in words that need no library of types. */
+export type Listener = ((event: Event) => void) | { handleEvent(event: Event): void };
+
+/** What the handler attributes take. */
+export type EventHandler = ((event: Event) => void) | null;
+
+export interface ListenerOptions {
+  readonly capture?: boolean;
+  readonly once?: boolean;
+  readonly passive?: boolean;
+  readonly signal?: AbortSignal;
+}
+
+interface Registration {
+  readonly type: string;
+  readonly listener: Listener;
+  readonly capture: boolean;
+  readonly once: boolean;
+  removed: boolean;
+}
+
+const CAPTURING = 1;
+const AT_TARGET = 2;
+const BUBBLING = 3;
+
+const dispatching = new WeakSet<Event>();
+
+/**
+ * An event target with a parent and the handlers of the standard's two events. Outside a document nothing but such a class
+ * lets an event travel: from the parent down, to the target, and up again if it bubbles, with `target` the port all the way.
+ */
+export class ConnectionTarget extends EventTarget {
+  readonly #parent: ConnectionTarget | null;
+  #registrations: Registration[] = [];
+  readonly #handlers = new Map<string, { readonly handler: unknown; readonly listener: Listener }>();
+
+  constructor(parent: ConnectionTarget | null) {
+    super();
+    this.#parent = parent;
+  }
+
+  /** Called for the event `connect`: a port that the site may use has come. The `onconnect` attribute. */
+  get onconnect(): EventHandler {
+    return this.#handler('connect');
+  }
+
+  set onconnect(handler: EventHandler) {
+    this.#setHandler('connect', handler);
+  }
+
+  /** Called for the event `disconnect`: a port that the site may use has gone. The `ondisconnect` attribute. */
+  get ondisconnect(): EventHandler {
+    return this.#handler('disconnect');
+  }
+
+  set ondisconnect(handler: EventHandler) {
+    this.#setHandler('disconnect', handler);
+  }
+
+  override addEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
+    const { capture = false, once = false, signal } = typeof options === 'object' ? options : { capture: options };
+    if (listener === null || signal?.aborted || this.#find(type, listener, Boolean(capture))) return;
+    this.#registrations.push({ type, listener, capture: Boolean(capture), once, removed: false });
+    signal?.addEventListener('abort', () => this.removeEventListener(type, listener, capture));
+  }
+
+  override removeEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
+    const capture = typeof options === 'object' ? options.capture : options;
+    const found = listener && this.#find(type, listener, Boolean(capture));
+    if (found) this.#remove(found);
+  }
+
+  /** @throws InvalidStateError when the event is under way already. */
+  override dispatchEvent(event: Event): boolean {
+    if (dispatching.has(event)) throw invalidState('The event is being dispatched.');
+    const ancestors: ConnectionTarget[] = [];
+    for (let target = this.#parent; target; target = target.#parent) ancestors.push(target);
+    const journey = new Journey(event, this, [this, ...ancestors]);
+    dispatching.add(event);
+    for (const ancestor of [...ancestors].reverse()) ancestor.#invoke(journey, CAPTURING, true);
+    this.#invoke(journey, AT_TARGET, true);
+    this.#invoke(journey, AT_TARGET, false);
+    if (event.bubbles) for (const ancestor of ancestors) ancestor.#invoke(journey, BUBBLING, false);
+    journey.end();
+    dispatching.delete(event);
+    return !event.defaultPrevented;
+  }
+
+  #invoke(journey: Journey, phase: number, capture: boolean): void {
+    if (journey.stopped) return;
+    journey.visit(this, phase);
+    for (const registration of [...this.#registrations]) {
+      const { type, listener, once } = registration;
+      if (type !== journey.event.type || registration.capture !== capture || registration.removed) continue;
+      if (once) this.#remove(registration);
+      try {
+        if (typeof listener === 'function') listener.call(this, journey.event);
+        else listener.handleEvent(journey.event);
+      } catch (error) {
+        // A listener's error is reported like any uncaught one and hinders neither the others nor the dispatcher.
+        queueMicrotask(() => {
+          throw error;
+        });
+      }
+      if (journey.cutShort) return;
+    }
+  }
+
+  #find(type: string, listener: Listener, capture: boolean): Registration | undefined {
+    return this.#registrations.find((it) => it.type === type && it.listener === listener && it.capture === capture);
+  }
+
+  #remove(registration: Registration): void {
+    registration.removed = true;
+    this.#registrations = this.#registrations.filter((it) => it !== registration);
+  }
+
+  #handler(type: string): EventHandler {
+    return (this.#handlers.get(type)?.handler ?? null) as EventHandler;
+  }
+
+  #setHandler(type: string, handler: EventHandler): void {
+    const former = this.#handlers.get(type);
+    if (former) this.removeEventListener(type, former.listener);
+    this.#handlers.delete(type);
+    if (typeof handler !== 'function') return;
+    // A function of its own, since the page may have added the same handler as a listener too.
+    const listener = (event: Event): void => handler.call(this, event);
+    this.#handlers.set(type, { handler, listener });
+    this.addEventListener(type, listener);
+  }
+}
+
+/** One dispatch of an event: what it shows of itself on the way, and whether a listener has stopped it. */
+class Journey {
+  readonly event: Event;
+  stopped = false;
+  /** Stopped so that even the other listeners of the same target do not hear of it. */
+  cutShort = false;
+
+  constructor(event: Event, target: ConnectionTarget, path: readonly ConnectionTarget[]) {
+    this.event = event;
+    this.#show({
+      target: { value: target },
+      srcElement: { value: target },
+      composedPath: { value: () => [...path] },
+      stopPropagation: { value: () => this.#stop() },
+      stopImmediatePropagation: { value: () => this.#stop(true) },
+      cancelBubble: { get: () => this.stopped, set: (value) => value && this.#stop() },
+    });
+  }
+
+  visit(target: ConnectionTarget, phase: number): void {
+    this.#show({ currentTarget: { value: target }, eventPhase: { value: phase } });
+  }
+
+  end(): void {
+    this.#show({ currentTarget: { value: null }, eventPhase: { value: 0 }, composedPath: { value: () => [] } });
+  }
+
+  #stop(cutShort = false): void {
+    this.stopped = true;
+    if (cutShort) this.cutShort = true;
+  }
+
+  // An event hides these behind getters that only its own, parentless dispatch could set.
+  #show(properties: PropertyDescriptorMap): void {
+    for (const [name, property] of Object.entries(properties)) {
+      Object.defineProperty(this.event, name, { ...property, configurable: true });
+    }
+  }
+}

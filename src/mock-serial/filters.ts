@@ -1,0 +1,70 @@
+import type { PortFilter, PortInfo, PortRequestOptions } from './types.js';
+
+/** What all service classes of the Bluetooth standard itself end with. */
+const BLUETOOTH_BASE_UUID = '-0000-1000-8000-00805f9b34fb';
+const SERIAL_PORT_PROFILE = `00001101${BLUETOOTH_BASE_UUID}`;
+const UUID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/;
+
+/** @throws TypeError when it is neither a number of 32 bits nor a UUID in lower case. */
+function serviceClassUuid(id: number | string): string {
+  const uuid = typeof id === 'number' ? id.toString(16).padStart(8, '0') + BLUETOOTH_BASE_UUID : id;
+  if (UUID.test(uuid)) return uuid;
+  throw new TypeError(`${id} is not a Bluetooth service class.`);
+}
+
+/**
+ * The information as `getInfo()` gives it: without what is undefined, the service class as a UUID.
+ * @throws TypeError when the service class is none.
+ */
+export function normalizeInfo(info: PortInfo): PortInfo {
+  const { usbVendorId, usbProductId, bluetoothServiceClassId } = info;
+  return {
+    ...(usbVendorId !== undefined && { usbVendorId }),
+    ...(usbProductId !== undefined && { usbProductId }),
+    ...(bluetoothServiceClassId !== undefined && {
+      bluetoothServiceClassId: serviceClassUuid(bluetoothServiceClassId),
+    }),
+  };
+}
+
+/** The checks of a filter among the steps of `requestPort()`. @throws TypeError */
+function checkFilter(filter: PortFilter): PortFilter {
+  const { usbVendorId, usbProductId, bluetoothServiceClassId } = filter;
+  if (bluetoothServiceClassId !== undefined) {
+    if (usbVendorId !== undefined || usbProductId !== undefined) {
+      throw new TypeError('A filter has either a Bluetooth service class or USB numbers.');
+    }
+  } else if (usbVendorId === undefined) {
+    throw new TypeError(
+      usbProductId === undefined ? 'A filter must not be empty.' : 'A filter with a product needs its vendor.',
+    );
+  }
+  return normalizeInfo(filter);
+}
+
+/** The standard's "matches the filter". */
+function matches(info: PortInfo, filter: PortFilter): boolean {
+  if (filter.bluetoothServiceClassId !== undefined) {
+    return info.bluetoothServiceClassId === filter.bluetoothServiceClassId;
+  }
+  if (info.usbVendorId !== filter.usbVendorId) return false;
+  return filter.usbProductId === undefined || info.usbProductId === filter.usbProductId;
+}
+
+/**
+ * Which ports a chooser offers for a request.
+ * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a service class, or
+ * when a service class is none.
+ */
+export function offered(options: PortRequestOptions): (info: PortInfo) => boolean {
+  const filters = [...(options.filters ?? [])].map(checkFilter);
+  const allowed = [...(options.allowedBluetoothServiceClassIds ?? [])].map(serviceClassUuid);
+  return (info) => {
+    const service = info.bluetoothServiceClassId;
+    // The standard's blocklist names no service class but those of the Bluetooth standard itself.
+    if (typeof service === 'string' && service !== SERIAL_PORT_PROFILE) {
+      if (service.endsWith(BLUETOOTH_BASE_UUID) || !allowed.includes(service)) return false;
+    }
+    return filters.length === 0 || filters.some((filter) => matches(info, filter));
+  };
+}

@@ -1,0 +1,112 @@
+import type { Clock } from '../line/index.js';
+import { Cable } from './cable.js';
+import { Device } from './device.js';
+import { networkError } from './errors.js';
+import { normalizeInfo } from './filters.js';
+import { Receiver } from './receiver.js';
+import { Transmitter } from './transmitter.js';
+import type { InputSignals, OpenedOptions, OutputSignals, PlugOptions, PortInfo, SetSignals } from './types.js';
+
+/** What lies behind a port: the operating system's buffers, the cable and the device at its end, plugged in or not. */
+export class Hardware {
+  readonly info: PortInfo;
+  readonly device: Device;
+  readonly cable: Cable;
+  readonly receiver = new Receiver();
+  readonly transmitter: Transmitter;
+  plugged = true;
+  /** The site may use the port. */
+  granted: boolean;
+  /** The site gave the port up and has not been granted it since. */
+  forgotten = false;
+  readonly #options: PlugOptions;
+  #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
+  #input: InputSignals = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
+
+  /** @throws TypeError when the information names a Bluetooth service class that is none. */
+  constructor(info: PortInfo, options: PlugOptions & { readonly clock: Clock }) {
+    this.info = normalizeInfo(info);
+    this.#options = options;
+    this.granted = options.granted ?? false;
+    this.device = new Device(this, options.busy ?? false);
+    this.cable = new Cable(
+      { toDevice: (bytes) => this.device.arrive(bytes), toPage: (bytes) => this.receiver.push(bytes) },
+      options,
+    );
+    this.transmitter = new Transmitter(this.cable, () => this.device.waits);
+  }
+
+  get outputSignals(): SetSignals {
+    const handshake = this.device.opened?.flowControl === 'hardware';
+    return { ...this.#output, ...(handshake && { requestToSend: !this.receiver.full }) };
+  }
+
+  get inputSignals(): InputSignals {
+    if (!this.#options.loopback) return { ...this.#input };
+    const { dataTerminalReady, requestToSend } = this.outputSignals;
+    return {
+      dataCarrierDetect: dataTerminalReady,
+      clearToSend: requestToSend,
+      ringIndicator: false,
+      dataSetReady: dataTerminalReady,
+    };
+  }
+
+  /** @throws NetworkError when the port is unplugged, forgotten or held by another program. */
+  open(options: OpenedOptions): void {
+    if (!this.plugged || this.forgotten || this.device.busy) throw networkError('Failed to open serial port.');
+    this.cable.setRate(options);
+    this.receiver.open(options.bufferSize, options.flowControl === 'hardware' || this.#options.backpressure === true);
+    this.transmitter.open(options.bufferSize);
+    this.#output = { ...this.#output, dataTerminalReady: true };
+    this.device.setOpened(options);
+  }
+
+  close(): void {
+    this.receiver.close();
+    this.transmitter.close();
+    this.#output = { dataTerminalReady: false, requestToSend: false, break: false };
+    this.device.setOpened(null);
+  }
+
+  forget(): void {
+    this.granted = false;
+    this.forgotten = true;
+    this.receiver.abandon();
+    this.transmitter.abandon();
+    this.close();
+  }
+
+  unplug(): void {
+    this.plugged = false;
+    this.cable.cut();
+    this.receiver.fail('lost');
+    this.transmitter.lose();
+    this.device.unplug();
+  }
+
+  replug(): void {
+    this.plugged = true;
+    this.cable.mend();
+    if (this.device.opened) this.cable.setRate(this.device.opened);
+    this.device.replug();
+  }
+
+  setOutputSignals(signals: OutputSignals): void {
+    const { dataTerminalReady, requestToSend, break: breaking } = signals;
+    const began = breaking === true && !this.#output.break;
+    this.#output = {
+      dataTerminalReady: dataTerminalReady ?? this.#output.dataTerminalReady,
+      requestToSend: requestToSend ?? this.#output.requestToSend,
+      break: breaking ?? this.#output.break,
+    };
+    if (!began || !this.#options.loopback) return;
+    // A line held down reads as a zero byte whose stop bit never comes.
+    this.device.write([0]);
+    this.device.error('break');
+  }
+
+  setInputSignals(signals: Partial<InputSignals>): void {
+    this.#input = { ...this.#input, ...signals };
+  }
+}

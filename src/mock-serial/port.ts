@@ -1,0 +1,135 @@
+import { invalidState, networkError } from './errors.js';
+import { ConnectionTarget } from './events.js';
+import type { Hardware } from './hardware.js';
+import { checkOpenOptions, convertOpenOptions } from './open-options.js';
+import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
+
+/**
+ * A `SerialPort` as the Web Serial standard has it, with a `device` at its other end. `MockSerial.plug` makes them.
+ *
+ * Where the standard and Chromium differ, the port does as the web platform tests ask: the stream of bytes has a high-water mark
+ * of 0, a system error while writing brings a new `writable`, and `open()` after `forget()` fails with NetworkError.
+ */
+export class MockSerialPort extends ConnectionTarget {
+  /** The other end of the port. */
+  readonly device: MockDevice;
+  readonly #hardware: Hardware;
+  /** The standard's [[state]]. */
+  #state: 'closed' | 'opening' | 'opened' | 'closing' = 'closed';
+
+  /** Use `MockSerial.plug`. */
+  constructor(hardware: Hardware, serial: ConnectionTarget) {
+    super(serial);
+    this.#hardware = hardware;
+    this.device = hardware.device;
+  }
+
+  /** The `connected` attribute: whether the port is plugged in. */
+  get connected(): boolean {
+    return this.#hardware.plugged;
+  }
+
+  /**
+   * The `readable` attribute: a byte stream while the port is open, else null. An error ends the stream behind all bytes that came before
+   * it; then there is a new one, or null after the loss of the device.
+   */
+  get readable(): ReadableStream<Uint8Array> | null {
+    const { receiver } = this.#hardware;
+    return receiver.stream ?? (this.#state === 'opened' ? receiver.createStream() : null);
+  }
+
+  /** The `writable` attribute: a stream of BufferSources while the port is open, else null; replaced like `readable`. */
+  get writable(): WritableStream<Uint8Array> | null {
+    const { transmitter } = this.#hardware;
+    return transmitter.stream ?? (this.#state === 'opened' ? transmitter.createStream() : null);
+  }
+
+  /** The `getInfo()` method. */
+  getInfo(): PortInfo {
+    return { ...this.#hardware.info };
+  }
+
+  /**
+   * The `open()` method. Raises DTR.
+   * @throws TypeError when the baud rate is missing or another option is out of its range.
+   * @throws InvalidStateError when the port is not closed.
+   * @throws NetworkError when the device is busy or unplugged, or the port was forgotten.
+   */
+  async open(options: OpenOptions): Promise<void> {
+    const converted = convertOpenOptions(options);
+    if (this.#state !== 'closed') {
+      throw invalidState(this.#state === 'opening' ? 'The port is being opened.' : 'The port is already open.');
+    }
+    checkOpenOptions(converted);
+    this.#state = 'opening';
+    await null;
+    try {
+      this.#hardware.open(converted);
+      this.#state = 'opened';
+    } catch (error) {
+      this.#state = 'closed';
+      throw error;
+    }
+  }
+
+  /**
+   * The `close()` method. Discards what has not been read or sent, and drops DTR.
+   * @throws InvalidStateError when the port is not open.
+   * @throws TypeError when `readable` or `writable` is locked; the port stays open.
+   */
+  async close(): Promise<void> {
+    if (this.#state !== 'opened') {
+      throw invalidState(this.#state === 'closing' ? 'The port is being closed.' : 'The port is already closed.');
+    }
+    const readable = this.#hardware.receiver.stream;
+    const writable = this.#hardware.transmitter.stream;
+    if (readable?.locked) throw new TypeError('Cannot close the port while its readable is locked.');
+    const cancelled = readable?.cancel();
+    if (writable?.locked) throw new TypeError('Cannot close the port while its writable is locked.');
+    this.#state = 'closing';
+    // Neither a stream that has failed already nor one that fails now keeps the port open.
+    await Promise.allSettled([cancelled, writable?.abort(invalidState('The port is closed.'))]);
+    this.#hardware.close();
+    this.#state = 'closed';
+  }
+
+  /** The `forget()` method: the site gives up its permission. An open port is closed as if its device were lost. */
+  async forget(): Promise<void> {
+    await null;
+    this.#hardware.forget();
+    if (this.#state === 'opened') this.#state = 'closed';
+  }
+
+  /**
+   * The `setSignals()` method.
+   * @throws InvalidStateError when the port is not open.
+   * @throws TypeError when no signal is given.
+   * @throws NetworkError when the device is unplugged or fails.
+   */
+  async setSignals(signals: OutputSignals = {}): Promise<void> {
+    if (this.#state !== 'opened') throw invalidState('The port is closed.');
+    const { dataTerminalReady, requestToSend, break: breaking } = signals;
+    if (dataTerminalReady === undefined && requestToSend === undefined && breaking === undefined) {
+      throw new TypeError('At least one signal must be given.');
+    }
+    await null;
+    this.#checkSignals('Failed to set control signals.');
+    this.#hardware.setOutputSignals(signals);
+  }
+
+  /**
+   * The `getSignals()` method.
+   * @throws InvalidStateError when the port is not open.
+   * @throws NetworkError when the device is unplugged or fails.
+   */
+  async getSignals(): Promise<InputSignals> {
+    if (this.#state !== 'opened') throw invalidState('The port is closed.');
+    await null;
+    this.#checkSignals('Failed to get control signals.');
+    return this.#hardware.inputSignals;
+  }
+
+  #checkSignals(message: string): void {
+    if (!this.#hardware.plugged || this.#hardware.device.failSignals) throw networkError(message);
+  }
+}

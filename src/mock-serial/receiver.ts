@@ -1,0 +1,165 @@
+import { streamError } from './errors.js';
+import type { ReadErrorKind } from './types.js';
+
+type Item = Uint8Array | ReadErrorKind;
+
+/**
+ * The reading side of a port: a buffer of `bufferSize` bytes and the stream that hands them to the page. The stream itself holds
+ * nothing (high-water mark 0), so that an error never overtakes a byte that came before it.
+ */
+export class Receiver {
+  /** Bytes that came and will never be read: the port was closed, the device lost, or the buffer full. */
+  lost = 0;
+  #open = false;
+  /** The standard's [[readFatal]]. */
+  #fatal = false;
+  #capacity = 0;
+  #patient = false;
+  #size = 0;
+  /** What the buffer holds, in the order in which it came. */
+  #queue: Item[] = [];
+  /** What waits for room, if the device is patient. */
+  #backlog: Item[] = [];
+  #stream: ReadableStream<Uint8Array> | null = null;
+  #controller: ReadableByteStreamController | null = null;
+  /** The page waits for a read. */
+  #wanted = false;
+
+  /** The standard's [[readable]]. */
+  get stream(): ReadableStream<Uint8Array> | null {
+    return this.#stream;
+  }
+
+  get full(): boolean {
+    return this.#size >= this.#capacity;
+  }
+
+  /** @param patient the device waits for room, where otherwise bytes are lost. */
+  open(capacity: number, patient: boolean): void {
+    this.#open = true;
+    this.#fatal = false;
+    this.#capacity = capacity;
+    this.#patient = patient;
+  }
+
+  /** Forgets the stream and all that is in the buffer. */
+  close(): void {
+    this.#open = false;
+    this.#discard();
+    this.#replaceStream();
+  }
+
+  /** A fresh stream, unless a fatal error forbids it. */
+  createStream(): ReadableStream<Uint8Array> | null {
+    if (this.#fatal) return null;
+    const source: UnderlyingByteSource = {
+      type: 'bytes',
+      start: (controller) => {
+        this.#controller = controller;
+      },
+      pull: () => {
+        this.#wanted = true;
+        this.#serve();
+      },
+      cancel: () => this.#cancel(),
+    };
+    this.#stream = new ReadableStream(source, { highWaterMark: 0 });
+    return this.#stream;
+  }
+
+  push(bytes: Uint8Array): void {
+    if (!this.#open || this.#fatal) {
+      this.lost += bytes.length;
+      return;
+    }
+    const room = this.#capacity - this.#size;
+    if (this.#patient || bytes.length <= room) this.#backlog.push(bytes);
+    else this.#backlog.push(bytes.slice(0, room), ...this.#overrun(bytes.length - room));
+    this.#refill();
+    this.#serve();
+  }
+
+  fail(kind: ReadErrorKind): void {
+    if (!this.#open || this.#fatal) return;
+    if (kind === 'lost') {
+      this.#fatal = true;
+      this.#backlog = [];
+      // Without a stream there is nothing that could fail, and nothing from which the rest could still be read.
+      if (!this.#stream) this.#discard();
+    }
+    this.#backlog.push(kind);
+    this.#refill();
+    this.#serve();
+  }
+
+  /** Ends the stream at once, with whatever it still held. */
+  abandon(): void {
+    this.#controller?.error(streamError('lost'));
+    this.close();
+  }
+
+  #overrun(bytes: number): ReadErrorKind[] {
+    this.lost += bytes;
+    return this.#queue.at(-1) === 'overrun' ? [] : ['overrun'];
+  }
+
+  /** Moves what has room from the backlog to the buffer; errors take none. */
+  #refill(): void {
+    for (let next = this.#backlog.shift(); next !== undefined; next = this.#backlog.shift()) {
+      const room = this.#capacity - this.#size;
+      if (typeof next !== 'string' && next.length > room) {
+        this.#backlog.unshift(next.slice(room));
+        if (room === 0) return;
+        next = next.slice(0, room);
+      }
+      if (next.length === 0) continue;
+      this.#queue.push(next);
+      if (typeof next !== 'string') this.#size += next.length;
+    }
+  }
+
+  #serve(): void {
+    const controller = this.#controller;
+    const next = this.#queue[0];
+    if (!controller || !this.#wanted || next === undefined) return;
+    this.#wanted = false;
+    if (typeof next === 'string') {
+      this.#queue.shift();
+      controller.error(streamError(next));
+      this.#replaceStream();
+      return;
+    }
+    const view = controller.byobRequest?.view;
+    const length = Math.min(next.length, view?.byteLength ?? next.length);
+    if (length === next.length) this.#queue.shift();
+    else this.#queue[0] = next.slice(length);
+    this.#size -= length;
+    this.#refill();
+    if (view) {
+      new Uint8Array(view.buffer, view.byteOffset, view.byteLength).set(next.subarray(0, length));
+      controller.byobRequest?.respond(length);
+    } else {
+      controller.enqueue(next as Uint8Array<ArrayBuffer>);
+    }
+  }
+
+  /** The standard's "handle closing the readable stream", but for the part that `close()` waits for. */
+  #replaceStream(): void {
+    this.#stream = null;
+    this.#controller = null;
+    this.#wanted = false;
+  }
+
+  async #cancel(): Promise<void> {
+    const stream = this.#stream;
+    this.#discard();
+    await null;
+    if (this.#stream === stream) this.#replaceStream();
+  }
+
+  #discard(): void {
+    this.#queue = [];
+    this.#backlog = [];
+    this.#size = 0;
+  }
+}

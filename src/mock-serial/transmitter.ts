@@ -1,0 +1,245 @@
+import type { Cable } from './cable.js';
+import { invalidState, streamError } from './errors.js';
+import type { WriteErrorKind } from './types.js';
+
+/** A write, a close or an abort of the stream that is under way; there is never more than one. */
+interface Operation {
+  /** Goes on as far as there is room, and settles the operation when nothing is left to do. */
+  readonly advance: () => void;
+  readonly resolve: () => void;
+  readonly reject: (reason: unknown) => void;
+}
+
+/** The bytes of a chunk as they are now: none once its buffer is detached, as Web IDL has it. @throws TypeError */
+function bytesOf(chunk: unknown): Uint8Array {
+  const buffer = ArrayBuffer.isView(chunk) ? chunk.buffer : chunk;
+  if (!(buffer instanceof ArrayBuffer)) throw new TypeError('The chunk must be an ArrayBuffer or a view of one.');
+  if (buffer.byteLength === 0) return new Uint8Array();
+  return ArrayBuffer.isView(chunk)
+    ? new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength)
+    : new Uint8Array(buffer);
+}
+
+/** Not ByteLengthQueuingStrategy, so that a chunk of the wrong type gets as far as the standard's own error. */
+function sizeOf(chunk: unknown): number {
+  try {
+    return bytesOf(chunk).length;
+  } catch {
+    return 0;
+  }
+}
+
+/**
+ * The writing side of a port: the stream that takes the page's bytes and a buffer of `bufferSize` bytes that have not yet left. On a free
+ * cable they leave in their time; on any other they leave when the device reads them.
+ */
+export class Transmitter {
+  readonly #cable: Cable;
+  readonly #deviceWaits: () => boolean;
+  /** The standard's [[writeFatal]]. */
+  #fatal = false;
+  #capacity = 0;
+  /** Bytes taken from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
+  #held = 0;
+  #waiting: Uint8Array[] = [];
+  readonly #departures = new Set<() => void>();
+  #reading = false;
+  #stream: WritableStream<Uint8Array> | null = null;
+  #controller: WritableStreamDefaultController | null = null;
+  #operation: Operation | null = null;
+  #failure: { readonly error: WriteErrorKind | Error; after: number } | null = null;
+
+  /** @param deviceWaits whether the device waits for bytes it has not been sent. */
+  constructor(cable: Cable, deviceWaits: () => boolean) {
+    this.#cable = cable;
+    this.#deviceWaits = deviceWaits;
+  }
+
+  /** The standard's [[writable]]. */
+  get stream(): WritableStream<Uint8Array> | null {
+    return this.#stream;
+  }
+
+  open(capacity: number): void {
+    this.#fatal = false;
+    this.#capacity = capacity;
+  }
+
+  /** Forgets the stream and all that has not left. */
+  close(): void {
+    this.#discard();
+    this.#operation?.reject(invalidState('The port is closed.'));
+    this.#replaceStream();
+  }
+
+  /** A fresh stream, unless a fatal error forbids it. */
+  createStream(): WritableStream<Uint8Array> | null {
+    if (this.#fatal) return null;
+    this.#stream = new WritableStream<Uint8Array>(
+      {
+        start: (controller) => {
+          this.#controller = controller;
+          controller.signal.addEventListener('abort', () => this.#operation?.reject(controller.signal.reason));
+        },
+        write: (chunk) => this.#write(chunk),
+        close: () => this.#drain(),
+        abort: () => this.#abort(),
+      },
+      { highWaterMark: this.#capacity, size: sizeOf },
+    );
+    return this.#stream;
+  }
+
+  /** See `MockDevice.failNextWrite`. */
+  failNext(error: WriteErrorKind | Error, after: number): void {
+    this.#failure = { error, after };
+  }
+
+  /** The device waits for bytes. */
+  pull(): void {
+    this.#pump();
+    this.#operation?.advance();
+  }
+
+  /** The device is gone. A stream nobody is using learns of it when it is used next. */
+  lose(): void {
+    this.#fatal = true;
+    this.#discard();
+    if (this.#operation) this.#fail(streamError('lost'));
+  }
+
+  /** Ends the stream at once. */
+  abandon(): void {
+    const lost = streamError('lost');
+    if (this.#operation) this.#operation.reject(lost);
+    else this.#controller?.error(lost);
+    this.close();
+  }
+
+  async #write(chunk: unknown): Promise<void> {
+    bytesOf(chunk);
+    let done = 0;
+    await this.#run(() => {
+      // Looked at afresh each time: the page may detach the buffer while it waits for room.
+      for (let bytes = bytesOf(chunk); done < bytes.length; bytes = bytesOf(chunk)) {
+        if (this.#failed()) return;
+        const room = Math.min(this.#capacity - this.#held, this.#failure?.after ?? Number.POSITIVE_INFINITY);
+        if (room === 0) return;
+        const piece = bytes.slice(done, done + room);
+        done += piece.length;
+        if (this.#failure) this.#failure.after -= piece.length;
+        this.#accept(piece);
+      }
+      this.#operation?.resolve();
+    });
+  }
+
+  async #drain(): Promise<void> {
+    const stream = this.#stream;
+    try {
+      await this.#run(() => {
+        if (this.#held === 0 && !this.#failed()) this.#operation?.resolve();
+      });
+    } finally {
+      // Also when an abort has cut the wait short: the stream then ends without another call.
+      if (this.#stream === stream) this.#replaceStream();
+    }
+  }
+
+  #abort(): Promise<void> {
+    this.#discard();
+    return this.#run(() => {
+      if (this.#failure?.after === 0 && this.#failed()) return;
+      this.#operation?.resolve();
+      this.#replaceStream();
+    });
+  }
+
+  /** Lets the operation begin once the stream has gone on, as the standard's steps in parallel do: an abort may come first. */
+  #run(advance: () => void): Promise<void> {
+    return new Promise((resolve, reject) => {
+      const settle = <Reason extends unknown[]>(by: (...reason: Reason) => void, ...reason: Reason): void => {
+        if (this.#operation === operation) this.#operation = null;
+        by(...reason);
+      };
+      const operation: Operation = {
+        advance,
+        resolve: () => settle(resolve),
+        reject: (reason) => settle(reject, reason),
+      };
+      this.#operation = operation;
+      queueMicrotask(() => {
+        if (this.#operation === operation) advance();
+      });
+    });
+  }
+
+  /** Fails the operation if the device is gone or a failure has been asked for. */
+  #failed(): boolean {
+    if (this.#fatal) {
+      this.#fail(streamError('lost'));
+    } else if (this.#failure?.after === 0) {
+      const { error } = this.#failure;
+      this.#failure = null;
+      if (error === 'lost') this.#fatal = true;
+      this.#fail(typeof error === 'string' ? streamError(error) : error);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  #fail(error: Error): void {
+    this.#operation?.reject(error);
+    this.#replaceStream();
+  }
+
+  #accept(bytes: Uint8Array): void {
+    this.#waiting.push(bytes);
+    this.#held += bytes.length;
+    this.#pump();
+  }
+
+  /** Moves bytes from the buffer to the line: all on a free cable, on any other a chunk for each read of the device. */
+  #pump(): void {
+    while (this.#waiting.length > 0 && !this.#reading) {
+      if (!this.#cable.free && !this.#deviceWaits()) return;
+      const bytes = this.#waiting.shift() as Uint8Array;
+      const left = this.#cable.sendToDevice(bytes);
+      if (!this.#cable.free) this.#letRead(bytes);
+      else this.#depart(bytes, left);
+    }
+  }
+
+  #letRead(bytes: Uint8Array): void {
+    this.#held -= bytes.length;
+    this.#reading = true;
+    this.#cable.clock.after(0, () => {
+      this.#reading = false;
+      this.pull();
+    });
+  }
+
+  #depart(bytes: Uint8Array, at: number): void {
+    const cancel = this.#cable.clock.after(at - this.#cable.clock.now(), () => {
+      this.#departures.delete(cancel);
+      this.#held -= bytes.length;
+      this.#operation?.advance();
+    });
+    this.#departures.add(cancel);
+  }
+
+  /** The standard's "handle closing the writable stream", but for the part that `close()` waits for. */
+  #replaceStream(): void {
+    this.#stream = null;
+    this.#controller = null;
+  }
+
+  #discard(): void {
+    for (const cancel of this.#departures) cancel();
+    if (this.#departures.size > 0) this.#cable.dropToDevice();
+    this.#departures.clear();
+    this.#waiting = [];
+    this.#held = 0;
+  }
+}

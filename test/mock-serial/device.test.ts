@@ -1,0 +1,257 @@
+import { describe, expect, test } from 'vitest';
+import { realClock, VirtualClock, wireTime } from '../../src/line/index.js';
+import { MockSerial, type PlugOptions } from '../../src/mock-serial/index.js';
+import { collect, counted, failure, isPending, openPort, reading, settled, writing } from './helper.js';
+
+/** An open port on a clock that is turned by hand. */
+async function timed(options: PlugOptions = {}, baudRate = 9600, bufferSize = 255) {
+  const clock = new VirtualClock();
+  return { clock, ...(await openPort({ baudRate, bufferSize }, { clock, timing: true, ...options })) };
+}
+
+describe('device', () => {
+  test('reads are served in the order of their calls, and no byte is lost between them', async () => {
+    const { port, device } = await openPort();
+    const first = device.read();
+    const second = device.read();
+    const writer = writing(port);
+    for (const value of [1, 2, 3]) await writer.write(Uint8Array.of(value));
+    expect(await first).toEqual(Uint8Array.of(1));
+    expect(await second).toEqual(Uint8Array.of(2));
+    expect(await device.read()).toEqual(Uint8Array.of(3));
+  });
+
+  test('a read waits on while the page closes the port and opens it again', async () => {
+    const { port, device } = await openPort();
+    const read = device.read();
+    await port.close();
+    expect(await isPending(read)).toBe(true);
+    await port.open({ baudRate: 9600 });
+    await writing(port).write(Uint8Array.of(1));
+    expect(await read).toEqual(Uint8Array.of(1));
+  });
+
+  test('what it writes to a closed port is lost and counted', async () => {
+    const { port, device } = await openPort();
+    await port.close();
+    device.write([1, 2, 3]);
+    await settled();
+    expect(device.lost).toBe(3);
+    await port.open({ baudRate: 9600 });
+    expect(await isPending(reading(port).read())).toBe(true);
+  });
+
+  test('needs no clock unless it is asked to keep time', async () => {
+    const serial = new MockSerial({ clock: { now: () => Number.NaN, after: () => expect.unreachable() } });
+    const port = serial.plug();
+    await port.open({ baudRate: 9600 });
+    port.device.write([1]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(1));
+    await writing(port).write(Uint8Array.of(2));
+    expect(await port.device.read()).toEqual(Uint8Array.of(2));
+  });
+
+  test('works on the clock on the wall', async () => {
+    const { port, device } = await openPort({}, { clock: realClock, latency: 1 });
+    device.write([1]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(1));
+  });
+});
+
+describe('timing', () => {
+  test('bytes to the device take their time at the rate of the page', async () => {
+    const { clock, port, device } = await timed();
+    const writer = writing(port);
+    void writer.write(counted(96));
+    expect(await clock.run(device.read())).toEqual(counted(96));
+    expect(clock.now()).toBeCloseTo(100);
+  });
+
+  test('bytes to the page take their time too', async () => {
+    const { clock, port, device } = await timed();
+    const reader = reading(port);
+    device.write(counted(96));
+    expect((await clock.run(reader.read())).value).toEqual(counted(96));
+    expect(clock.now()).toBeCloseTo(100);
+  });
+
+  test('the clock of the MockSerial will do', async () => {
+    const clock = new VirtualClock();
+    const port = new MockSerial({ clock }).plug({}, { timing: true });
+    await port.open({ baudRate: 9600 });
+    port.device.write(counted(96));
+    await clock.run(reading(port).read());
+    expect(clock.now()).toBeCloseTo(100);
+  });
+
+  test('a byte has as many bits as the page has asked for', async () => {
+    const clock = new VirtualClock();
+    const port = new MockSerial({ clock }).plug({}, { timing: true });
+    await port.open({ baudRate: 9600, parity: 'even', stopBits: 2, bufferSize: 1000 });
+    port.device.write(counted(800));
+    await clock.run(reading(port).read());
+    expect(clock.now()).toBeCloseTo(1000);
+  });
+
+  test('latency comes on top, in either direction, once', async () => {
+    const { clock, port, device } = await timed({ latency: 30 });
+    const reader = reading(port);
+    void writing(port).write(counted(96));
+    device.write(await clock.run(device.read()));
+    expect(clock.now()).toBeCloseTo(130);
+    await clock.run(reader.read());
+    expect(clock.now()).toBeCloseTo(260);
+  });
+
+  test('latency without timing is all the time there is', async () => {
+    const { clock, port, device } = await timed({ timing: false, latency: 30 });
+    device.write(counted(96));
+    await clock.run(reading(port).read());
+    expect(clock.now()).toBe(30);
+  });
+
+  test('no time is lost between chunks, nor by a buffer smaller than a chunk', async () => {
+    const { clock, port, device } = await timed({ latency: 30 }, 115200, 16);
+    const writer = writing(port);
+    const done = (async () => {
+      for (let i = 0; i < 10; i++) await writer.write(counted(100));
+    })();
+    await clock.run(collect(() => device.read(), 1000));
+    await done;
+    expect(clock.now()).toBeCloseTo(wireTime(1000, 115200) + 30);
+  });
+
+  test('a write resolves when the buffer has taken it, close() when the last byte has left, read or not', async () => {
+    const { clock, port } = await timed({ latency: 30 }, 9600, 96);
+    const writer = writing(port);
+    await writer.write(counted(96));
+    const second = writer.write(counted(96));
+    expect(await isPending(second)).toBe(true);
+    await clock.run(second);
+    expect(clock.now()).toBeCloseTo(100);
+    await clock.run(writer.close());
+    expect(clock.now()).toBeCloseTo(200);
+  });
+
+  test('an abort takes back what has not left', async () => {
+    const { clock, port, device } = await timed();
+    const writer = writing(port);
+    await writer.write(counted(96));
+    await writer.abort();
+    const next = writing(port);
+    await next.write(Uint8Array.of(9));
+    expect(await clock.run(device.read())).toEqual(Uint8Array.of(9));
+    expect(clock.now()).toBeCloseTo(wireTime(1, 9600));
+  });
+
+  test('an error comes behind the bytes written before it, on the clock too', async () => {
+    const { clock, port, device } = await timed({ latency: 3, chunks: [5] });
+    const reader = reading(port);
+    device.write(counted(96));
+    await clock.advance(40);
+    device.error('parity');
+    expect(await clock.run(collect(async () => (await reader.read()).value, 96))).toHaveLength(96);
+    expect(await clock.run(failure(reader.read()))).toBe('ParityError');
+    expect(clock.now()).toBeCloseTo(103);
+  });
+
+  test('what is under way when the plug is pulled does not arrive, nor after it is back', async () => {
+    const { clock, serial, port, device } = await timed();
+    device.write(counted(96));
+    void writing(port).write(counted(96));
+    await clock.advance(50);
+    serial.unplug(port);
+    serial.replug(port);
+    await port.readable?.cancel().catch(() => {});
+    const read = device.read();
+    await clock.advance(1000);
+    expect(await isPending(read)).toBe(true);
+    expect(device.lost).toBe(0);
+  });
+});
+
+describe('chunks', () => {
+  test('cut what the device writes', async () => {
+    const { port, device } = await openPort({}, { chunks: [1, 3] });
+    const reader = reading(port);
+    device.write(counted(9));
+    const sizes: (number | undefined)[] = [];
+    for (let i = 0; i < 5; i++) sizes.push((await reader.read()).value?.length);
+    expect(sizes).toEqual([1, 3, 1, 3, 1]);
+  });
+});
+
+describe('fault', () => {
+  test('damages what goes to the page', async () => {
+    const toPage = (byte: number, index: number) => (index === 1 ? [] : index === 2 ? [byte, byte] : [byte ^ 0x80]);
+    const { port, device } = await openPort({}, { fault: { toPage } });
+    const reader = reading(port);
+    device.write([1, 2, 3, 4]);
+    device.error('framing');
+    expect((await reader.read()).value).toEqual(Uint8Array.of(0x81, 3, 3, 0x84));
+    expect(await failure(reader.read())).toBe('FramingError');
+  });
+
+  test('damages what goes to the device, which need not wait for what is lost', async () => {
+    const { port, device } = await openPort({}, { fault: { toDevice: (byte) => (byte === 1 ? [] : [byte]) } });
+    const writer = writing(port);
+    void writer.write(Uint8Array.of(1, 1));
+    void writer.write(Uint8Array.of(1, 2));
+    const closed = writer.close();
+    expect(await device.read()).toEqual(Uint8Array.of(2));
+    await closed;
+  });
+});
+
+describe('echo', () => {
+  test('lets the page hear itself, and the device hear the page', async () => {
+    const { port, device } = await openPort({}, { echo: true });
+    const reader = reading(port);
+    await writing(port).write(Uint8Array.of(1, 2));
+    expect((await reader.read()).value).toEqual(Uint8Array.of(1, 2));
+    device.write([9]);
+    expect((await reader.read()).value).toEqual(Uint8Array.of(9));
+    expect(await device.read()).toEqual(Uint8Array.of(1, 2));
+  });
+
+  test('takes no more time than the bytes took on their way', async () => {
+    const { clock, port } = await timed({ echo: true });
+    const reader = reading(port);
+    void writing(port).write(counted(96));
+    await clock.run(reader.read());
+    expect(clock.now()).toBeCloseTo(100);
+  });
+});
+
+describe('loopback', () => {
+  test('returns what the page writes, and the device hears nothing', async () => {
+    const { port, device } = await openPort({ bufferSize: 1024 }, { loopback: true });
+    const reader = reading(port);
+    for (let i = 0; i < 10; i++) {
+      const writer = writing(port);
+      void writer.write(counted(64));
+      const closed = writer.close();
+      const read = await collect(async () => (await reader.read()).value, 64);
+      expect(Uint8Array.from(read)).toEqual(counted(64));
+      await closed;
+    }
+    expect(await isPending(device.read())).toBe(true);
+  });
+
+  test('overflows the buffer of a page that writes without reading', async () => {
+    const { port } = await openPort({ bufferSize: 1024 }, { loopback: true });
+    const writer = writing(port);
+    void writer.write(counted(16 * 1024));
+    await writer.close();
+    const reader = reading(port);
+    expect(Uint8Array.from(await collect(async () => (await reader.read()).value, 1024))).toEqual(counted(1024));
+    expect(await failure(reader.read())).toBe('BufferOverrunError');
+  });
+
+  test('is damaged and cut like any other line', async () => {
+    const { port } = await openPort({}, { loopback: true, chunks: [2], fault: { toDevice: (byte) => [byte + 1] } });
+    const reader = reading(port);
+    await writing(port).write(Uint8Array.of(1, 2, 3));
+    expect((await reader.read()).value).toEqual(Uint8Array.of(2, 3));
+  });
+});

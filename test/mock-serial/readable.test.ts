@@ -1,0 +1,279 @@
+import { describe, expect, test } from 'vitest';
+import type { ReadErrorKind } from '../../src/mock-serial/index.js';
+import { collect, counted, failure, isPending, openPort, reading, settled } from './helper.js';
+
+const DATA = counted(8);
+
+describe('readable attribute: reading', () => {
+  test('gives the bytes the device wrote', async () => {
+    const { port, device } = await openPort({ bufferSize: 64 });
+    const reader = reading(port);
+    device.write(DATA);
+    expect(await reader.read()).toEqual({ done: false, value: DATA });
+  });
+
+  test('gives bytes that came before the stream was asked for', async () => {
+    const { port, device } = await openPort();
+    device.write(DATA);
+    await settled();
+    expect((await reading(port).read()).value).toEqual(DATA);
+  });
+
+  test('waits for bytes', async () => {
+    const { port, device } = await openPort();
+    const read = reading(port).read();
+    expect(await isPending(read)).toBe(true);
+    device.write([9]);
+    expect((await read).value).toEqual(Uint8Array.of(9));
+  });
+
+  test('gives more than the buffer holds, a bufferful at a time, when the device waits for room', async () => {
+    const { port, device } = await openPort({ bufferSize: 64 }, { backpressure: true });
+    const reader = reading(port);
+    device.write(counted(1024));
+    expect((await reader.read()).value?.length).toBe(64);
+    const rest = await collect(async () => (await reader.read()).value, 960);
+    expect(Uint8Array.from(rest)).toEqual(counted(1024).slice(64));
+  });
+
+  test('a lock can be released while a read waits, and no byte is lost', async () => {
+    const { port, device } = await openPort();
+    const first = reading(port);
+    const read = first.read();
+    await settled();
+    first.releaseLock();
+    expect(await failure(read)).toBe('TypeError');
+    device.write(DATA);
+    expect((await reading(port).read()).value).toEqual(DATA);
+  });
+
+  test('can be piped through', async () => {
+    const { port, device } = await openPort({ bufferSize: 64 });
+    const decoder = new TextDecoderStream();
+    const piped = port.readable?.pipeTo(decoder.writable as WritableStream<Uint8Array>);
+    const reader = decoder.readable.pipeThrough(new TransformStream()).getReader();
+    device.write(new TextEncoder().encode('Hello world!'));
+    expect(await reader.read()).toEqual({ done: false, value: 'Hello world!' });
+    await Promise.all([reader.cancel('done'), expect(piped).rejects.toBe('done')]);
+    await port.close();
+  });
+});
+
+describe('readable attribute: byte stream', () => {
+  test('is one, and reads into the buffers of the page', async () => {
+    const { port, device } = await openPort({ bufferSize: 1024 });
+    const reader = port.readable?.getReader({ mode: 'byob' }) as ReadableStreamBYOBReader;
+    device.write(counted(1024));
+    for (const half of [0, 512]) {
+      const { value } = await reader.read(new Uint8Array(512));
+      expect(value?.buffer.byteLength).toBe(512);
+      expect(value).toEqual(counted(1024).slice(half, half + 512));
+    }
+  });
+
+  test('fills a buffer that is larger than its own in several reads', async () => {
+    const { port, device } = await openPort({ bufferSize: 64 }, { backpressure: true });
+    const reader = port.readable?.getReader({ mode: 'byob' }) as ReadableStreamBYOBReader;
+    device.write(counted(1024));
+    const all = await collect(async () => (await reader.read(new Uint8Array(1024))).value, 1024);
+    expect(Uint8Array.from(all)).toEqual(counted(1024));
+  });
+
+  test('gives what it has to a view of its own place and length', async () => {
+    const { port, device } = await openPort();
+    const reader = port.readable?.getReader({ mode: 'byob' }) as ReadableStreamBYOBReader;
+    device.write([1, 2, 3]);
+    const { value } = await reader.read(new Uint8Array(new ArrayBuffer(10), 4, 5));
+    expect(value).toEqual(Uint8Array.of(1, 2, 3));
+    expect(value?.byteOffset).toBe(4);
+  });
+
+  test('errors and ends for such a reader too', async () => {
+    const { port, device } = await openPort();
+    const reader = port.readable?.getReader({ mode: 'byob' }) as ReadableStreamBYOBReader;
+    const read = failure(reader.read(new Uint8Array(8)));
+    await settled();
+    device.error('parity');
+    expect(await read).toBe('ParityError');
+    const second = port.readable?.getReader({ mode: 'byob' }) as ReadableStreamBYOBReader;
+    const ended = second.read(new Uint8Array(8));
+    await second.cancel();
+    expect((await ended).done).toBe(true);
+  });
+});
+
+const RECOVERABLE: readonly (readonly [ReadErrorKind, string])[] = [
+  ['break', 'BreakError'],
+  ['framing', 'FramingError'],
+  ['parity', 'ParityError'],
+  ['overrun', 'BufferOverrunError'],
+  ['system', 'UnknownError'],
+];
+
+describe('readable attribute: errors', () => {
+  test.each(RECOVERABLE)('%s: bytes first, then %s, then a new stream', async (kind, name) => {
+    const { port, device } = await openPort({ bufferSize: 64 });
+    const { readable } = port;
+    const reader = reading(port);
+    device.write(DATA);
+    device.error(kind);
+    device.write([9]);
+    expect((await reader.read()).value).toEqual(DATA);
+    const error = await reader.read().catch((reason) => reason);
+    expect(error).toBeInstanceOf(DOMException);
+    expect(error.name).toBe(name);
+    expect(port.readable).not.toBe(readable);
+    expect(port.readable).toBeInstanceOf(ReadableStream);
+    const second = reading(port);
+    expect((await second.read()).value).toEqual(Uint8Array.of(9));
+    second.releaseLock();
+    await port.close();
+    expect(port.readable).toBeNull();
+  });
+
+  test('an error comes at once when a read waits', async () => {
+    const { port, device } = await openPort();
+    const read = failure(reading(port).read());
+    await settled();
+    device.error('break');
+    expect(await read).toBe('BreakError');
+  });
+
+  test('each of several errors ends a stream of its own', async () => {
+    const { port, device } = await openPort();
+    device.error('break');
+    device.error('framing');
+    expect(await failure(reading(port).read())).toBe('BreakError');
+    expect(await failure(reading(port).read())).toBe('FramingError');
+    expect(await isPending(reading(port).read())).toBe(true);
+  });
+
+  test('lost: bytes first, then NetworkError, then null until the port is opened again', async () => {
+    const { port, device } = await openPort({ bufferSize: 64 });
+    const reader = reading(port);
+    device.write(DATA);
+    device.error('lost');
+    device.write([9]);
+    expect((await reader.read()).value).toEqual(DATA);
+    expect(await failure(reader.read())).toBe('NetworkError');
+    expect(port.readable).toBeNull();
+    expect(device.lost).toBe(1);
+    await port.close();
+    await port.open({ baudRate: 9600 });
+    device.write([10]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(10));
+  });
+
+  test('lost: null at once when there is no stream', async () => {
+    const { port, device } = await openPort();
+    device.write(DATA);
+    device.error('lost');
+    await settled();
+    expect(port.readable).toBeNull();
+    await port.close();
+  });
+
+  test('an error while the port is closed is nobody’s', async () => {
+    const { port, device } = await openPort();
+    await port.close();
+    device.error('break');
+    await settled();
+    await port.open({ baudRate: 9600 });
+    expect(await isPending(reading(port).read())).toBe(true);
+  });
+});
+
+describe('readable attribute: bufferSize', () => {
+  test('an overflow gives what the buffer held, then BufferOverrunError, then a new stream', async () => {
+    const { port, device } = await openPort({ bufferSize: 16 });
+    const reader = reading(port);
+    device.write(counted(10));
+    device.write(counted(10));
+    device.write(counted(3));
+    await settled();
+    expect(device.lost).toBe(7);
+    const held = await collect(async () => (await reader.read()).value, 16);
+    expect(held).toEqual([...counted(10), ...counted(6)]);
+    expect(await failure(reader.read())).toBe('BufferOverrunError');
+    device.write([99]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(99));
+  });
+
+  test('the default is 255, which a page that does not read overflows with the 256th byte', async () => {
+    const { port, device } = await openPort();
+    device.write(counted(255));
+    await settled();
+    expect(device.lost).toBe(0);
+    device.write([0]);
+    await settled();
+    expect(device.lost).toBe(1);
+    const reader = reading(port);
+    expect((await reader.read()).value?.length).toBe(255);
+    expect(await failure(reader.read())).toBe('BufferOverrunError');
+  });
+
+  test('hardware flow control: nothing is lost, and RTS says whether there is room', async () => {
+    const { port, device } = await openPort({ bufferSize: 16, flowControl: 'hardware' });
+    device.write(counted(40));
+    await settled();
+    expect(device.signals.requestToSend).toBe(false);
+    const reader = reading(port);
+    expect(await collect(async () => (await reader.read()).value, 40)).toEqual([...counted(40)]);
+    expect(device.signals.requestToSend).toBe(true);
+    expect(device.lost).toBe(0);
+  });
+
+  test('an error keeps its place behind bytes that wait for room', async () => {
+    const { port, device } = await openPort({ bufferSize: 4 }, { backpressure: true });
+    device.write(counted(10));
+    device.error('parity');
+    const reader = reading(port);
+    expect(await collect(async () => (await reader.read()).value, 10)).toEqual([...counted(10)]);
+    expect(await failure(reader.read())).toBe('ParityError');
+  });
+});
+
+describe('readable attribute: cancel', () => {
+  test('ends a read that waits', async () => {
+    const { port } = await openPort();
+    const reader = reading(port);
+    const read = reader.read();
+    await reader.cancel();
+    expect(await read).toEqual({ done: true, value: undefined });
+    await port.close();
+  });
+
+  test('the port can be closed while it goes on', async () => {
+    const { port } = await openPort();
+    const reader = reading(port);
+    const closed = (async () => {
+      expect((await reader.read()).done).toBe(true);
+      reader.releaseLock();
+      await port.close();
+      expect(port.readable).toBeNull();
+    })();
+    await reader.cancel();
+    await closed;
+  });
+
+  test('discards what the buffer holds, errors too; a new stream takes what comes later', async () => {
+    const { port, device } = await openPort({ bufferSize: 4 });
+    const { readable } = port;
+    device.write(counted(10));
+    device.error('break');
+    await settled();
+    await port.readable?.cancel();
+    expect(port.readable).not.toBe(readable);
+    device.write([9]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(9));
+  });
+
+  test('discards what a device with patience holds back', async () => {
+    const { port, device } = await openPort({ bufferSize: 4 }, { backpressure: true });
+    device.write(counted(10));
+    await settled();
+    await port.readable?.cancel();
+    device.write([9]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(9));
+  });
+});

@@ -1,0 +1,227 @@
+import { describe, expect, test } from 'vitest';
+import {
+  MockSerial,
+  type MockSerialPort,
+  type PortInfo,
+  type PortRequestOptions,
+} from '../../src/mock-serial/index.js';
+import { failure } from './helper.js';
+
+/** A page that has just been clicked, with a port that the user is about to choose. */
+function clicked(info: PortInfo = {}): { serial: MockSerial; port: MockSerialPort } {
+  const serial = new MockSerial({ userActivation: true });
+  const port = serial.plug(info);
+  serial.choose(port);
+  return { serial, port };
+}
+
+const SERIAL_PORT_PROFILE = '00001101-0000-1000-8000-00805f9b34fb';
+const CUSTOM = '01234567-89ab-cdef-0123-456789abcdef';
+
+describe('requestPort() method', () => {
+  test('step 3: SecurityError without user activation, whatever the filters', async () => {
+    const serial = new MockSerial();
+    serial.choose(serial.plug());
+    expect(await failure(serial.requestPort())).toBe('SecurityError');
+    expect(await failure(serial.requestPort({ filters: [{}] }))).toBe('SecurityError');
+    serial.userActivation = true;
+    await serial.requestPort();
+  });
+
+  test('step 3: user activation is not used up, and the same port is the same object', async () => {
+    const { serial, port } = clicked();
+    expect(await serial.requestPort()).toBe(port);
+    expect(await serial.requestPort()).toBe(port);
+  });
+
+  test.each([
+    ['an empty one', {}],
+    ['a product without its vendor', { usbProductId: 1 }],
+    ['a vendor beside a service class', { usbVendorId: 1, bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
+    ['a product beside a service class', { usbProductId: 1, bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
+    ['a service class that is none', { bluetoothServiceClassId: 'serial' }],
+    ['a service class in capitals', { bluetoothServiceClassId: CUSTOM.toUpperCase() }],
+    ['a service class beyond 32 bits', { bluetoothServiceClassId: 2 ** 32 }],
+  ])('step 4: TypeError when a filter is %s', async (_, filter) => {
+    const { serial } = clicked({ usbVendorId: 1, usbProductId: 1 });
+    expect(await failure(serial.requestPort({ filters: [{ usbVendorId: 1 }, filter] }))).toBe('TypeError');
+    expect(await serial.getPorts()).toEqual([]);
+  });
+
+  test('TypeError when an allowed service class is none', async () => {
+    const { serial } = clicked();
+    expect(await failure(serial.requestPort({ allowedBluetoothServiceClassIds: ['x'] }))).toBe('TypeError');
+  });
+
+  test('step 5: NotFoundError when the user chooses nothing', async () => {
+    const { serial } = clicked();
+    serial.choose(null);
+    expect(await failure(serial.requestPort())).toBe('NotFoundError');
+  });
+
+  test('step 5: NotFoundError when the port is unplugged', async () => {
+    const { serial, port } = clicked();
+    serial.unplug(port);
+    expect(await failure(serial.requestPort())).toBe('NotFoundError');
+  });
+
+  test('step 5: NotFoundError when the port belongs to another object', async () => {
+    const { serial } = clicked();
+    serial.choose(new MockSerial().plug());
+    expect(await failure(serial.requestPort())).toBe('NotFoundError');
+  });
+
+  const usb = { usbVendorId: 0x0403, usbProductId: 0x6001 };
+  const rows: readonly (readonly [string, PortInfo, PortRequestOptions, boolean])[] = [
+    ['no filters', usb, {}, true],
+    ['an empty list', usb, { filters: [] }, true],
+    ['its vendor', usb, { filters: [{ usbVendorId: 0x0403 }] }, true],
+    ['its vendor and product', usb, { filters: [usb] }, true],
+    ['another vendor', usb, { filters: [{ usbVendorId: 1 }] }, false],
+    ['another product', usb, { filters: [{ usbVendorId: 0x0403, usbProductId: 1 }] }, false],
+    ['one of several', usb, { filters: [{ usbVendorId: 1 }, usb] }, true],
+    ['a port that is no USB device, USB filters', {}, { filters: [usb] }, false],
+    ['a service class on USB', usb, { filters: [{ bluetoothServiceClassId: 0x1101 }] }, false],
+    ['the Serial Port Profile, no filters', { bluetoothServiceClassId: 0x1101 }, {}, true],
+    ['the Serial Port Profile, USB filters', { bluetoothServiceClassId: 0x1101 }, { filters: [usb] }, false],
+    [
+      'the Serial Port Profile among USB filters',
+      { bluetoothServiceClassId: 0x1101 },
+      { filters: [usb, { bluetoothServiceClassId: SERIAL_PORT_PROFILE }] },
+      true,
+    ],
+    ['a service class of one’s own', { bluetoothServiceClassId: CUSTOM }, {}, false],
+    [
+      'a service class of one’s own, filtered for only',
+      { bluetoothServiceClassId: CUSTOM },
+      { filters: [{ bluetoothServiceClassId: CUSTOM }] },
+      false,
+    ],
+    [
+      'a service class of one’s own, allowed',
+      { bluetoothServiceClassId: CUSTOM },
+      { allowedBluetoothServiceClassIds: [CUSTOM] },
+      true,
+    ],
+    [
+      'a service class of one’s own, allowed and filtered for',
+      { bluetoothServiceClassId: CUSTOM },
+      { filters: [{ bluetoothServiceClassId: CUSTOM }], allowedBluetoothServiceClassIds: [CUSTOM] },
+      true,
+    ],
+    [
+      'another class of the Bluetooth standard, blocked though allowed',
+      { bluetoothServiceClassId: 0x1108 },
+      { allowedBluetoothServiceClassIds: [0x1108] },
+      false,
+    ],
+  ];
+  test.each(rows)('step 5 and "matches the filter": %s', async (_, info, options, offered) => {
+    const { serial, port } = clicked(info);
+    if (offered) expect(await serial.requestPort(options)).toBe(port);
+    else expect(await failure(serial.requestPort(options))).toBe('NotFoundError');
+  });
+});
+
+describe('getPorts() method', () => {
+  test('gives the ports the site may use, the same objects each time', async () => {
+    const { serial, port } = clicked();
+    const remembered = serial.plug({}, { granted: true });
+    expect(await serial.getPorts()).toEqual([remembered]);
+    await serial.requestPort();
+    const ports = await serial.getPorts();
+    expect(ports).toHaveLength(2);
+    expect(ports[0]).toBe(port);
+    expect(ports[1]).toBe(remembered);
+    expect((await serial.getPorts())[0]).toBe(port);
+  });
+
+  test('leaves out what is unplugged', async () => {
+    const serial = new MockSerial();
+    const port = serial.plug({}, { granted: true });
+    serial.unplug(port);
+    expect(await serial.getPorts()).toEqual([]);
+    serial.replug(port);
+    expect(await serial.getPorts()).toEqual([port]);
+  });
+});
+
+describe('getInfo() method', () => {
+  test.each([
+    [{}, {}],
+    [{ usbVendorId: 1 }, { usbVendorId: 1 }],
+    [{ usbProductId: 2 }, { usbProductId: 2 }],
+    [
+      { usbVendorId: 1, usbProductId: 2, bluetoothServiceClassId: undefined },
+      { usbVendorId: 1, usbProductId: 2 },
+    ],
+    [{ bluetoothServiceClassId: 0x1101 }, { bluetoothServiceClassId: SERIAL_PORT_PROFILE }],
+    [{ bluetoothServiceClassId: CUSTOM }, { bluetoothServiceClassId: CUSTOM }],
+  ])('of %o is %o, without members that do not apply', (info, expected) => {
+    const port = new MockSerial().plug(info);
+    expect(port.getInfo()).toStrictEqual(expected);
+    expect(port.getInfo()).not.toBe(port.getInfo());
+  });
+});
+
+describe('forget() method', () => {
+  test('step 2: the site may no longer use the port', async () => {
+    const { serial, port } = clicked();
+    await serial.requestPort();
+    await port.forget();
+    expect(await serial.getPorts()).toEqual([]);
+  });
+
+  test('open() then fails with NetworkError, until the user chooses the port again', async () => {
+    const { serial, port } = clicked();
+    await port.forget();
+    expect(await failure(port.open({ baudRate: 9600 }))).toBe('NetworkError');
+    await serial.requestPort();
+    await port.open({ baudRate: 9600 });
+  });
+
+  test('the state is no longer open: InvalidStateError from close(), setSignals() and getSignals()', async () => {
+    const { port } = clicked();
+    await port.open({ baudRate: 9600 });
+    await port.forget();
+    expect(await failure(port.close())).toBe('InvalidStateError');
+    expect(await failure(port.setSignals({ break: true }))).toBe('InvalidStateError');
+    expect(await failure(port.getSignals())).toBe('InvalidStateError');
+    expect(port.device.signals.dataTerminalReady).toBe(false);
+  });
+
+  test('notes at readable and writable: what is under way fails as if the device were lost', async () => {
+    const { port } = clicked();
+    await port.open({ baudRate: 9600, bufferSize: 1 });
+    const read = port.readable?.getReader().read() as Promise<unknown>;
+    const written = port.writable?.getWriter().write(Uint8Array.of(1, 2)) as Promise<unknown>;
+    const failures = Promise.all([failure(read), failure(written)]);
+    await port.forget();
+    expect(await failures).toEqual(['NetworkError', 'NetworkError']);
+    expect(port.readable).toBeNull();
+    expect(port.writable).toBeNull();
+  });
+
+  test('streams that nobody uses end as well', async () => {
+    const { port } = clicked();
+    await port.open({ baudRate: 9600 });
+    const reader = port.readable?.getReader();
+    const writer = port.writable?.getWriter();
+    await port.forget();
+    expect(await failure(reader?.read() as Promise<unknown>)).toBe('NetworkError');
+    expect(await failure(writer?.write(Uint8Array.of(1)) as Promise<unknown>)).toBe('NetworkError');
+  });
+
+  test('does not fire disconnect', async () => {
+    const { serial, port } = clicked();
+    await serial.requestPort();
+    let events = 0;
+    serial.ondisconnect = () => {
+      events++;
+    };
+    await port.forget();
+    serial.unplug(port);
+    await Promise.resolve();
+    expect(events).toBe(0);
+  });
+});

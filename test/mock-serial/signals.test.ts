@@ -1,0 +1,101 @@
+import { describe, expect, test } from 'vitest';
+import { MockSerial, type OutputSignals } from '../../src/mock-serial/index.js';
+import { failure, isPending, openPort, reading, settled } from './helper.js';
+
+describe('setSignals() method', () => {
+  test('step 2: InvalidStateError when the port is not open', async () => {
+    const port = new MockSerial().plug();
+    expect(await failure(port.setSignals({}))).toBe('InvalidStateError');
+    expect(await failure(port.setSignals({ break: true }))).toBe('InvalidStateError');
+  });
+
+  test('step 3: TypeError when nothing is given, and nothing changes', async () => {
+    const { port, device } = await openPort();
+    expect(await failure(port.setSignals())).toBe('TypeError');
+    expect(await failure(port.setSignals({}))).toBe('TypeError');
+    expect(await failure(port.setSignals({ break: undefined }))).toBe('TypeError');
+    expect(device.signals).toEqual({ dataTerminalReady: true, requestToSend: false, break: false });
+  });
+
+  test('step 4: sets what is given and leaves the rest', async () => {
+    const { port, device } = await openPort();
+    const steps: readonly (readonly [OutputSignals, boolean, boolean, boolean])[] = [
+      [{ dataTerminalReady: false }, false, false, false],
+      [{ requestToSend: true }, false, true, false],
+      [{ break: true }, false, true, true],
+      [{ dataTerminalReady: true, requestToSend: false, break: false }, true, false, false],
+    ];
+    for (const [signals, dataTerminalReady, requestToSend, breaking] of steps) {
+      await port.setSignals(signals);
+      expect(device.signals).toEqual({ dataTerminalReady, requestToSend, break: breaking });
+    }
+  });
+
+  test('step 4.4: NetworkError when the device fails, and nothing changes', async () => {
+    const { port, device } = await openPort();
+    device.failSignals = true;
+    expect(await failure(port.setSignals({ break: true }))).toBe('NetworkError');
+    expect(device.signals.break).toBe(false);
+    device.failSignals = false;
+    await port.setSignals({ break: true });
+    expect(device.signals.break).toBe(true);
+  });
+});
+
+describe('getSignals() method', () => {
+  test('step 2: InvalidStateError when the port is not open', async () => {
+    expect(await failure(new MockSerial().plug().getSignals())).toBe('InvalidStateError');
+  });
+
+  test('step 3: gives what the device has set', async () => {
+    const { port, device } = await openPort();
+    const signals = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
+    expect(await port.getSignals()).toEqual(signals);
+    for (const name of ['dataCarrierDetect', 'clearToSend', 'ringIndicator', 'dataSetReady'] as const) {
+      signals[name] = true;
+      device.setSignals({ [name]: true });
+      expect(await port.getSignals()).toEqual(signals);
+    }
+    device.setSignals({ clearToSend: false });
+    expect(await port.getSignals()).toEqual({ ...signals, clearToSend: false });
+  });
+
+  test('step 3.2: NetworkError when the device fails', async () => {
+    const { port, device } = await openPort();
+    device.failSignals = true;
+    expect(await failure(port.getSignals())).toBe('NetworkError');
+  });
+});
+
+describe('loopback', () => {
+  test('a break comes back once, as a zero byte and a BreakError', async () => {
+    const { port } = await openPort({}, { loopback: true });
+    const reader = reading(port);
+    await port.setSignals({ break: true });
+    await port.setSignals({ break: true });
+    expect((await reader.read()).value).toEqual(Uint8Array.of(0));
+    expect(await failure(reader.read())).toBe('BreakError');
+    await port.setSignals({ break: false });
+    expect(await isPending(reading(port).read())).toBe(true);
+  });
+
+  test('RTS comes back as CTS, DTR as DSR and DCD', async () => {
+    const { port } = await openPort({}, { loopback: true });
+    const off = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
+    expect(await port.getSignals()).toEqual({ ...off, dataCarrierDetect: true, dataSetReady: true });
+    await port.setSignals({ dataTerminalReady: false, requestToSend: true });
+    expect(await port.getSignals()).toEqual({ ...off, clearToSend: true });
+  });
+
+  test('hardware flow control: CTS falls when the page has written more than it has room to read', async () => {
+    const { port } = await openPort({ flowControl: 'hardware' }, { loopback: true });
+    const writer = port.writable?.getWriter();
+    let written = 0;
+    while ((await port.getSignals()).clearToSend) {
+      await writer?.write(new Uint8Array(1));
+      await settled();
+      written++;
+    }
+    expect(written).toBe(255);
+  });
+});

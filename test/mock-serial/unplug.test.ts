@@ -1,0 +1,162 @@
+import { describe, expect, test } from 'vitest';
+import { MockSerial } from '../../src/mock-serial/index.js';
+import { failure, isPending, openPort, reading, settled, writing } from './helper.js';
+
+describe('an open port whose device is unplugged', () => {
+  test('readable: a read that waits fails with NetworkError; then null', async () => {
+    const { serial, port } = await openPort();
+    const read = reading(port)
+      .read()
+      .catch((error) => error);
+    await settled();
+    serial.unplug(port);
+    expect(await read).toMatchObject({ name: 'NetworkError', message: 'The device has been lost.' });
+    expect(port.readable).toBeNull();
+  });
+
+  test('readable: what had arrived is read first', async () => {
+    const { serial, port, device } = await openPort();
+    const reader = reading(port);
+    device.write([1, 2]);
+    await settled();
+    serial.unplug(port);
+    expect((await reader.read()).value).toEqual(Uint8Array.of(1, 2));
+    expect(await failure(reader.read())).toBe('NetworkError');
+    expect(port.readable).toBeNull();
+  });
+
+  test('writable: a write that waits fails with NetworkError; then null', async () => {
+    const { serial, port } = await openPort({ bufferSize: 1 });
+    const written = failure(writing(port).write(Uint8Array.of(1, 2)));
+    await settled();
+    serial.unplug(port);
+    expect(await written).toBe('NetworkError');
+    expect(port.writable).toBeNull();
+  });
+
+  test('writable: the next write fails with NetworkError; then null', async () => {
+    const { serial, port } = await openPort();
+    const writer = writing(port);
+    await settled();
+    serial.unplug(port);
+    expect(await failure(writer.write(Uint8Array.of(1)))).toBe('NetworkError');
+    expect(port.writable).toBeNull();
+  });
+
+  test('writable: closing fails with NetworkError, begun before or after', async () => {
+    const before = await openPort();
+    const writer = writing(before.port);
+    await writer.write(Uint8Array.of(1));
+    const closed = failure(writer.close());
+    await settled();
+    before.serial.unplug(before.port);
+    expect(await closed).toBe('NetworkError');
+    expect(before.port.writable).toBeNull();
+    const after = await openPort();
+    const second = writing(after.port);
+    after.serial.unplug(after.port);
+    expect(await failure(second.close())).toBe('NetworkError');
+    expect(after.port.writable).toBeNull();
+  });
+
+  test('writable: null at once when there is no stream', async () => {
+    const { serial, port } = await openPort();
+    serial.unplug(port);
+    expect(port.writable).toBeNull();
+    expect(port.readable).toBeNull();
+    await port.close();
+  });
+
+  test('setSignals() and getSignals() fail with NetworkError', async () => {
+    const { serial, port } = await openPort();
+    serial.unplug(port);
+    expect(await failure(port.setSignals({ break: true }))).toBe('NetworkError');
+    expect(await failure(port.getSignals())).toBe('NetworkError');
+  });
+
+  test('close() works once both locks are released, open() when the device is back', async () => {
+    const { serial, port, device } = await openPort();
+    const reader = reading(port);
+    const writer = writing(port);
+    await settled();
+    serial.unplug(port);
+    expect(await failure(port.close())).toBe('TypeError');
+    reader.releaseLock();
+    expect(await failure(port.close())).toBe('TypeError');
+    writer.releaseLock();
+    await port.close();
+    expect(await failure(port.open({ baudRate: 9600 }))).toBe('NetworkError');
+    serial.replug(port);
+    await port.open({ baudRate: 9600 });
+    device.write([5]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(5));
+    await writing(port).write(Uint8Array.of(6));
+    expect(await device.read()).toEqual(Uint8Array.of(6));
+  });
+
+  test('does not recover by itself when the device is back', async () => {
+    const { serial, port } = await openPort();
+    const read = failure(reading(port).read());
+    await settled();
+    serial.unplug(port);
+    serial.replug(port);
+    expect(await read).toBe('NetworkError');
+    expect(port.readable).toBeNull();
+    expect(port.connected).toBe(true);
+    await port.close();
+  });
+
+  test('can be opened though it was unplugged while closed', async () => {
+    const serial = new MockSerial();
+    const port = serial.plug();
+    serial.unplug(port);
+    serial.replug(port);
+    await port.open({ baudRate: 9600 });
+    await writing(port).write(Uint8Array.of(1));
+    expect(await port.device.read()).toEqual(Uint8Array.of(1));
+    port.device.write([2]);
+    expect((await reading(port).read()).value).toEqual(Uint8Array.of(2));
+  });
+
+  test('comes back as a new object when it is plugged in as one', async () => {
+    const { serial, port } = await openPort();
+    serial.unplug(port);
+    const again = serial.plug(port.getInfo(), { granted: true });
+    expect(again).not.toBe(port);
+    expect(again.getInfo()).toEqual(port.getInfo());
+    expect(await serial.getPorts()).toEqual([again]);
+    await again.open({ baudRate: 9600 });
+  });
+});
+
+describe('the device that is unplugged', () => {
+  test('reads what had arrived, then empty arrays, until it is plugged in again', async () => {
+    const { serial, port, device } = await openPort();
+    const waiting = device.read();
+    await writing(port).write(Uint8Array.of(1));
+    expect(await waiting).toEqual(Uint8Array.of(1));
+    const ended = device.read();
+    serial.unplug(port);
+    expect((await ended).length).toBe(0);
+    expect((await device.read()).length).toBe(0);
+    serial.replug(port);
+    expect(await isPending(device.read())).toBe(true);
+  });
+
+  test('loses what it writes, and what is under way', async () => {
+    const { serial, port, device } = await openPort();
+    const reader = reading(port);
+    device.write([1]);
+    serial.unplug(port);
+    device.write([2, 3]);
+    expect(device.lost).toBe(2);
+    expect(await failure(reader.read())).toBe('NetworkError');
+  });
+
+  test('is not to be found at another MockSerial', async () => {
+    const port = new MockSerial().plug();
+    const other = new MockSerial();
+    expect(() => other.unplug(port)).toThrow(TypeError);
+    expect(() => other.replug(port)).toThrow(TypeError);
+  });
+});
