@@ -1,0 +1,34 @@
+/**
+ * What can stand between a pilot and a timer.
+ *
+ * - `unsupported`: this browser has no Web Serial.
+ * - `insecure`: the page was not loaded over https (or from this machine), so the browser withholds Web Serial.
+ * - `nothing-chosen`: the chooser was closed without a port.
+ * - `not-allowed`: the browser or its administrator forbids serial ports here, or nobody clicked.
+ * - `busy`: the port is there and cannot be opened. Mostly another program or tab holds it.
+ * - `unplugged`: the port is gone.
+ * - `no-answer`: the port opened, and nothing on it answered as a timer does.
+ * - `bad-reply`: something answered, and what it said of itself cannot be.
+ * - `lost`: an open port was unplugged or its stream failed.
+ */
+export type ConnectionErrorCode =
+  | 'unsupported'
+  | 'insecure'
+  | 'nothing-chosen'
+  | 'not-allowed'
+  | 'busy'
+  | 'unplugged'
+  | 'no-answer'
+  | 'bad-reply'
+  | 'lost';
+
+/** The one error of this room. Its message is for developers; `cause` is what the browser or the client said. */
+export class ConnectionError extends Error {
+  override readonly name = 'ConnectionError';
+  readonly code: ConnectionErrorCode;
+
+  constructor(code: ConnectionErrorCode, message: string, cause?: unknown) {
+    super(message, cause === undefined ? undefined : { cause });
+    this.code = code;
+  }
+}
