@@ -1,0 +1,287 @@
+import type { TimerErrorCode } from '../../client/index.js';
+import type { FindingCode } from '../../program/index.js';
+import type { CommandName, RejectionReason } from '../../protocol/index.js';
+import type { ConnectionErrorCode } from '../../serial/index.js';
+import type { UnreadableReason } from '../units.js';
+
+/** A sentence that says what happened, and one that says what to do. */
+export interface Said {
+  readonly title: string;
+  readonly advice: string;
+}
+
+type Params = Readonly<Record<string, string>>;
+
+const columnName = (column: number, kind: 'start' | 'function' | 'dt'): string =>
+  kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : `Function ${column}`;
+
+const connection: Record<ConnectionErrorCode, Said> = {
+  unsupported: {
+    title: 'This browser cannot reach a timer.',
+    advice:
+      'Web Serial works in Chrome, Edge and Opera (version 89 or later) and in Firefox (151 or later) on a computer, and in Chrome on Android over Bluetooth. Everything but the connection works here too.',
+  },
+  insecure: {
+    title: 'The browser withholds serial ports from this page.',
+    advice: 'Open the page by its https address, or from this computer itself.',
+  },
+  'nothing-chosen': {
+    title: 'No port was chosen.',
+    advice:
+      'Click Connect again and pick the adapter of the timer. Is it not in the list: check the cable, the driver of the adapter, or pair the Bluetooth adapter first.',
+  },
+  'not-allowed': {
+    title: 'The browser does not allow serial ports here.',
+    advice: 'Allow serial ports for this page in the settings of the browser, then click Connect again.',
+  },
+  busy: {
+    title: 'The port is in use.',
+    advice: 'Close other programs and tabs that talk to the timer, then click Connect again.',
+  },
+  unplugged: {
+    title: 'The adapter is not plugged in.',
+    advice: 'Plug it in, then click Connect again.',
+  },
+  'no-answer': {
+    title: 'The timer did not answer.',
+    advice:
+      'Is it awake? Press its switch shortly. Is the infra-red head closer than 20 cm? Then click Connect again. Is another adapter plugged in as well: choose the other port.',
+  },
+  'bad-reply': {
+    title: 'Something answered, but not as a timer does.',
+    advice: 'Choose another port, or move the infra-red head closer and click Connect again.',
+  },
+  lost: {
+    title: 'The connection is gone.',
+    advice: 'The adapter was unplugged. Plug it in and click Connect. What you typed is kept.',
+  },
+};
+
+const timer: Record<TimerErrorCode, Said> = {
+  'no-answer': {
+    title: 'The timer did not answer.',
+    advice: 'Is it awake, and closer than 20 cm? Press its switch shortly and try again. What you typed is kept.',
+  },
+  'bad-reply': {
+    title: 'The timer answered something that cannot be.',
+    advice: 'Try again. If it comes again, copy the line below and tell the maintainers.',
+  },
+  unstable: {
+    title: 'The line is too noisy to be believed.',
+    advice: 'No two readings were the same. Move the infra-red head closer, shade it from the sun, and read again.',
+  },
+  'other-memory': {
+    title: 'Another memory is current than the one on the screen.',
+    advice: 'Nothing was written there. Read again before you write.',
+  },
+  'other-timer': {
+    title: 'Another timer answers than before.',
+    advice: 'Disconnect, and connect again to see what it holds.',
+  },
+  'port-lost': connection.lost,
+  aborted: { title: 'Stopped.', advice: 'Read again to see what the timer holds.' },
+  closed: { title: 'Disconnected.', advice: 'Click Connect to go on. What you typed is kept.' },
+};
+
+const notes = {
+  'edits-restored': {
+    title: 'Your edits are back.',
+    advice: 'They have not been written. Connect to the timer to write them.',
+  },
+  'edits-kept': {
+    title: 'Earlier edits for this memory are back.',
+    advice: 'They have not been written. Take a look, then write or undo them.',
+  },
+  'edits-moved': {
+    title: 'The timer holds something else than when you made your edits.',
+    advice: 'Your edits are kept and marked. Look at the difference before you write: is this the same timer?',
+  },
+  'edits-set-aside': {
+    title: 'Your edits of the other memory are kept.',
+    advice: 'They come back when you read that memory again.',
+  },
+  'not-kept': {
+    title: 'This browser does not keep what you type.',
+    advice: 'Its storage is full or switched off. Write to the timer before you close the page.',
+  },
+  unexpected: {
+    title: 'Something went wrong in this program.',
+    advice: 'Nothing more was sent. Load the page again; what you typed is kept.',
+  },
+} satisfies Record<string, Said>;
+
+const findings: Record<FindingCode, (params: Params) => string> = {
+  'time-not-whole': () => 'A time is whole hundredths of a second.',
+  'time-out-of-range': ({ max }) => `A time can be at most ${max}.`,
+  'position-not-whole': () => 'A position is a whole number of steps.',
+  'position-out-of-range': ({ min, max }) => `A position is ${min} to ${max} steps.`,
+  'throttle-not-whole': () => 'The idle throttle is a whole number.',
+  'throttle-out-of-range': ({ min, max }) => `The idle throttle is ${min} to ${max}.`,
+  'position-as-read': ({ value, max }) =>
+    `The timer holds ${value} here, past the last step ${max}. It stays as it is unless you change it.`,
+  'time-falls': ({ previous }) => `This comes before the function above it, at ${previous}.`,
+  'time-repeats': ({ previous }) => `The same time as the function above it, ${previous}.`,
+  'position-never-reached': ({ previous }) =>
+    `The same time as the function above it, ${previous}: the positions of that one are never reached.`,
+  'motor-stop-after-dt': ({ dt }) => `The motor stops after DT, at ${dt}: the model comes down with the motor running.`,
+  'motor-run-long': ({ limit }) => `The motor runs longer than ${limit}, the most that F1Q allows.`,
+  'time-outside-manual': ({ min, max }) => `The manual gives ${min} to ${max}.`,
+  'time-too-fine': ({ step }) => `The manual gives steps of ${step}: the timer may round.`,
+  'dt-short': ({ limit }) => `DT is shorter than ${limit}.`,
+  'throttle-unusual': ({ limit }) => `More than ${limit} is unusual; the unit is not known.`,
+  'class-unknown': ({ timerClass }) => `This timer calls itself “${timerClass}”: no rules of a class were checked.`,
+};
+
+const unreadable: Record<UnreadableReason, string> = {
+  empty: 'Empty: type a value.',
+  'not-a-time': 'Not a time: type seconds like 12.5, or minutes like 2:05.',
+  'too-fine': 'Finer than a hundredth of a second.',
+  'not-a-whole-number': 'Not a whole number of steps.',
+};
+
+const lineNames: Record<CommandName, string> = {
+  GETTIMERS: 'Read times',
+  SETTIMERS: 'Write times',
+  GETSERVOPOS: 'Read positions',
+  SETSERVO: 'Write a position',
+  MOVETOFUNC: 'Move servos',
+  GETSWVER: 'Identify',
+  UNLOCK: 'Unlock motor',
+  JUMP2: 'Jump',
+  GETMEMORY: 'Which memory',
+  SETMEMORY: 'Select memory',
+  GETLOWRPM: 'Read idle throttle',
+  SETLOWRPM: 'Write idle throttle',
+};
+
+const rejected: Record<RejectionReason, string> = {
+  noise: 'Noise',
+  length: 'Damaged: length',
+  terminator: 'Damaged: end',
+  checksum: 'Damaged: checksum',
+  silence: 'Cut off',
+};
+
+const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+
+/** Everything that a person reads. Its type is what every language must give. */
+export const en = {
+  name: 'Sidus Timer',
+  classNames: { Q: 'F1Q', B: 'F1B', E: 'F1E' } as Readonly<Record<string, string>>,
+  unknownClass: (letter: string) => `Class ${letter}`,
+  memoryName: (memory: number) => `M${memory + 1}`,
+  servoName: (servo: number) => `S${servo + 1}`,
+  columnName,
+  seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
+
+  header: {
+    firmware: (firmware: string) => `firmware ${firmware}`,
+    simulated: 'simulated',
+    notConnected: 'Not connected',
+    connect: 'Connect',
+    choosePort: 'Choose a port',
+    disconnect: 'Disconnect',
+    opening: 'Connecting',
+    choosing: 'Choose the port of the timer',
+    stop: 'Stop',
+  },
+  start: {
+    title: 'Set a Sidus timer',
+    lead: 'Read what the timer holds, change it, write it, and see it verified. Everything stays on this device.',
+    connectHint: 'Plug in the adapter, wake the timer with a short press of its switch, and hold it closer than 20 cm.',
+    simulatedTitle: 'No timer at hand?',
+    simulatedLead: 'Try a simulated timer. It answers as a real one does, at the speed of a real line.',
+    simulated: (name: string) => `Try a simulated ${name} timer`,
+  },
+  program: {
+    title: 'Program',
+    tableCaption: 'Time and servo positions of each function',
+    column: 'Function',
+    time: 'Time',
+    memory: 'Memory',
+    memoryUnknown: 'This timer does not say which memory is current.',
+    dt: 'DT',
+    motorStop: 'Motor stop',
+    idleThrottle: 'Idle throttle',
+    idleThrottleUnit: 'unit unknown',
+    reserved: 'reserved',
+    editReserved: 'Edit the reserved time',
+    timeOf: (column: string) => `${column} time`,
+    motorStopTime: 'Motor stop time',
+    positionOf: (column: string, servo: string) => `${column}, ${servo}`,
+    shortDt: 'Short DT',
+    was: (value: string) => `was ${value}`,
+    changes: (count: number) => (count === 0 ? 'No changes' : plural(count, 'change', 'changes')),
+    changesHint: 'Marked fields differ from what the timer holds.',
+    undoAll: 'Undo all',
+    read: 'Read again',
+    write: 'Write…',
+    blocked: 'Some fields cannot be written yet: see the notes beside them.',
+    notConnected: 'Connect to the timer to read and write.',
+    findings: 'Checks',
+    noFindings: 'Nothing unusual.',
+    absolute: 'Times count from launch. For this class the manuals are not clear whether they are intervals.',
+    severity: { error: 'Cannot be written', serious: 'Serious', warning: 'Unusual' },
+    reading: 'Reading the timer',
+    selecting: 'Changing the memory',
+  },
+  write: {
+    title: 'Write to the timer',
+    lead: (memory: string) => `This is what changes in ${memory}. Everything else stays as it is.`,
+    thisMemory: 'the current memory',
+    nothing: 'Nothing differs. The timer is read back and compared.',
+    field: 'Value',
+    from: 'Timer holds',
+    to: 'Will hold',
+    safety: 'The propeller is off or the model is held, and the timer is not armed.',
+    acknowledge: 'I have read this and want to write it all the same.',
+    start: (count: number) => (count === 0 ? 'Read back and compare' : `Write ${plural(count, 'change', 'changes')}`),
+    cancel: 'Cancel',
+    stop: 'Stop',
+    close: 'Close',
+    stages: {
+      read: 'Reading',
+      write: 'Writing',
+      verify: 'Reading back',
+      repair: 'Putting right',
+    },
+    stopping: 'Stopping after this request',
+    verified: { title: 'Verified.', advice: 'The timer holds what you see. It was read back after writing.' },
+    differs: {
+      title: 'Not everything was taken.',
+      advice: 'The timer was read back and holds other values in these places.',
+    },
+    unknown: {
+      title: 'It is not certain what the timer holds.',
+      advice:
+        'The write was not read back to its end. Read again, and write what still differs. Your changes are kept.',
+    },
+    refused: 'Nothing was written.',
+    held: 'Timer holds now',
+    status: { verified: 'verified', differs: 'differs', unknown: 'not known' },
+    putBack: 'changed by itself, put back',
+    repeats: (count: number) => `The line was disturbed: ${plural(count, 'request was', 'requests were')} repeated.`,
+  },
+  line: {
+    title: 'Line',
+    empty: 'Nothing was sent yet.',
+    time: 'Time',
+    direction: 'Direction',
+    message: 'Message',
+    bytes: 'Bytes',
+    out: 'to the timer',
+    in: 'from the timer',
+    request: (name: string, letters: string) => `${name} · ${letters}`,
+    reply: (name: string, letters: string) => `${name}, reply · ${letters}`,
+    unknown: 'Unknown',
+    names: lineNames,
+    rejected,
+  },
+  update: { ready: 'A new version is ready.', take: 'Use it now', later: 'It starts when you disconnect.' },
+  dismiss: 'Dismiss',
+  connection,
+  timer,
+  notes,
+  findings,
+  unreadable,
+};

@@ -1,0 +1,50 @@
+export interface OfflineOptions {
+  /** A new version waits: `take` puts it in the place of this one. Comes again for each that replaces the waiting one. */
+  readonly onUpdateReady: (take: () => void) => void;
+  /**
+   * Calls back, once, as soon as no port is open; at once if none is. Only then does a new version take the place of
+   * this one, and only then is the page loaded again, also when another tab has taken it.
+   */
+  readonly whenFree: (callback: () => void) => void;
+}
+
+/** Keeps the page for use without a network, and offers its new versions. Does nothing in development. */
+export function registerOffline({ onUpdateReady, whenFree }: OfflineOptions): void {
+  if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
+  const { serviceWorker } = navigator;
+
+  // The first worker of all takes charge of a page that is as new as itself; every other brings a newer page.
+  let replacing = serviceWorker.controller !== null;
+  serviceWorker.addEventListener('controllerchange', () => {
+    if (replacing) whenFree(() => location.reload());
+    replacing = true;
+  });
+
+  const register = async (): Promise<void> => {
+    const registration = await serviceWorker.register(workerAddress());
+    const takeWaiting = (): void => {
+      replacing = true;
+      registration.waiting?.postMessage({ type: 'SKIP_WAITING' });
+    };
+    const offer = (): void => {
+      if (registration.waiting && registration.active) onUpdateReady(() => whenFree(takeWaiting));
+    };
+    offer();
+    registration.addEventListener('updatefound', () => {
+      const { installing } = registration;
+      installing?.addEventListener('statechange', () => installing.state === 'installed' && offer());
+    });
+    await registration.update();
+  };
+  // Without a network, or where nothing may be kept, the page works all the same.
+  const start = (): void => void register().catch(() => {});
+  if (document.readyState === 'complete') start();
+  else addEventListener('load', start, { once: true });
+}
+
+/** The one address that the page's Trusted Types policy gives out. */
+function workerAddress(): string {
+  const address = './sw.js';
+  const policy = window.trustedTypes?.createPolicy('service-worker', { createScriptURL: (_: string) => address });
+  return (policy?.createScriptURL(address) ?? address) as string;
+}

@@ -1,0 +1,36 @@
+import { fieldKey, type ProgramField, type Severity } from '../../program/index.js';
+import { findingText, messages } from '../messages/index.js';
+import type { Editor } from '../state/editor.js';
+
+/** One thing to say about a field. */
+export interface FieldNote {
+  readonly field: ProgramField;
+  readonly severity: Severity;
+  readonly text: string;
+}
+
+/** What is to be said about one field: that its text is no value, else what the check found. */
+export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
+  const key = fieldKey(field);
+  const unreadable = editor.unreadable.value.get(key);
+  if (unreadable) return [{ field, severity: 'error', text: messages.value.unreadable[unreadable.reason] }];
+  return editor.findings.value
+    .filter((finding) => finding.field && fieldKey(finding.field) === key)
+    .map((finding) => ({ field, severity: finding.severity, text: findingText(finding) }));
+}
+
+/** Everything that is to be said about the fields, and about the program as a whole. */
+export function allNotes(editor: Editor): { field: ProgramField | null; severity: Severity; text: string }[] {
+  const unreadable = [...editor.unreadable.value.values()];
+  const typed = new Set(unreadable.map(({ field }) => fieldKey(field)));
+  return [
+    ...unreadable.map(({ field, reason }) => ({
+      field,
+      severity: 'error' as const,
+      text: messages.value.unreadable[reason],
+    })),
+    ...editor.findings.value
+      .filter(({ field }) => !field || !typed.has(fieldKey(field)))
+      .map((finding) => ({ field: finding.field, severity: finding.severity, text: findingText(finding) })),
+  ];
+}

@@ -1,0 +1,86 @@
+import { useModels } from '../app.js';
+import { messages, timerName } from '../messages/index.js';
+import { ProgressLine } from './progress-line.js';
+
+/** The name of the program, what it is connected to, and the buttons that change that. */
+export function Header() {
+  const { session } = useModels();
+  const { name, header, program } = messages.value;
+  const link = session.link.value;
+  const job = session.job.value;
+  return (
+    <header class="top">
+      <div class="top-row">
+        <p class="brand">
+          <img src="./favicon.svg" alt="" width="32" height="32" />
+          <span>{name}</span>
+        </p>
+        <LinkState />
+        <div class="top-actions">
+          {link.status === 'off' && session.editor.working.value && <ConnectButtons />}
+          {link.status === 'opening' && (
+            <button type="button" onClick={() => void session.disconnect()}>
+              {header.stop}
+            </button>
+          )}
+          {link.status === 'on' && (
+            <button type="button" class="quiet" onClick={() => void session.disconnect()}>
+              {header.disconnect}
+            </button>
+          )}
+        </div>
+      </div>
+      {link.status === 'opening' && <ProgressLine label={header.opening} progress={null} />}
+      {job && (
+        <ProgressLine
+          label={job.kind === 'select' ? program.selecting : program.reading}
+          progress={job.progress}
+          onStop={() => job.stop.abort()}
+        />
+      )}
+    </header>
+  );
+}
+
+/** Connect, and Choose a port for when the one used before is the wrong one. */
+export function ConnectButtons({ large = false }: { large?: boolean }) {
+  const { session } = useModels();
+  const { header } = messages.value;
+  if (session.unavailable) return null;
+  const notice = session.notice.value;
+  const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen' && notice.code !== 'lost';
+  return (
+    <>
+      <button
+        type="button"
+        class={large ? 'primary large' : 'primary'}
+        disabled={session.busy.value}
+        onClick={() => void session.connect()}
+      >
+        {header.connect}
+      </button>
+      {failed && (
+        <button type="button" disabled={session.busy.value} onClick={() => void session.connect(true)}>
+          {header.choosePort}
+        </button>
+      )}
+    </>
+  );
+}
+
+function LinkState() {
+  const { session } = useModels();
+  const { header } = messages.value;
+  const link = session.link.value;
+  if (link.status === 'on') {
+    const { identity } = link.connection;
+    return (
+      <p class="link-state on">
+        <strong>{timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
+        {link.simulated && <span class="badge">{header.simulated}</span>}
+      </p>
+    );
+  }
+  const text = { off: header.notConnected, choosing: header.choosing, opening: header.opening }[link.status];
+  return <p class="link-state">{text}</p>;
+}

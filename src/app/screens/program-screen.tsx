@@ -1,0 +1,155 @@
+import { useModels } from '../app.js';
+import { fieldLabel, messages, timerName } from '../messages/index.js';
+import { allNotes } from '../parts/field-notes.js';
+import { ProgramTable } from '../parts/program-table.js';
+import { ValueField } from '../parts/value-field.js';
+
+/** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
+export function ProgramScreen() {
+  const { session } = useModels();
+  const { program, header } = messages.value;
+  const identity = session.editor.working.value?.identity;
+  if (!identity) return null;
+  return (
+    <div class="program">
+      <h1 class="visually-hidden">
+        {program.title}: {timerName(identity)} {session.simulated.value ? header.simulated : ''}
+      </h1>
+      <div class="program-main">
+        <MemoryChoice />
+        <LargeFigures />
+        {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
+        <ProgramTable />
+      </div>
+      <aside class="program-side">
+        <Actions />
+        <Checks />
+      </aside>
+    </div>
+  );
+}
+
+function MemoryChoice() {
+  const { session } = useModels();
+  const { program, memoryName } = messages.value;
+  const working = session.editor.working.value;
+  if (!working) return null;
+  const { identity, memory } = working;
+  const memories = Array.from({ length: identity.memories }, (_, index) => index);
+  return (
+    <fieldset class="memories" disabled={session.busy.value || !session.connection.value}>
+      <legend>{program.memory}</legend>
+      <div class="segments">
+        {memories.map((index) => (
+          <label key={index}>
+            <input
+              type="radio"
+              name="memory"
+              value={index}
+              checked={index === memory}
+              onChange={() => void session.selectMemory(index)}
+            />
+            <span>{memoryName(index)}</span>
+          </label>
+        ))}
+      </div>
+      {memory === null && <p class="hint">{program.memoryUnknown}</p>}
+    </fieldset>
+  );
+}
+
+/** DT is always in sight; on Q the motor stop beside it. */
+function LargeFigures() {
+  const { session } = useModels();
+  const { program } = messages.value;
+  const { editor } = session;
+  const working = editor.working.value;
+  if (!working) return null;
+  const { identity } = working;
+  const isShort = editor.findings.value.some(({ code }) => code === 'dt-short');
+  return (
+    <div class="figures">
+      <div class="figure">
+        <span class="figure-name">
+          {program.dt} {isShort && <strong class="badge loud">{program.shortDt}</strong>}
+        </span>
+        <ValueField field={{ kind: 'time', column: identity.functions }} label={program.dt} place="large" />
+      </div>
+      {identity.timerClass === 'Q' && (
+        <div class="figure">
+          <span class="figure-name">{program.motorStop}</span>
+          <ValueField field={{ kind: 'time', column: 0 }} label={program.motorStop} place="large" />
+        </div>
+      )}
+      {working.idleThrottle !== null && (
+        <div class="figure minor">
+          <span class="figure-name">
+            {program.idleThrottle} <span class="hint">{program.idleThrottleUnit}</span>
+          </span>
+          <ValueField field={{ kind: 'idleThrottle' }} label={program.idleThrottle} place="large" />
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Actions() {
+  const { session, write } = useModels();
+  const { program } = messages.value;
+  const { editor } = session;
+  const count = editor.changes.value.length;
+  const connected = session.connection.value !== null;
+  return (
+    <section class="actions">
+      <p class="changes" role="status">
+        <strong>{program.changes(count)}</strong> {count > 0 && <span>{program.changesHint}</span>}
+      </p>
+      {!connected && <p class="hint">{program.notConnected}</p>}
+      {editor.blocked.value && <p class="hint bad-text">{program.blocked}</p>}
+      <div class="buttons">
+        <button
+          type="button"
+          class={count > 0 ? 'primary' : ''}
+          disabled={!connected || session.busy.value || editor.blocked.value}
+          onClick={() => write.open()}
+        >
+          {program.write}
+        </button>
+        <button type="button" disabled={!connected || session.busy.value} onClick={() => void session.read()}>
+          {program.read}
+        </button>
+        {editor.dirty.value && (
+          <button type="button" class="quiet" disabled={session.busy.value} onClick={() => editor.revertAll()}>
+            {program.undoAll}
+          </button>
+        )}
+      </div>
+    </section>
+  );
+}
+
+function Checks() {
+  const { session } = useModels();
+  const { program } = messages.value;
+  const identity = session.editor.working.value?.identity;
+  const notes = allNotes(session.editor);
+  if (!identity) return null;
+  return (
+    <section class="checks">
+      <h2>{program.findings}</h2>
+      {notes.length === 0 ? (
+        <p class="hint">{program.noFindings}</p>
+      ) : (
+        <ul>
+          {notes.map(({ field, severity, text }) => (
+            <li key={`${field ? fieldLabel(identity, field) : ''} ${text}`} class={severity}>
+              <strong>{program.severity[severity]}</strong>
+              {field && <span class="where">{fieldLabel(identity, field)}</span>}
+              <span>{text}</span>
+            </li>
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}

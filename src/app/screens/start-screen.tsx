@@ -1,0 +1,43 @@
+import { useModels } from '../app.js';
+import { messages } from '../messages/index.js';
+import { ConnectButtons } from '../parts/header.js';
+import { NoticeText } from '../parts/notice-bar.js';
+
+/** Before anything was read: Connect, or try a simulated timer. */
+export function StartScreen() {
+  const { session } = useModels();
+  const { start, connection, classNames } = messages.value;
+  const { unavailable } = session;
+  return (
+    <div class="start-screen">
+      <h1>{start.title}</h1>
+      <p class="lead">{start.lead}</p>
+      {unavailable ? (
+        <div class="notice bad">
+          <NoticeText said={connection[unavailable]} />
+        </div>
+      ) : (
+        <div class="start-connect">
+          <ConnectButtons large />
+          <p class="hint">{start.connectHint}</p>
+        </div>
+      )}
+      <section class="start-simulated">
+        <h2>{start.simulatedTitle}</h2>
+        <p>{start.simulatedLead}</p>
+        <div class="buttons">
+          {(['Q', 'B'] as const).map((timerClass) => (
+            <button
+              type="button"
+              key={timerClass}
+              disabled={session.busy.value}
+              onClick={() => void session.trySimulated(timerClass)}
+            >
+              {start.simulated(classNames[timerClass] ?? timerClass)}
+            </button>
+          ))}
+        </div>
+      </section>
+    </div>
+  );
+}

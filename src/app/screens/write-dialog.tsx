@@ -1,0 +1,217 @@
+import { useEffect, useRef } from 'preact/hooks';
+import type { WriteReport } from '../../client/index.js';
+import { type Change, fieldKey } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { useModels } from '../app.js';
+import { fieldLabel, findingText, messages } from '../messages/index.js';
+import { NoticeText } from '../parts/notice-bar.js';
+import { ProgressLine } from '../parts/progress-line.js';
+import { formatValue } from '../state/editor.js';
+
+/** The difference, the write, the result: one dialog from start to end. */
+export function WriteDialog() {
+  const { write, session } = useModels();
+  const dialog = useRef<HTMLDialogElement>(null);
+  const current = write.current.value;
+  const identity = session.editor.working.value?.identity;
+  const isOpen = current !== null && identity !== undefined;
+  useEffect(() => {
+    if (isOpen && !dialog.current?.open) dialog.current?.showModal();
+    if (!isOpen && dialog.current?.open) dialog.current.close();
+  }, [isOpen]);
+  return (
+    <dialog
+      ref={dialog}
+      class="write"
+      aria-labelledby="write-title"
+      onCancel={(event) => {
+        event.preventDefault();
+        write.dismiss();
+      }}
+    >
+      {current && identity && (
+        <>
+          <h2 id="write-title">{messages.value.write.title}</h2>
+          {current.step === 'review' && <Review identity={identity} />}
+          {current.step === 'running' && (
+            <Running
+              stage={
+                current.progress ? messages.value.write.stages[current.progress.stage] : messages.value.write.title
+              }
+            />
+          )}
+          {current.step === 'done' && <Result identity={identity} report={current.report} changes={current.changes} />}
+          {current.step === 'refused' && <Refused />}
+        </>
+      )}
+    </dialog>
+  );
+}
+
+function Review({ identity }: { identity: Identity }) {
+  const { write, session } = useModels();
+  const { write: words, memoryName } = messages.value;
+  const { changes, working } = session.editor;
+  const memory = working.value?.memory ?? null;
+  const serious = write.serious.value;
+  return (
+    <>
+      <p>
+        {changes.value.length === 0
+          ? words.nothing
+          : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
+      </p>
+      {changes.value.length > 0 && <Difference identity={identity} changes={changes.value} />}
+      {serious.length > 0 && (
+        <div class="notice bad">
+          <ul>
+            {serious.map((finding) => (
+              <li key={findingText(finding)}>
+                {finding.field && <strong>{fieldLabel(identity, finding.field)}: </strong>}
+                {findingText(finding)}
+              </li>
+            ))}
+          </ul>
+          <label class="check">
+            <input
+              type="checkbox"
+              checked={write.acknowledged.value}
+              onChange={(event) => (write.acknowledged.value = event.currentTarget.checked)}
+            />
+            {words.acknowledge}
+          </label>
+        </div>
+      )}
+      <label class="check safety">
+        <input
+          type="checkbox"
+          checked={session.safe.value}
+          onChange={(event) => (session.safe.value = event.currentTarget.checked)}
+        />
+        {words.safety}
+      </label>
+      <div class="buttons">
+        <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
+          {words.start(changes.value.length)}
+        </button>
+        <button type="button" onClick={() => write.dismiss()}>
+          {words.cancel}
+        </button>
+      </div>
+    </>
+  );
+}
+
+function Difference({ identity, changes }: { identity: Identity; changes: readonly Change[] }) {
+  const { write } = messages.value;
+  return (
+    <table class="difference">
+      <thead>
+        <tr>
+          <th scope="col">{write.field}</th>
+          <th scope="col">{write.from}</th>
+          <th scope="col">{write.to}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {changes.map(({ field, from, to }) => (
+          <tr key={fieldKey(field)}>
+            <th scope="row">{fieldLabel(identity, field)}</th>
+            <td>{from === null ? write.status.unknown : formatValue(field, from)}</td>
+            <td>
+              <strong>{to === null ? write.status.unknown : formatValue(field, to)}</strong>
+            </td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+function Running({ stage }: { stage: string }) {
+  const { write } = useModels();
+  const { write: words } = messages.value;
+  const current = write.current.value;
+  if (current?.step !== 'running') return null;
+  return (
+    <>
+      <ProgressLine label={stage} progress={current.progress} />
+      <div class="buttons">
+        <button type="button" onClick={() => write.dismiss()}>
+          {words.stop}
+        </button>
+      </div>
+    </>
+  );
+}
+
+interface ResultProps {
+  readonly identity: Identity;
+  readonly report: WriteReport;
+  readonly changes: readonly Change[];
+}
+
+function Result({ identity, report }: ResultProps) {
+  const { write } = useModels();
+  const { write: words, timer } = messages.value;
+  const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
+  return (
+    <>
+      <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
+        <NoticeText said={words[report.result]} />
+        {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
+        {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
+      </div>
+      {shown.length > 0 && (
+        <table class="difference">
+          <thead>
+            <tr>
+              <th scope="col">{words.field}</th>
+              <th scope="col">{words.to}</th>
+              <th scope="col">{words.held}</th>
+            </tr>
+          </thead>
+          <tbody>
+            {shown.map(({ field, wanted, held, status, asked }) => (
+              <tr key={fieldKey(field)}>
+                <th scope="row">{fieldLabel(identity, field)}</th>
+                <td>{wanted === null ? words.status.unknown : formatValue(field, wanted)}</td>
+                <td>
+                  <strong>{held === null ? words.status.unknown : formatValue(field, held)}</strong>{' '}
+                  {asked || status !== 'verified' ? words.status[status] : words.putBack}
+                </td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+      <div class="buttons">
+        <button type="button" class="primary" onClick={() => write.dismiss()}>
+          {words.close}
+        </button>
+      </div>
+    </>
+  );
+}
+
+function Refused() {
+  const { write } = useModels();
+  const { write: words, timer } = messages.value;
+  const current = write.current.value;
+  if (current?.step !== 'refused') return null;
+  return (
+    <>
+      <div class="notice bad" role="alert">
+        <p>
+          <strong>{words.refused}</strong>
+        </p>
+        <NoticeText said={timer[current.error.code]} />
+      </div>
+      <div class="buttons">
+        <button type="button" class="primary" onClick={() => write.dismiss()}>
+          {words.close}
+        </button>
+      </div>
+    </>
+  );
+}

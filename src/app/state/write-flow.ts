@@ -1,0 +1,75 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { type Progress, TimerError, type WriteReport } from '../../client/index.js';
+import type { Change, Finding } from '../../program/index.js';
+import type { Session } from './session.js';
+
+/** The steps of a write, from the difference to the result. */
+export type WriteStep =
+  | { readonly step: 'review' }
+  | { readonly step: 'running'; readonly progress: Progress | null; readonly stop: AbortController }
+  | { readonly step: 'done'; readonly report: WriteReport; readonly changes: readonly Change[] }
+  | { readonly step: 'refused'; readonly error: TimerError };
+
+/** Shows the difference, writes it, and says what became of it. */
+export class WriteFlow {
+  readonly current = signal<WriteStep | null>(null, { name: 'write' });
+  /** The pilot has read the serious findings. */
+  readonly acknowledged = signal(false, { name: 'acknowledged' });
+  readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
+    this.#session.editor.findings.value.filter(({ severity }) => severity === 'serious'),
+  );
+  /** Whether the write may begin. */
+  readonly ready: ReadonlySignal<boolean> = computed(
+    () => this.#session.safe.value && (this.serious.value.length === 0 || this.acknowledged.value),
+  );
+  readonly #session: Session;
+
+  constructor(session: Session) {
+    this.#session = session;
+  }
+
+  open(): void {
+    const { editor, busy, connection } = this.#session;
+    if (busy.value || !connection.value || editor.blocked.value) return;
+    batch(() => {
+      this.acknowledged.value = false;
+      this.current.value = { step: 'review' };
+    });
+  }
+
+  async start(): Promise<void> {
+    const { editor, connection } = this.#session;
+    const baseline = editor.baseline.value;
+    const working = editor.working.value;
+    const changes = editor.changes.value;
+    if (this.current.value?.step !== 'review' || !this.ready.value) return;
+    if (!connection.value || !baseline || !working) return;
+    const stop = new AbortController();
+    const running = (progress: Progress | null): void => {
+      this.current.value = { step: 'running', progress, stop };
+    };
+    running(null);
+    try {
+      const options = { baseline, signal: stop.signal, onProgress: running };
+      const report = await connection.value.client.writeProgram(working, options);
+      batch(() => {
+        if (report.held) editor.rebase(report.held);
+        this.current.value = { step: 'done', report, changes };
+      });
+    } catch (error) {
+      if (error instanceof TimerError) {
+        this.current.value = error.code === 'aborted' ? null : { step: 'refused', error };
+        return;
+      }
+      this.current.value = null;
+      this.#session.report(error);
+    }
+  }
+
+  /** Leaves the dialog; while bytes move, asks the write to stop instead. */
+  dismiss(): void {
+    const { value } = this.current;
+    if (value?.step === 'running') value.stop.abort();
+    else this.current.value = null;
+  }
+}

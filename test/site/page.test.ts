@@ -1,0 +1,51 @@
+import { expect, inject, test } from 'vitest';
+import { newPage } from './page.js';
+
+for (const site of ['site', 'siteUnderPath'] as const) {
+  test(`the page at ${new URL(inject(site)).pathname} loads and breaks no rule of its own`, async () => {
+    const page = await newPage();
+    await page.goto(inject(site));
+    expect(await page.title()).toBe('Sidus Timer');
+    expect(await page.locator('html').getAttribute('lang')).toBe('en');
+  });
+
+  test(`all that the page at ${new URL(inject(site)).pathname} and its manifest name is there`, async () => {
+    const page = await newPage();
+    await page.goto(inject(site));
+    const named = await page
+      .locator('link[href], script[src]')
+      .evaluateAll((elements) =>
+        elements.map((element) =>
+          element instanceof HTMLScriptElement ? element.src : (element as HTMLLinkElement).href,
+        ),
+      );
+    const manifest = named.find((address) => address.endsWith('.webmanifest')) ?? '';
+    const { icons } = (await (await fetch(manifest)).json()) as { icons: { src: string }[] };
+    for (const address of [...named, ...icons.map(({ src }) => new URL(src, manifest).href)]) {
+      expect(address).toContain(inject(site));
+      expect((await fetch(address)).status, address).toBe(200);
+    }
+  });
+}
+
+/** What a script that got into the page might try, and the rule that stops it. */
+const attempts: [rule: string, attempt: () => unknown][] = [
+  ['connect-src', () => fetch('favicon.svg')],
+  ['connect-src', () => navigator.sendBeacon('favicon.svg', 'told')],
+  ['img-src', () => Object.assign(new Image(), { src: 'http://127.0.0.1:9/told' })],
+  ['frame-src', () => document.body.append(Object.assign(document.createElement('iframe'), { src: 'favicon.svg' }))],
+  ['style-src-attr', () => document.body.setAttribute('style', 'color: red')],
+  ['require-trusted-types-for', () => Object.assign(document.body, { innerHTML: '<b></b>' })],
+  ['require-trusted-types-for', () => Object.assign(document.createElement('script'), { src: 'told.js' })],
+  ['trusted-types', () => Reflect.get(window, 'trustedTypes').createPolicy('another')],
+];
+
+test.for(attempts)('the page is stopped by its %s', async ([rule, attempt]) => {
+  const page = await newPage({}, []);
+  await page.goto(inject('site'));
+  await page.evaluate(() => {
+    addEventListener('securitypolicyviolation', (event) => document.body.classList.add(event.effectiveDirective));
+  });
+  await page.evaluate(attempt).catch(() => {});
+  await page.waitForSelector(`body.${rule}`, { state: 'attached' });
+});

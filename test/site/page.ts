@@ -1,0 +1,37 @@
+import { type Browser, type BrowserContextOptions, chromium, type LaunchOptions, type Page } from 'playwright';
+import { afterAll, beforeAll, expect, inject, onTestFinished } from 'vitest';
+
+declare module 'vitest' {
+  // What setup.js makes for the tests of this folder.
+  interface ProvidedContext {
+    /** Where the built page is served, at the root of a host. */
+    site: string;
+    /** Where it is served again, below one. */
+    siteUnderPath: string;
+    launch: LaunchOptions;
+  }
+}
+
+let browser: Browser;
+beforeAll(async () => {
+  browser = await chromium.launch(inject('launch'));
+});
+afterAll(() => browser?.close());
+
+/**
+ * A page in a profile of its own, with nothing stored, for one test. The test fails, too, when this page, or another of
+ * the same profile, reports an error; whatever the content security policy stops is one.
+ * @param faults given, the errors are put there instead, for the test to judge
+ */
+export async function newPage(options?: BrowserContextOptions, faults?: string[]): Promise<Page> {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(10_000);
+  const found = faults ?? [];
+  context.on('weberror', (error) => found.push(error.error().message));
+  context.on('console', (message) => message.type() === 'error' && found.push(message.text()));
+  onTestFinished(async () => {
+    await context.close();
+    if (!faults) expect(found).toEqual([]);
+  });
+  return context.newPage();
+}
