@@ -180,6 +180,7 @@ export const en = {
     notConnected: 'Not connected',
     connect: 'Connect',
     choosePort: 'Choose a port',
+    simulatedTimer: 'Simulated',
     disconnect: 'Disconnect',
     opening: 'Connecting',
     choosing: 'Choose the port of the timer',

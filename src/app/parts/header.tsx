@@ -42,12 +42,16 @@ export function Header() {
   );
 }
 
-/** Connect, and Choose a port for when the one used before is the wrong one. */
+/** Connect; the simulated timer again where the program is of it; Choose a port for when the one used before is the wrong one. */
 export function ConnectButtons({ large = false }: { large?: boolean }) {
   const { session } = useModels();
   const { header } = messages.value;
   if (session.unavailable) return null;
   const notice = session.notice.value;
+  const timerClass = session.editor.working.value?.identity.timerClass;
+  const again = session.simulated.value
+    ? (['Q', 'B'] as const).find((simulated) => simulated === timerClass)
+    : undefined;
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen' && notice.code !== 'lost';
   return (
     <>
@@ -59,6 +63,11 @@ export function ConnectButtons({ large = false }: { large?: boolean }) {
       >
         {header.connect}
       </button>
+      {again && (
+        <button type="button" disabled={session.busy.value} onClick={() => void session.trySimulated(again)}>
+          {header.simulatedTimer}
+        </button>
+      )}
       {failed && (
         <button type="button" disabled={session.busy.value} onClick={() => void session.connect(true)}>
           {header.choosePort}

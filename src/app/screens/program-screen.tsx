@@ -36,6 +36,7 @@ function MemoryChoice() {
   if (!working) return null;
   const { identity, memory } = working;
   const memories = Array.from({ length: identity.memories }, (_, index) => index);
+  const shown = session.job.value?.memory ?? memory;
   return (
     <fieldset class="memories" disabled={session.busy.value || !session.connection.value}>
       <legend>{program.memory}</legend>
@@ -46,7 +47,7 @@ function MemoryChoice() {
               type="radio"
               name="memory"
               value={index}
-              checked={index === memory}
+              checked={index === shown}
               onChange={() => void session.selectMemory(index)}
             />
             <span>{memoryName(index)}</span>

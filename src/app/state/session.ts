@@ -35,6 +35,8 @@ export type Notice =
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
   readonly kind: 'read' | 'select';
+  /** The memory that is being made current; null when the job is another. */
+  readonly memory: number | null;
   readonly progress: Progress | null;
   readonly stop: AbortController;
 }
@@ -111,24 +113,28 @@ export class Session {
     await this.#open(this.#options.plugSimulated(timerClass), true);
   }
 
-  /** Stops what is under way, lets the last request end and closes the port. What was typed stays. */
+  /** Stops what is under way, lets the last request end and closes the port. What was typed stays on the screen. */
   async disconnect(): Promise<void> {
     const link = this.link.value;
     if (link.status === 'opening') return link.stop.abort();
     if (link.status !== 'on') return;
     this.job.value?.stop.abort();
-    this.link.value = { status: 'off' };
+    batch(() => {
+      this.link.value = { status: 'off' };
+      this.notice.value = null;
+      if (!this.editor.dirty.value) this.editor.clear();
+    });
     await link.connection.close();
   }
 
   /** Reads the current memory again. Edits stay. */
   async read(): Promise<void> {
-    await this.#run('read', async (connection, options) => this.#show(await connection.client.readProgram(options)));
+    await this.#run(null, async (connection, options) => this.#show(await connection.client.readProgram(options)));
   }
 
   /** Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. */
   async selectMemory(memory: number): Promise<void> {
-    await this.#run('select', async ({ client }, options) => {
+    await this.#run(memory, async ({ client }, options) => {
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options));
     });
@@ -170,7 +176,7 @@ export class Session {
   }
 
   async #run(
-    kind: Job['kind'],
+    memory: number | null,
     work: (
       connection: TimerConnection,
       options: { signal: AbortSignal; onProgress: (progress: Progress) => void },
@@ -180,7 +186,7 @@ export class Session {
     if (!connection || this.busy.value) return;
     const stop = new AbortController();
     const begin = (progress: Progress | null): void => {
-      this.job.value = { kind, progress, stop };
+      this.job.value = { kind: memory === null ? 'read' : 'select', memory, progress, stop };
     };
     this.notice.value = null;
     begin(null);
