@@ -88,7 +88,7 @@ export class Exchange {
     let badReply: unknown;
     for (let left = TRIES; left > 0; left--) {
       throwIfAborted(signal);
-      if (this.#outstanding.size > 0 && !(await this.#fence())) continue;
+      if (this.#outstanding.size > 0 && !(await this.#fence(signal))) continue;
       throwIfAborted(signal);
       if (sent > 0) this.#repeats++;
       sent++;
@@ -118,12 +118,14 @@ export class Exchange {
    * is overdue.
    * @returns whether all older requests can no longer be answered.
    */
-  async #fence(): Promise<boolean> {
-    await this.#wire.silence();
+  async #fence(signal: AbortSignal | undefined): Promise<boolean> {
+    await this.#wire.silence(signal);
+    throwIfAborted(signal);
     const name = FENCES.find((fence) => !this.#outstanding.has(fence));
     const tooLate = this.#lastSent + LATEST_REPLY - this.#clock.now();
     if (!name || tooLate <= 0) {
-      if (tooLate > 0) await this.#wire.pause(tooLate);
+      if (tooLate > 0) await this.#wire.pause(tooLate, signal);
+      throwIfAborted(signal);
       this.#outstanding.clear();
       return true;
     }

@@ -121,20 +121,29 @@ export class Wire {
   }
 
   /** Settles once nothing has come for a moment, or on a line that never falls silent after a second; looks into an unfinished frame then. */
-  async silence(): Promise<void> {
+  async silence(signal: AbortSignal | undefined): Promise<void> {
     const { clock } = this.#options;
     const latest = clock.now() + LONGEST_DRAIN;
     for (;;) {
       const left = SILENCE - (clock.now() - this.#lastByteAt);
-      if (left <= 0 || this.#lost || clock.now() > latest) break;
-      await this.pause(left);
+      if (left <= 0 || this.#lost || signal?.aborted || clock.now() > latest) break;
+      await this.pause(left, signal);
     }
     this.#dispatch(this.#decoder.idle());
   }
 
-  /** Settles after so many milliseconds, or at once when the port is lost. */
-  pause(ms: number): Promise<void> {
-    return new Promise((resolve) => this.#options.clock.after(this.#lost ? 0 : ms, resolve));
+  /** Settles after so many milliseconds, or at once when the port is lost or the signal asks to stop. */
+  pause(ms: number, signal: AbortSignal | undefined): Promise<void> {
+    if (this.#lost || signal?.aborted) return Promise.resolve();
+    return new Promise((resolve) => {
+      const settle = (): void => {
+        cancel();
+        signal?.removeEventListener('abort', settle);
+        resolve();
+      };
+      const cancel = this.#options.clock.after(ms, settle);
+      signal?.addEventListener('abort', settle);
+    });
   }
 
   /** Lets go of the port: cancels reading, releases the locks. The port itself stays open. */

@@ -7,7 +7,7 @@ import {
   type TimerProgram,
   valueAt,
 } from '../program/index.js';
-import { encodeRequest, type LayoutQuirks, type Request } from '../protocol/index.js';
+import { encodeRequest, type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { StageProgress } from './progress.js';
 import { type Job, readContent } from './read-program.js';
@@ -86,18 +86,16 @@ export async function writeContent(job: WriteJob, baseline: TimerProgram, goal: 
   if (!stopped || stopped.code === 'no-answer' || stopped.code === 'bad-reply') {
     stopped = (await attempt(readBack)) ?? stopped;
   }
-  const repair = !stopped && known.held && repairs(job, known.held, asked, goal, requests);
+  const repair = known.held && repairs(job, known.held, asked, goal, requests);
   if (repair) {
     stopped = await attempt(() => job.withQuirks(repair.quirks, () => send('repair', repair.requests)));
     stopped = (await attempt(readBack)) ?? stopped;
   }
   const values = [...asked.map(({ field }) => ({ field, asked: true })), ...[...strays.values()].map(putBack)];
-  return {
-    ...compare(goal, values, known.held),
-    ...known,
-    repeats: exchange.repeats - before,
-    stopped,
-  };
+  const verdict = compare(goal, values, known.held);
+  // A reply that did not come means nothing once the timer was seen to hold all that was wanted.
+  if (verdict.result === 'verified') stopped = null;
+  return { ...verdict, ...known, repeats: exchange.repeats - before, stopped };
 }
 
 function putBack(field: ProgramField): { field: ProgramField; asked: boolean } {
@@ -154,8 +152,8 @@ function repairs(
   if (positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from)) {
     job.note('positions-unchanged');
   }
-  const again = job.exchange.damaged ? differences(held, goal) : wrong;
-  return again.length > 0 ? { requests: requestsFor(held, goal, again), quirks: job.quirks } : null;
+  const again = requestsFor(held, goal, job.exchange.damaged ? differences(held, goal) : wrong);
+  return again.length > 0 ? { requests: again, quirks: job.quirks } : null;
 }
 
 /** Whether a cell changed to a position that was sent for the cell with function and servo exchanged. */
@@ -171,10 +169,11 @@ function isExchanged(sent: readonly Request[], field: ProgramField, value: numbe
   );
 }
 
-/** The requests for some of the changes only. */
+/** The requests for some of the changes only. A position that a timer may hold and nobody can set cannot be put back. */
 function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly Change[]): Request[] {
   const kept = new Set(changes.map(({ field }) => fieldKey(field)));
   return changeRequests(held, goal).filter((request) => {
+    if (request.name === 'SETSERVO' && request.position > MAX_POSITION) return false;
     if (request.name === 'SETTIMERS') return changes.some(({ field }) => field.kind === 'time');
     if (request.name === 'SETLOWRPM') return kept.has('idleThrottle');
     return request.name === 'SETSERVO' && kept.has(`position:${request.servo}:${request.function}`);

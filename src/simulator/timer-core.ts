@@ -1,5 +1,6 @@
 import type { Clock } from '../line/index.js';
 import {
+  COMMANDS,
   CodecError,
   type CommandName,
   decodeRequest,
@@ -162,8 +163,8 @@ export class TimerCore {
 
   /** The letter that this timer puts in the place of the right one. */
   #misprint(name: CommandName): number | undefined {
-    if (name === 'GETTIMERS' && this.#quirks.timersReplyAs66) return 0x66;
-    if (name === 'UNLOCK' && this.#quirks.unlockReplyAs6A) return 0x6a;
+    if (name === 'GETTIMERS' && this.#quirks.timersReplyAs66) return COMMANDS.GETTIMERS.misprint;
+    if (name === 'UNLOCK' && this.#quirks.unlockReplyAs6A) return COMMANDS.UNLOCK.misprint;
     return undefined;
   }
 }

@@ -110,6 +110,20 @@ describe('replies that come late', () => {
   });
 });
 
+describe('stopping while the line is being cleared', () => {
+  it('settles within one reply time, also when it waits until the latest reply is overdue', async () => {
+    const { client, timer, run, clock } = bench();
+    await run(client.identify());
+    timer.core.sleep();
+    // After about two and a half seconds every letter that could serve as a fence has gone unanswered, and it waits for three more.
+    const stop = new AbortController();
+    clock.after(3000, () => stop.abort());
+    const begin = clock.now();
+    await expect(run(client.readProgram({ signal: stop.signal }))).rejects.toMatchObject({ code: 'aborted' });
+    expect(clock.now() - begin).toBeLessThan(3100);
+  });
+});
+
 describe('dangerous requests', () => {
   for (const [name, act] of [
     ['UNLOCK', (client) => client.unlockMotor()],

@@ -138,6 +138,79 @@ describe('write program', () => {
     expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS', 'SETSERVO']);
   });
 
+  it('cannot put back a position that nobody can set, and says that it differs', async () => {
+    const { client, timer, run } = bench();
+    (timer.core.content.positions[1] as number[])[5] = 200;
+    const baseline = await run(client.readProgram());
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') (timer.core.content.positions[1] as number[])[5] = 7;
+    };
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report).toMatchObject({ result: 'differs', stopped: null });
+    expect(report.values).toContainEqual({
+      field: { kind: 'position', servo: 1, column: 5 },
+      wanted: 200,
+      held: 7,
+      status: 'differs',
+      asked: false,
+    });
+    expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS']);
+  });
+
+  it('does not know what a timer holds that fell asleep on the way, and finishes when it is awake again', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const goal = edited(
+      baseline,
+      [],
+      [
+        [0, 1, 70],
+        [1, 1, 71],
+      ],
+    );
+    timer.core.onAnswer = (request) => {
+      if (request.name === 'SETSERVO') timer.core.sleep();
+    };
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report).toMatchObject({ result: 'unknown', held: null, stopped: { code: 'no-answer' } });
+
+    timer.core.onAnswer = undefined;
+    timer.core.press();
+    const held = await run(client.readProgram());
+    expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('puts back what changed by itself also after a request that got no answer', async () => {
+    let lose = false;
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
+    const baseline = await run(client.readProgram());
+    let first = true;
+    timer.core.onAnswer = ({ name }) => {
+      lose = name === 'SETTIMERS';
+      if (!lose || !first) return;
+      first = false;
+      (timer.core.content.positions[2] as number[])[9] = 1;
+    };
+    const goal = edited(baseline, [[10, 30000]]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report).toMatchObject({ result: 'verified', stopped: null });
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('says verified, and nothing of a reply that did not come, when the timer holds all that was wanted', async () => {
+    // All three replies to SETSERVO are lost; the timer has carried it out.
+    let lose = false;
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
+    const baseline = await run(client.readProgram());
+    timer.core.onAnswer = ({ name }) => {
+      lose = name === 'SETSERVO';
+    };
+    const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 70]]), { baseline }));
+    expect(names(sets(timer.core.answered))).toEqual(['SETSERVO', 'SETSERVO', 'SETSERVO']);
+    expect(report).toMatchObject({ result: 'verified', acknowledged: 0, stopped: null });
+  });
+
   it('stops when asked, within one reply, and says what is not known', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());

@@ -172,6 +172,8 @@ export const en = {
   memoryName: (memory: number) => `M${memory + 1}`,
   servoName: (servo: number) => `S${servo + 1}`,
   columnName,
+  /** What stands before a sentence about it. */
+  about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
 
   header: {

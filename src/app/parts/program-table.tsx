@@ -45,6 +45,7 @@ interface ProgramRowProps {
 
 function ProgramRow({ identity, column, servos }: ProgramRowProps) {
   const { session } = useModels();
+  const { about } = messages.value;
   const time: ProgramField = { kind: 'time', column };
   const positions = servos.map((servo): ProgramField => ({ kind: 'position', servo, column }));
   const notes = [time, ...positions].flatMap((field) => notesFor(session.editor, field));
@@ -66,7 +67,7 @@ function ProgramRow({ identity, column, servos }: ProgramRowProps) {
           <td colSpan={servos.length + 2}>
             {notes.map(({ field, severity, text }) => (
               <p key={text} class={severity}>
-                <strong>{fieldLabel(identity, field)}:</strong> {text}
+                <strong>{about(fieldLabel(identity, field))}</strong> {text}
               </p>
             ))}
           </td>

@@ -7,13 +7,13 @@ import { ValueField } from '../parts/value-field.js';
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramScreen() {
   const { session } = useModels();
-  const { program, header } = messages.value;
+  const { program, header, about } = messages.value;
   const identity = session.editor.working.value?.identity;
   if (!identity) return null;
   return (
     <div class="program">
       <h1 class="visually-hidden">
-        {program.title}: {timerName(identity)} {session.simulated.value ? header.simulated : ''}
+        {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
       <div class="program-main">
         <MemoryChoice />

@@ -50,7 +50,7 @@ export function WriteDialog() {
 
 function Review({ identity }: { identity: Identity }) {
   const { write, session } = useModels();
-  const { write: words, memoryName } = messages.value;
+  const { write: words, memoryName, about } = messages.value;
   const { changes, working } = session.editor;
   const memory = working.value?.memory ?? null;
   const serious = write.serious.value;
@@ -67,7 +67,7 @@ function Review({ identity }: { identity: Identity }) {
           <ul>
             {serious.map((finding) => (
               <li key={findingText(finding)}>
-                {finding.field && <strong>{fieldLabel(identity, finding.field)}: </strong>}
+                {finding.field && <strong>{about(fieldLabel(identity, finding.field))} </strong>}
                 {findingText(finding)}
               </li>
             ))}
