@@ -9,6 +9,7 @@
  * - `unexpected-reply`: the frame does not answer the request that waits.
  * - `bad-identity`: a version reply that no timer can have sent; the error carries its bytes.
  * - `identity-needed`: the layout of these bytes is known only together with the timer's identity.
+ * - `bad-capture`: a text is no capture; the field says in which line.
  */
 export type CodecErrorCode =
   | 'not-an-integer'
@@ -18,7 +19,8 @@ export type CodecErrorCode =
   | 'unknown-command'
   | 'unexpected-reply'
   | 'bad-identity'
-  | 'identity-needed';
+  | 'identity-needed'
+  | 'bad-capture';
 
 /** Facts that go with a {@link CodecError}, for the sentence that is shown to a person. */
 export interface CodecErrorDetails {

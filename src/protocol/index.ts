@@ -1,3 +1,4 @@
+export { type CaptureEntry, formatCapture, parseCapture } from './capture.js';
 export {
   COMMAND_NAMES,
   COMMANDS,

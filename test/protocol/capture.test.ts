@@ -1,0 +1,79 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { type CaptureEntry, formatCapture, parseCapture } from '../../src/protocol/index.js';
+import { fromHex } from '../tools/bytes.js';
+
+const example: CaptureEntry[] = [
+  { time: 0, direction: 'out', bytes: fromHex('00 00 00 00 00 03 6b 6b 45') },
+  { time: 52.5, direction: 'in', bytes: fromHex('00 00 00 00 00 0c 6c') },
+  { time: 52.5, direction: 'in', bytes: fromHex('42') },
+];
+const text = `# Sidus capture 1
+0.000 > 00 00 00 00 00 03 6b 6b 45
+0.0525 < 00 00 00 00 00 0c 6c
+0.0525 < 42
+`;
+
+describe('a capture as text', () => {
+  it('has a heading, and time, direction and bytes in each line', () => {
+    expect(formatCapture(example.map((entry) => ({ ...entry, time: Math.round(entry.time) })))).toBe(
+      text.replaceAll('0.0525', '0.053'),
+    );
+    expect(parseCapture(text)).toEqual(example);
+  });
+
+  it('is read with remarks, empty lines, tabs, capitals, a byte order mark and the line ends of any system', () => {
+    const other = `\uFEFF${text.toUpperCase().replace('SIDUS CAPTURE', 'Sidus capture').replaceAll(' > ', '\t>  ')}# end\n\n`;
+    expect(parseCapture(other.replaceAll('\n', '\r\n'))).toEqual(example);
+    expect(parseCapture(other.replaceAll('\n', '\r'))).toEqual(example);
+    expect(parseCapture('# Sidus capture 1')).toEqual([]);
+  });
+
+  it.each([
+    ['nothing', '', 'line 1'],
+    ['no heading', '0.000 > 00', 'line 1'],
+    ['another version', '# Sidus capture 2\n', 'line 1'],
+    ['no time', '# Sidus capture 1\n> 00', 'line 2'],
+    ['a negative time', '# Sidus capture 1\n-1 > 00', 'line 2'],
+    ['no direction', '# Sidus capture 1\n0.1 00 00', 'line 2'],
+    ['no bytes', '# Sidus capture 1\n0.1 >', 'line 2'],
+    ['half a byte', '# Sidus capture 1\n0.1 > 00 0', 'line 2'],
+    ['no hex', '# Sidus capture 1\n0.1 > 00 0g', 'line 2'],
+    ['a time that runs backwards', '# Sidus capture 1\n0.2 > 00\n# pause\n0.1 < 00', 'line 4'],
+  ])('is refused with its line: %s', (_, bad, field) => {
+    expect(() => parseCapture(bad)).toThrowError(expect.objectContaining({ code: 'bad-capture', field }));
+  });
+
+  it('comes back as it was, whatever was captured', () => {
+    const entry = fc.record({
+      wait: fc.integer({ min: 0, max: 100_000 }),
+      direction: fc.constantFrom('out' as const, 'in' as const),
+      bytes: fc.uint8Array({ minLength: 1, maxLength: 300 }),
+    });
+    fc.assert(
+      fc.property(fc.array(entry, { maxLength: 20 }), (list) => {
+        let time = 0;
+        const entries = list.map(({ wait, direction, bytes }) => {
+          time += wait;
+          return { time, direction, bytes };
+        });
+        expect(parseCapture(formatCapture(entries))).toEqual(entries);
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  it('never throws anything but its own error', () => {
+    const line = fc.oneof(fc.string(), fc.constantFrom('# Sidus capture 1', '0.1 > 00', '0.0 < ff', '1e309 > 00'));
+    fc.assert(
+      fc.property(fc.array(line, { maxLength: 6 }), (lines) => {
+        try {
+          parseCapture(lines.join('\n'));
+        } catch (error) {
+          expect(error).toMatchObject({ name: 'CodecError', code: 'bad-capture' });
+        }
+      }),
+      { numRuns: 1000 },
+    );
+  });
+});
