@@ -1,7 +1,14 @@
 import type { Clock } from '../line/index.js';
-import { COMMANDS, type CommandName, type Reply, type ReplyOf, type Request } from '../protocol/index.js';
+import {
+  COMMANDS,
+  type CommandName,
+  type Identity,
+  type Reply,
+  type ReplyOf,
+  type Request,
+} from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
-import type { Wire, WireLayout } from './wire.js';
+import type { Wire } from './wire.js';
 
 /** How often a request goes out at most, repeats and fences together. */
 const TRIES = 3;
@@ -22,7 +29,6 @@ const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 export class Exchange {
   readonly #wire: Wire;
   readonly #clock: Clock;
-  readonly #layout: () => WireLayout;
   /** Letters that went out and may still be answered. */
   readonly #outstanding = new Set<CommandName>();
   #lastSent = Number.NEGATIVE_INFINITY;
@@ -30,10 +36,12 @@ export class Exchange {
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
 
-  constructor(wire: Wire, clock: Clock, layout: () => WireLayout) {
+  /** What the timer said of itself: the layout of all that follows. Null until it has. */
+  identity: Identity | null = null;
+
+  constructor(wire: Wire, clock: Clock) {
     this.#wire = wire;
     this.#clock = clock;
-    this.#layout = layout;
   }
 
   /** How many requests went out again, fences included. */
@@ -106,7 +114,7 @@ export class Exchange {
   async #once(request: Request): Promise<Reply | undefined> {
     if (this.#closed) throw new TimerError('closed', 'this client was closed', { request: request.name });
     this.#lastSent = this.#clock.now();
-    const asking = this.#wire.ask(request, this.#layout(), this.#outstanding.size === 0);
+    const asking = this.#wire.ask(request, this.identity, this.#outstanding.size === 0);
     this.#underWay = asking.catch(() => {});
     const reply = await asking;
     if (!reply) this.#outstanding.add(request.name);

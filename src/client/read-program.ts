@@ -2,8 +2,8 @@ import type { TimerProgram } from '../program/index.js';
 import type { Identity, ReplyOf } from '../protocol/index.js';
 import { TimerError } from './errors.js';
 import type { Exchange } from './exchange.js';
-import type { QuirkCode } from './log.js';
 import { type Progress, StageProgress } from './progress.js';
+import type { QuirkCode, Quirks } from './quirks.js';
 
 /** What a job of the client works with. */
 export interface Job {
@@ -11,8 +11,7 @@ export interface Job {
   readonly identity: Identity;
   readonly signal: AbortSignal | undefined;
   readonly onProgress: ((progress: Progress) => void) | undefined;
-  /** Notes a quirk of this timer. */
-  readonly note: (quirk: QuirkCode) => void;
+  readonly quirks: Quirks;
   /** The index of the reply as a memory counted from 0. */
   readonly memoryOf: (reply: ReplyOf<'GETMEMORY'>) => number | null;
 }
@@ -20,9 +19,9 @@ export interface Job {
 const ALWAYS = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 type Question = (typeof ALWAYS)[number] | 'GETLOWRPM' | 'GETSWVER';
 
-/** The questions that a timer of this class is asked for its program: only Q knows a motor. */
-function questionsFor(identity: Identity): Question[] {
-  return identity.timerClass === 'Q' ? [...ALWAYS, 'GETLOWRPM'] : [...ALWAYS];
+/** The questions that a timer is asked for its program: only Q is known to have a motor. */
+function questionsFor({ timerClass }: Identity, idleThrottle: boolean): Question[] {
+  return timerClass === 'Q' || idleThrottle ? [...ALWAYS, 'GETLOWRPM'] : [...ALWAYS];
 }
 
 /**
@@ -30,9 +29,9 @@ function questionsFor(identity: Identity): Question[] {
  * included, is read again until two agree.
  * @throws TimerError `other-timer` when that shows another identity; as Exchange.
  */
-export async function readContent(job: Job, stage: 'read' | 'verify'): Promise<TimerProgram> {
+export async function readContent(job: Job, stage: 'read' | 'verify', idleThrottle = false): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
-  const questions = questionsFor(identity);
+  const questions = questionsFor(identity, idleThrottle);
   const progress = new StageProgress(stage, questions, identity, job.onProgress);
   const replies = new Map<Question, ReplyOf<Question> | null>();
   const single = new Map<Question, ReplyOf<Question>>([['GETSWVER', { name: 'GETSWVER', identity }]]);
@@ -50,7 +49,7 @@ export async function readContent(job: Job, stage: 'read' | 'verify'): Promise<T
       // Not known to be answered by every timer, and nothing else depends on it.
       if (!(error instanceof TimerError) || error.code !== 'no-answer') throw error;
       replies.set(name, null);
-      job.note(quirk);
+      job.quirks.note(quirk);
     }
   };
 
@@ -67,12 +66,23 @@ export async function readContent(job: Job, stage: 'read' | 'verify'): Promise<T
   if (again && JSON.stringify(again.identity) !== JSON.stringify(identity)) {
     throw new TimerError('other-timer', 'another timer answers than the one that was identified');
   }
+  const { times } = replies.get('GETTIMERS') as ReplyOf<'GETTIMERS'>;
+  if (rises(times.map(swapBytes)) && !rises(times)) job.quirks.note('times-big-endian');
   const memory = replies.get('GETMEMORY') as ReplyOf<'GETMEMORY'> | null;
   return {
     identity,
     memory: memory && job.memoryOf(memory),
-    timers: (replies.get('GETTIMERS') as ReplyOf<'GETTIMERS'>).times,
+    timers: times,
     positions: (replies.get('GETSERVOPOS') as ReplyOf<'GETSERVOPOS'>).positions,
     idleThrottle: (replies.get('GETLOWRPM') as ReplyOf<'GETLOWRPM'> | null | undefined)?.idleThrottle ?? null,
   };
+}
+
+/** Whether the functions follow one another. Column 0 takes no part: it is the motor stop, or reserved. */
+function rises(times: readonly number[]): boolean {
+  return times.every((time, column) => column < 2 || time >= (times[column - 1] as number));
+}
+
+function swapBytes(time: number): number {
+  return ((time & 0xff) << 8) | (time >> 8);
 }

@@ -1,11 +1,12 @@
 import { type Clock, realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import type { Identity, LayoutQuirks, ReplyOf, Request } from '../protocol/index.js';
+import type { Identity, ReplyOf, Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange } from './exchange.js';
-import type { LineEntry, QuirkCode } from './log.js';
+import type { LineEntry } from './log.js';
 import type { BytePort } from './port.js';
 import type { Progress } from './progress.js';
+import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
 import { type Job, readContent } from './read-program.js';
 import { Wire } from './wire.js';
 import { type WriteReport, writeContent } from './write-program.js';
@@ -15,6 +16,8 @@ export interface TimerClientOptions {
   readonly baudRate?: number;
   /** Default: the real clock. */
   readonly clock?: Clock;
+  /** What is known of this timer from an earlier session, or chosen by the pilot. Default: nothing. */
+  readonly quirks?: AssumedQuirks | undefined;
   /** Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered. Default 600. */
   readonly margin?: number;
   /** Told of everything on the line. */
@@ -30,7 +33,17 @@ export interface JobOptions {
   readonly onProgress?: ((progress: Progress) => void) | undefined;
 }
 
+export interface ReadOptions extends JobOptions {
+  /** Asks for the idle throttle on a timer of another class than Q too, where it is not known whether there is one. Default false. */
+  readonly idleThrottle?: boolean | undefined;
+}
+
 export interface WriteOptions extends JobOptions {
+  /**
+   * The pilot agrees that the servos move: each function's positions are sent after a MOVETOFUNC to it, for a timer that keeps them only
+   * then (quirk `positions-unchanged`). Default false: nothing moves.
+   */
+  readonly moveServos?: boolean | undefined;
   /** What the timer held when it was last read. Only what differs from it is sent. */
   readonly baseline: TimerProgram;
 }
@@ -42,26 +55,37 @@ export interface WriteOptions extends JobOptions {
 export class TimerClient {
   readonly #wire: Wire;
   readonly #exchange: Exchange;
-  readonly #quirksFound = new Set<QuirkCode>();
-  #identity: Identity | null = null;
-  #quirks: LayoutQuirks = {};
+  readonly #quirks: Quirks;
   #queue: Promise<unknown> = Promise.resolve();
 
   constructor(port: BytePort, options: TimerClientOptions = {}) {
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
-    const onQuirk = (quirk: QuirkCode): void => void this.#quirksFound.add(quirk);
-    this.#wire = new Wire(port, { baudRate, clock, margin, onLine, onLost, onQuirk });
-    this.#exchange = new Exchange(this.#wire, clock, () => ({ identity: this.#identity, quirks: this.#quirks }));
+    this.#quirks = new Quirks(options.quirks ?? {});
+    this.#wire = new Wire(port, this.#quirks, { baudRate, clock, margin, onLine, onLost });
+    this.#exchange = new Exchange(this.#wire, clock);
   }
 
   /** What the timer said of itself; null before {@link identify}. */
   get identity(): Identity | null {
-    return this.#identity;
+    return this.#exchange.identity;
   }
 
-  /** In what this timer was found to depart from the usual reading of the protocol. */
-  get quirksFound(): ReadonlySet<QuirkCode> {
-    return this.#quirksFound;
+  /** In what this timer was found to depart from the usual reading of the protocol, with the facts of the first time. */
+  get quirksFound(): ReadonlyMap<QuirkCode, QuirkParams> {
+    return this.#quirks.found;
+  }
+
+  /** What is taken for true of this timer. */
+  get quirksAssumed(): AssumedQuirks {
+    return this.#quirks.assumed;
+  }
+
+  /**
+   * Takes the pilot's word for how this timer is, from the next request on. A program that was read before with another byte order has
+   * to be read again.
+   */
+  assume(quirks: AssumedQuirks): void {
+    this.#quirks.assume(quirks);
   }
 
   /** Whether bytes came that belong to no reply. From then on a read is believed only when two agree. */
@@ -75,15 +99,15 @@ export class TimerClient {
   }
 
   /** Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, and on class Q GETLOWRPM. */
-  readProgram(options: JobOptions = {}): Promise<TimerProgram> {
-    return this.#inTurn(async () => readContent(await this.#job(options), 'read'));
+  readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
+    return this.#inTurn(async () => readContent(await this.#job(options), 'read', options.idleThrottle));
   }
 
   /**
    * Writes what differs from the baseline, reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing
    * it again with what the timer holds as baseline finishes a write that was stopped.
-   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory` or `aborted`: all before anything is
-   * written. Once something was sent, the report says what stopped it.
+   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `undecided` or `aborted`: all before anything
+   * is written. Once something was sent, the report says what stopped it.
    */
   writeProgram(edited: TimerProgram, options: WriteOptions): Promise<WriteReport> {
     const { baseline } = options;
@@ -94,14 +118,7 @@ export class TimerClient {
       if (!sameKind(job.identity, baseline.identity) || !sameKind(job.identity, edited.identity)) {
         throw new TimerError('other-timer', 'the program is for another kind of timer');
       }
-      const withQuirks = <T>(quirks: LayoutQuirks, work: () => Promise<T>): Promise<T> => {
-        const usual = this.#quirks;
-        this.#quirks = quirks;
-        return work().finally(() => {
-          this.#quirks = usual;
-        });
-      };
-      return writeContent({ ...job, quirks: this.#quirks, withQuirks }, baseline, edited);
+      return writeContent(job, baseline, edited, options.moveServos);
     });
   }
 
@@ -179,29 +196,29 @@ export class TimerClient {
 
   async #identify(signal: AbortSignal | undefined): Promise<Identity> {
     const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal);
-    this.#identity = reply.identity;
+    this.#exchange.identity = reply.identity;
     return reply.identity;
   }
 
   async #job({ signal, onProgress }: JobOptions): Promise<Job> {
     throwIfAborted(signal);
-    const identity = this.#identity ?? (await this.#identify(signal));
+    const identity = this.identity ?? (await this.#identify(signal));
     return {
       exchange: this.#exchange,
       identity,
       signal,
       onProgress,
-      note: (quirk) => void this.#quirksFound.add(quirk),
+      quirks: this.#quirks,
       memoryOf: (reply) => this.#memoryOf(reply, identity),
     };
   }
 
   #memoryOf({ memory }: ReplyOf<'GETMEMORY'>, identity: Identity): number | null {
-    if (memory === null) this.#quirksFound.add('memory-unknown');
+    if (memory === null) this.#quirks.note('memory-unknown');
     if (memory !== identity.memories) return memory;
     // One more than the last that is counted from 0: this timer counts from 1.
-    this.#quirksFound.add('memories-from-one');
-    this.#quirks = { ...this.#quirks, memoriesFromOne: true };
+    this.#quirks.note('memories-from-one');
+    this.#quirks.assume({ memoriesFromOne: true });
     return memory - 1;
   }
 }

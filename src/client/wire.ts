@@ -10,14 +10,15 @@ import {
   FrameDecoder,
   frameSize,
   type Identity,
-  type LayoutQuirks,
   MAX_DATA,
   type Reply,
   type Request,
+  ZEROS_SENT,
 } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import type { LineEntry, QuirkCode } from './log.js';
+import type { LineEntry } from './log.js';
 import type { BytePort } from './port.js';
+import type { Quirks } from './quirks.js';
 
 export interface WireOptions {
   readonly clock: Clock;
@@ -27,18 +28,11 @@ export interface WireOptions {
   readonly margin: number;
   readonly onLine: ((entry: LineEntry) => void) | undefined;
   readonly onLost: ((error: TimerError) => void) | undefined;
-  readonly onQuirk: (quirk: QuirkCode) => void;
-}
-
-/** What the layout of a message may need besides its own values. */
-export interface WireLayout {
-  readonly identity: Identity | null;
-  readonly quirks: LayoutQuirks;
 }
 
 interface Waiting {
   readonly request: Request;
-  readonly layout: WireLayout;
+  readonly identity: Identity | null;
   /** A misprinted letter may be taken: no earlier request can still be answered. */
   readonly misprints: boolean;
   readonly settle: (reply: Reply | undefined) => void;
@@ -55,6 +49,7 @@ const LONGEST_DRAIN = 1000;
  */
 export class Wire {
   readonly #port: BytePort;
+  readonly #quirks: Quirks;
   readonly #options: WireOptions;
   readonly #decoder: FrameDecoder;
   #reader: ReadableStreamDefaultReader<Uint8Array> | undefined;
@@ -66,12 +61,13 @@ export class Wire {
   #damage = 0;
   #badReply: unknown;
 
-  constructor(port: BytePort, options: WireOptions) {
+  constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
     this.#port = port;
+    this.#quirks = quirks;
     this.#options = options;
     this.#decoder = new FrameDecoder({
       onFrame: (frame, bytes, bare) => {
-        if (bare) options.onQuirk('bare-checksum');
+        if (bare) quirks.note('bare-checksum');
         this.#log({ direction: 'in', bytes, frame, rejected: null });
       },
       onRejected: ({ reason, bytes }) => {
@@ -97,16 +93,19 @@ export class Wire {
    * @returns undefined when no reply came in time.
    * @throws TimerError `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
-  async ask(request: Request, layout: WireLayout, misprints: boolean): Promise<Reply | undefined> {
-    const { identity, quirks } = layout;
-    const bytes = encodeRequest(request, { identity: identity ?? undefined, quirks });
+  async ask(request: Request, identity: Identity | null, misprints: boolean): Promise<Reply | undefined> {
+    const bytes = encodeRequest(request, {
+      identity: identity ?? undefined,
+      quirks: this.#quirks.assumed,
+      bareChecksum: this.#quirks.isBare(request),
+    });
     this.#start();
     if (this.#lost) throw this.#lost;
     this.#asked = true;
     this.#badReply = undefined;
     this.#decoder.quirks.bareChecksum = request.name === 'GETLOWRPM';
     const answered = new Promise<Reply | undefined>((settle) => {
-      this.#waiting = { request, layout, misprints, settle };
+      this.#waiting = { request, identity, misprints, settle };
     });
     const cancel = this.#waitFor(this.#budget(request.name, identity));
     try {
@@ -196,7 +195,7 @@ export class Wire {
     if (writable.locked) return;
     const writer = writable.getWriter();
     try {
-      const [frame = null] = new FrameDecoder().push(bytes);
+      const frame = { code: bytes[ZEROS_SENT + 1] as number, data: bytes.slice(ZEROS_SENT + 2, -2) };
       this.#log({ direction: 'out', bytes, frame, rejected: null });
       await writer.write(bytes);
     } catch (error) {
@@ -240,7 +239,7 @@ export class Wire {
 
   #dispatch(frames: readonly Frame[]): void {
     for (const frame of frames) {
-      if (commandOf(frame.code)?.direction === 'request') this.#options.onQuirk('echo');
+      if (commandOf(frame.code)?.direction === 'request') this.#quirks.note('echo');
       else this.#match(frame);
     }
   }
@@ -251,14 +250,14 @@ export class Wire {
     if (!waiting || !match || (match === 'misprint' && !waiting.misprints)) return;
     let reply: Reply;
     try {
-      const { identity, quirks } = waiting.layout;
-      reply = decodeReply(frame, { identity: identity ?? undefined, quirks, pending: waiting.request });
+      const identity = waiting.identity ?? undefined;
+      reply = decodeReply(frame, { identity, quirks: this.#quirks.assumed, pending: waiting.request });
     } catch (error) {
       this.#badReply = error;
       this.#noteDamage();
       return;
     }
-    if (match === 'misprint') this.#options.onQuirk(reply.name === 'UNLOCK' ? 'unlock-reply-6a' : 'timers-reply-66');
+    if (match === 'misprint') this.#quirks.note(reply.name === 'UNLOCK' ? 'unlock-reply-6a' : 'timers-reply-66');
     this.#waiting = undefined;
     waiting.settle(reply);
   }

@@ -7,7 +7,7 @@ import {
   type TimerProgram,
   valueAt,
 } from '../program/index.js';
-import { encodeRequest, type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
+import { encodeRequest, type LayoutQuirks, MAX_POSITION, type Reply, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { StageProgress } from './progress.js';
 import { type Job, readContent } from './read-program.js';
@@ -40,24 +40,25 @@ export interface WriteReport {
   readonly stopped: TimerError | null;
 }
 
-/** What the writing needs beyond a reading job. */
-export interface WriteJob extends Job {
-  readonly quirks: LayoutQuirks;
-  /** Runs with other layout quirks for a while: to put back what a timer with exchanged order changed. */
-  readonly withQuirks: <T>(quirks: LayoutQuirks, work: () => Promise<T>) => Promise<T>;
-}
-
 /**
  * Sends what differs, reads everything back and compares. What changed without being asked is put back once.
- * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `aborted`, or as
+ * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `undecided`, `aborted`, or as
  * Exchange. Afterwards it never throws a TimerError: the report says what stopped it and what is known of each value.
  */
-export async function writeContent(job: WriteJob, baseline: TimerProgram, goal: TimerProgram): Promise<WriteReport> {
-  const { exchange, identity, signal } = job;
+export async function writeContent(
+  job: Job,
+  baseline: TimerProgram,
+  goal: TimerProgram,
+  moveServos = false,
+): Promise<WriteReport> {
+  const { exchange, identity, signal, quirks } = job;
   const asked = differences(baseline, goal).filter(({ to }) => to !== null);
   const requests = changeRequests(baseline, goal);
   // All of it must fit before any of it is sent.
-  for (const request of requests) encodeRequest(request, { identity, quirks: job.quirks });
+  for (const request of requests) encodeRequest(request, { identity, quirks: quirks.assumed });
+  if (quirks.byteOrderOpen && requests.some(({ name }) => name === 'SETTIMERS')) {
+    throw new TimerError('undecided', 'the byte order of the times is in doubt', { request: 'SETTIMERS' });
+  }
   throwIfAborted(signal);
   await requireMemory(job, baseline);
 
@@ -69,26 +70,34 @@ export async function writeContent(job: WriteJob, baseline: TimerProgram, goal: 
     known.held = null;
     const names = batch.map(({ name }) => name);
     const progress = new StageProgress(stage, names, identity, job.onProgress);
+    let standsAt: number | null = null;
     for (const request of batch) {
-      await exchange.ask(request, signal);
+      if (moveServos && request.name === 'SETSERVO' && request.function !== standsAt) {
+        standsAt = request.function;
+        await exchange.ask({ name: 'MOVETOFUNC', function: standsAt }, signal);
+      }
+      noteRounding(job, request, await askNoting(job, request));
       known.acknowledged++;
       progress.finished(request.name);
     }
   };
   const readBack = async (): Promise<void> => {
-    const held = await readContent(job, 'verify');
+    const held = await readContent(job, 'verify', goal.idleThrottle !== null);
     requireSameMemory(held.memory, baseline.memory);
     for (const { field } of unasked(held, goal, asked)) strays.set(fieldKey(field), field);
     known.held = held;
   };
 
-  let stopped = await attempt(() => send('write', requests));
+  let stopped = await attempt(() => send('write', moveServos ? byColumn(requests) : requests));
   if (!stopped || stopped.code === 'no-answer' || stopped.code === 'bad-reply') {
     stopped = (await attempt(readBack)) ?? stopped;
   }
   const repair = known.held && repairs(job, known.held, asked, goal, requests);
   if (repair) {
-    stopped = await attempt(() => job.withQuirks(repair.quirks, () => send('repair', repair.requests)));
+    const { assumed } = quirks;
+    quirks.assumed = { ...assumed, ...repair.quirks };
+    stopped = await attempt(() => send('repair', repair.requests));
+    quirks.assumed = assumed;
     stopped = (await attempt(readBack)) ?? stopped;
   }
   const values = [...asked.map(({ field }) => ({ field, asked: true })), ...[...strays.values()].map(putBack)];
@@ -100,6 +109,36 @@ export async function writeContent(job: WriteJob, baseline: TimerProgram, goal: 
 
 function putBack(field: ProgramField): { field: ProgramField; asked: boolean } {
   return { field, asked: false };
+}
+
+/** Positions in the order of the functions, so that the servos move once for each. */
+function byColumn(requests: readonly Request[]): Request[] {
+  const column = (request: Request): number => (request.name === 'SETSERVO' ? request.function : -1);
+  return [...requests].sort((a, b) => column(a) - column(b));
+}
+
+/** Asks, and notes a SETSERVO without an answer that a timer which takes the servo first would have found out of range. */
+async function askNoting({ exchange, identity, signal, quirks }: Job, request: Request): Promise<Reply> {
+  try {
+    return await exchange.ask(request, signal);
+  } catch (error) {
+    const isSilent = error instanceof TimerError && error.code === 'no-answer';
+    if (isSilent && request.name === 'SETSERVO' && request.function >= identity.servos) {
+      quirks.note('servo-unanswered', { servo: request.servo, column: request.function });
+    }
+    throw error;
+  }
+}
+
+function noteRounding({ quirks }: Job, request: Request, reply: Reply): void {
+  if (request.name !== 'SETTIMERS' || reply.name !== 'SETTIMERS') return;
+  const column = request.times.findIndex((time, index) => time !== reply.times[index]);
+  if (column < 0) return;
+  quirks.note('times-rounded', {
+    column,
+    sent: request.times[column] as number,
+    held: reply.times[column] as number,
+  });
 }
 
 /** Nothing may be written into another memory than the one that was read. */
@@ -135,25 +174,25 @@ function unasked(held: TimerProgram, goal: TimerProgram, asked: readonly Change[
  * are sent once more only when damage was seen on the line: otherwise the timer rounds, or wants something else, and would do so again.
  */
 function repairs(
-  job: WriteJob,
+  job: Job,
   held: TimerProgram,
   asked: readonly Change[],
   goal: TimerProgram,
   sent: readonly Request[],
 ): { requests: Request[]; quirks: LayoutQuirks } | null {
   const wrong = unasked(held, goal, asked);
-  if (wrong.some(({ field, from }) => isExchanged(sent, field, from))) {
-    job.note('servo-first');
+  const exchanged = wrong.find(({ field, from }) => isExchanged(sent, field, from))?.field;
+  if (exchanged?.kind === 'position') {
+    job.quirks.note('servo-first', { servo: exchanged.servo, column: exchanged.column });
     const cells = wrong.filter(({ field }) => field.kind === 'position');
-    const quirks = { ...job.quirks, servoFirst: !job.quirks.servoFirst };
-    return { requests: requestsFor(held, goal, cells), quirks };
+    return { requests: requestsFor(held, goal, cells), quirks: { servoFirst: !job.quirks.assumed.servoFirst } };
   }
   const positions = asked.filter(({ field }) => field.kind === 'position');
   if (positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from)) {
-    job.note('positions-unchanged');
+    job.quirks.note('positions-unchanged');
   }
   const again = requestsFor(held, goal, job.exchange.damaged ? differences(held, goal) : wrong);
-  return again.length > 0 ? { requests: again, quirks: job.quirks } : null;
+  return again.length > 0 ? { requests: again, quirks: {} } : null;
 }
 
 /** Whether a cell changed to a position that was sent for the cell with function and servo exchanged. */

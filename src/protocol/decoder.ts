@@ -21,10 +21,11 @@ export interface Rejection {
 
 export interface DecoderQuirks {
   /**
-   * Takes a reply to GETLOWRPM (76) whose checksum is the bare command byte, as the source prints it. Off unless asked
-   * for: it lets more damaged frames pass. May be switched while the decoder runs.
+   * Takes a frame of four bytes whose checksum is the bare command byte, as the source prints it: `true` for the reply to GETLOWRPM
+   * (76), or the letters for which to do so. Off unless asked for: it lets more damaged frames pass. May be switched while the
+   * decoder runs.
    */
-  bareChecksum?: boolean;
+  bareChecksum?: boolean | readonly number[];
 }
 
 export interface FrameDecoderOptions {
@@ -38,8 +39,8 @@ export interface FrameDecoderOptions {
 /** The longest frame without its zeros: length, 254 bytes more, terminator. */
 const LONGEST = MAX_LENGTH + 1;
 const NO_DATA = new Uint8Array(0);
-/** The one letter for which the source prints a checksum that leaves the data out: the reply to GETLOWRPM. */
-const BARE_CHECKSUM_CODE = 0x76;
+/** The one reply for which the source prints a checksum that leaves the data out: to GETLOWRPM. */
+const BARE_CHECKSUM: readonly number[] = [0x76];
 
 /**
  * Finds frames in a stream of bytes that may be cut, damaged or noisy. No bytes make it throw.
@@ -190,12 +191,11 @@ export class FrameDecoder {
   }
 
   #isBare(bytes: Uint8Array, at: number, length: number): boolean {
-    return (
-      this.quirks.bareChecksum === true &&
-      length === MIN_LENGTH + 1 &&
-      bytes[at + 1] === BARE_CHECKSUM_CODE &&
-      bytes[at + 3] === BARE_CHECKSUM_CODE
-    );
+    const { bareChecksum } = this.quirks;
+    if (!bareChecksum || length !== MIN_LENGTH + 1) return false;
+    const code = bytes[at + 1] as number;
+    const letters = bareChecksum === true ? BARE_CHECKSUM : bareChecksum;
+    return bytes[at + 3] === code && letters.includes(code);
   }
 
   #take(bytes: Uint8Array, own: Uint8Array | undefined, at: number, length: number, zeros: number): Frame {

@@ -15,6 +15,12 @@ export interface TimerQuirks extends LayoutQuirks {
   readonly memoryReplyEmpty?: boolean;
   /** The reply to GETLOWRPM carries the bare command byte where its checksum belongs. */
   readonly bareChecksumReply?: boolean;
+  /** SETMEMORY and SETLOWRPM are taken only with the bare command byte where their checksum belongs. */
+  readonly bareChecksumRequests?: boolean;
+  /** Times are kept in steps of so many hundredths of a second, rounded down. Default 1. */
+  readonly timeStep?: number;
+  /** GETLOWRPM is answered on class Q only. */
+  readonly idleThrottleOnQOnly?: boolean;
   /** SETSERVO is answered, but kept only for the function the servos were last moved to. */
   readonly servoNeedsMove?: boolean;
   /** The adapter returns every byte that is sent to the timer. */

@@ -3,6 +3,7 @@ import {
   COMMANDS,
   CodecError,
   type CommandName,
+  checksum,
   decodeRequest,
   encodeFrame,
   encodeReply,
@@ -82,12 +83,15 @@ export class TimerCore {
     this.#awakeSince = this.#clock.now();
   }
 
-  /** The reply to a frame as bytes for the line; undefined when it keeps silent. */
-  answer(frame: Frame): Uint8Array | undefined {
+  /**
+   * The reply to a frame as bytes for the line; undefined when it keeps silent.
+   * @param bare whether the frame carried its command byte where its checksum belongs.
+   */
+  answer(frame: Frame, bare = false): Uint8Array | undefined {
     if (this.#clock.now() - this.#awakeSince > this.#sleepAfter) this.sleep();
     if (this.phase === 'asleep') return undefined;
     const request = this.#understand(frame);
-    if (!request) return undefined;
+    if (!request || !this.#takes(request, frame, bare)) return undefined;
     this.#awakeSince = this.#clock.now();
     const reply = this.#perform(request);
     this.answered.push(request);
@@ -104,13 +108,21 @@ export class TimerCore {
     }
   }
 
+  #takes(request: Request, { code, data }: Frame, bare: boolean): boolean {
+    const { bareChecksumRequests, idleThrottleOnQOnly } = this.#quirks;
+    if (request.name === 'GETLOWRPM') return !idleThrottleOnQOnly || this.identity.timerClass === 'Q';
+    if (request.name !== 'SETMEMORY' && request.name !== 'SETLOWRPM') return true;
+    // With a data byte of 0 the bare checksum is the true one.
+    return !bareChecksumRequests || bare || checksum(code, data) === code;
+  }
+
   #perform(request: Request): Reply {
     const { content } = this;
     switch (request.name) {
       case 'GETTIMERS':
         return { name: 'GETTIMERS', times: content.timers };
       case 'SETTIMERS':
-        content.timers = [...request.times];
+        content.timers = request.times.map((time) => time - (time % (this.#quirks.timeStep ?? 1)));
         return { name: 'SETTIMERS', times: content.timers };
       case 'GETSERVOPOS':
         return { name: 'GETSERVOPOS', positions: content.positions };

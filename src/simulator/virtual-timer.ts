@@ -1,5 +1,5 @@
 import { ByteLine, type ByteLineOptions, type Clock, realClock } from '../line/index.js';
-import { type Frame, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
+import { COMMANDS, type Frame, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
 import type { TimerQuirks } from './quirks.js';
 import { TimerCore } from './timer-core.js';
 
@@ -24,6 +24,9 @@ export interface VirtualTimerOptions {
   readonly fromTimer?: LineFaults;
 }
 
+/** The requests for which the source prints a bare checksum. */
+const BARE_REQUESTS = [COMMANDS.SETMEMORY.request, COMMANDS.SETLOWRPM.request];
+
 /** Milliseconds of silence after which a frame that is not whole is given up, so that a damaged length does not swallow what follows. */
 const SILENCE = 100;
 
@@ -41,6 +44,8 @@ export class VirtualTimer {
   readonly #toTimer: ByteLine;
   readonly #fromTimer: ByteLine;
   readonly #decoder: FrameDecoder;
+  /** Frames that came with a bare checksum. */
+  readonly #bare = new WeakSet<Frame>();
   readonly #echo: boolean;
   readonly #clock: Clock;
   #cancelSilence: () => void = () => {};
@@ -56,7 +61,10 @@ export class VirtualTimer {
     this.#echo = quirks.echo === true;
     this.#clock = clock;
     this.core = new TimerCore({ identity, quirks, clock, sleepAfter: options.sleepAfter });
-    this.#decoder = new FrameDecoder();
+    this.#decoder = new FrameDecoder({
+      quirks: { bareChecksum: quirks.bareChecksumRequests ? BARE_REQUESTS : false },
+      onFrame: (frame, _, bare) => void (bare && this.#bare.add(frame)),
+    });
     this.#toTimer = new ByteLine((bytes) => this.#receive(bytes), { ...options.toTimer, clock, baudRate });
     this.#fromTimer = new ByteLine((bytes) => this.#emit(bytes), { ...options.fromTimer, clock, baudRate, latency });
     this.readable = new ReadableStream<Uint8Array>({
@@ -94,7 +102,7 @@ export class VirtualTimer {
 
   #answer(frames: readonly Frame[]): void {
     for (const frame of frames) {
-      const reply = this.core.answer(frame);
+      const reply = this.core.answer(frame, this.#bare.has(frame));
       if (reply) this.#fromTimer.send(reply);
     }
   }

@@ -1,6 +1,10 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import type { AssumedQuirks, QuirkCode } from '../../src/client/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
 import { bench, contentOf, edited, names } from './bench.js';
+
+const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
 
 describe('a timer that departs from the usual reading', () => {
   it.each<[string, TimerQuirks, string[]]>([
@@ -10,7 +14,7 @@ describe('a timer that departs from the usual reading', () => {
     ['a bare checksum', { bareChecksumReply: true }, ['bare-checksum']],
     ['memories from 1', { memoriesFromOne: true }, ['memories-from-one']],
     ['an echo', { echo: true }, ['echo']],
-  ])('%s: is read, written and understood', async (_, quirks, found) => {
+  ])('%s: is read, written and understood', async (_, quirks, expected) => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, quirks });
     timer.core.memory = 3;
     const baseline = await run(client.readProgram());
@@ -21,7 +25,7 @@ describe('a timer that departs from the usual reading', () => {
     expect(timer.core.motorLocked).toBe(false);
     await run(client.selectMemory(1));
     expect(timer.core.memory).toBe(1);
-    expect([...client.quirksFound]).toEqual(found);
+    expect(found(client)).toEqual(expected);
     expect(client.damageSeen).toBe(false);
   });
 
@@ -29,7 +33,7 @@ describe('a timer that departs from the usual reading', () => {
     const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
     const baseline = await run(client.readProgram());
     expect(baseline.memory).toBeNull();
-    expect([...client.quirksFound]).toEqual(['memory-unknown']);
+    expect(found(client)).toEqual(['memory-unknown']);
     const goal = edited(baseline, [[10, 30000]]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     await run(client.selectMemory(2));
@@ -49,7 +53,76 @@ describe('a timer that departs from the usual reading', () => {
     expect(names(timer.core.answered).slice(-2)).toEqual(['GETSERVOPOS', 'UNLOCK']);
   });
 
-  it('servo before function: finds it in the reading back, puts the other cell back, and says so', async () => {
+  it('times that are rounded: says which, and what became of it', async () => {
+    const { client, run } = bench({ quirks: { timeStep: 10 } });
+    const baseline = await run(client.readProgram());
+    const report = await run(client.writeProgram(edited(baseline, [[3, 255]]), { baseline }));
+    expect(report.result).toBe('differs');
+    expect(client.quirksFound.get('times-rounded')).toEqual({ column: 3, sent: 255, held: 250 });
+  });
+
+  it('idle throttle on B: asked only on request, and its silence is no failure', async () => {
+    const b = bench();
+    expect((await b.run(b.client.readProgram({ idleThrottle: true }))).idleThrottle).toBe(30);
+    const silent = bench({ quirks: { idleThrottleOnQOnly: true } });
+    expect((await silent.run(silent.client.readProgram({ idleThrottle: true }))).idleThrottle).toBeNull();
+    expect(found(silent.client)).toEqual(['idle-throttle-unanswered']);
+  });
+
+  it('bare checksums of requests: sent only when assumed, never found out silently', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, quirks: { bareChecksumRequests: true } });
+    await run(client.readProgram());
+    await expect(run(client.selectMemory(2))).rejects.toMatchObject({
+      code: 'no-answer',
+      details: { request: 'SETMEMORY' },
+    });
+    expect(timer.core.memory).toBe(0);
+    client.assume({ bareChecksumRequests: true });
+    await run(client.selectMemory(2));
+    expect(timer.core.memory).toBe(2);
+    expect(await run(client.setIdleThrottle(44))).toBe(44);
+  });
+});
+
+describe('times with their high byte first', () => {
+  it('are suspected when they fall and would rise, and are not written before the pilot has chosen', async () => {
+    const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } });
+    const read = await run(client.readProgram());
+    expect(found(client)).toEqual(['times-big-endian']);
+    const wrong = edited(read, [[10, 30000]]);
+    await expect(run(client.writeProgram(wrong, { baseline: read }))).rejects.toMatchObject({ code: 'undecided' });
+    // Positions do not depend on it.
+    const positions = edited(read, [], [[0, 0, 1]]);
+    expect((await run(client.writeProgram(positions, { baseline: read }))).result).toBe('verified');
+
+    client.assume({ bigEndianTimes: true });
+    const baseline = await run(client.readProgram());
+    expect(baseline).toEqual(contentOf(timer));
+    const goal = edited(baseline, [[10, 30000]]);
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('are a hint only: the pilot may decide that they are as they were read', async () => {
+    const { client, timer, run } = bench();
+    timer.core.content.timers = [0, 0x0200, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808, 0x0909];
+    const baseline = await run(client.readProgram());
+    expect(found(client)).toEqual(['times-big-endian']);
+    client.assume({ bigEndianTimes: false });
+    const goal = edited(baseline, [[10, 30000]]);
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('are not suspected when they rise as they were read', async () => {
+    const { client, run } = bench();
+    await run(client.readProgram());
+    expect(found(client)).toEqual([]);
+  });
+});
+
+describe('servo before function', () => {
+  it('is found in the reading back; the other cell is put back, and it is said', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [], [[2, 1, 99]]);
@@ -59,17 +132,161 @@ describe('a timer that departs from the usual reading', () => {
       { field: { kind: 'position', servo: 2, column: 1 }, wanted: 99, held: 25, status: 'differs', asked: true },
       { field: { kind: 'position', servo: 1, column: 2 }, wanted: 35, held: 35, status: 'verified', asked: false },
     ]);
-    expect([...client.quirksFound]).toEqual(['servo-first']);
+    expect(client.quirksFound.get('servo-first')).toEqual({ servo: 1, column: 2 });
     expect(contentOf(timer)).toEqual(baseline);
+    client.assume({ servoFirst: true });
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+    expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('positions that need a move first: says that nothing changed, and moves nothing', async () => {
+  it('is suspected when a function that is no servo gets no answer, and nothing is said to be written', async () => {
+    const { client, timer, run } = bench({ quirks: { servoFirst: true } });
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [], [[1, 7, 99]]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
+    expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, column: 7 });
+    client.assume({ servoFirst: true });
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+    expect(contentOf(timer)).toEqual(goal);
+  });
+});
+
+describe('positions that are kept only where the servos stand', () => {
+  it('are found unchanged, and nothing moves', async () => {
     const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
     const baseline = await run(client.readProgram());
     const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
     expect(report.result).toBe('differs');
-    expect([...client.quirksFound]).toEqual(['positions-unchanged']);
+    expect(found(client)).toEqual(['positions-unchanged']);
     expect(names(timer.core.answered)).not.toContain('MOVETOFUNC');
     expect(names(timer.core.answered).filter((name) => name === 'SETSERVO')).toHaveLength(1);
+  });
+
+  it('are written when the pilot agreed that the servos move: once to each function', async () => {
+    const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
+    const baseline = await run(client.readProgram());
+    const goal = edited(
+      baseline,
+      [],
+      [
+        [0, 1, 99],
+        [2, 4, 98],
+        [1, 1, 97],
+      ],
+    );
+    timer.core.answered.length = 0;
+    const report = await run(client.writeProgram(goal, { baseline, moveServos: true }));
+    expect(report.result).toBe('verified');
+    expect(names(timer.core.answered).slice(1, 6)).toEqual([
+      'MOVETOFUNC',
+      'SETSERVO',
+      'SETSERVO',
+      'MOVETOFUNC',
+      'SETSERVO',
+    ]);
+    expect(contentOf(timer)).toEqual(goal);
+  });
+});
+
+describe('what a version reply may say', () => {
+  it('another letter: works as a timer of unknown class', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'X' } });
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [[10, 30000]]);
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+    expect(contentOf(timer)).toEqual(goal);
+  });
+});
+
+describe('all quirks together', () => {
+  const switches = [
+    'timersReplyAs66',
+    'unlockReplyAs6A',
+    'memoryReplyEmpty',
+    'bareChecksumReply',
+    'bigEndianTimes',
+    'servoFirst',
+    'memoriesFromOne',
+    'servoNeedsMove',
+    'bareChecksumRequests',
+    'echo',
+  ] as const satisfies readonly (keyof TimerQuirks)[];
+
+  it('whatever a timer does differently, verified is never said wrongly; with the right choices the goal is reached, in all 1024 combinations', async () => {
+    for (let bits = 0; bits < 2 ** switches.length; bits++) {
+      const quirks: TimerQuirks = Object.fromEntries(switches.map((name, bit) => [name, (bits & (1 << bit)) !== 0]));
+      const { client, timer, run } = bench({ identity: { timerClass: 'Q', functions: 4, servos: 3 }, quirks });
+      const label = JSON.stringify(quirks);
+
+      const first = await run(client.readProgram());
+      const blind = edited(first, [[4, 30000]], [[1, 2, 99]]);
+      const report = await run(client.writeProgram(blind, { baseline: first }).catch(() => null));
+      if (report?.result === 'verified') {
+        expect({ ...contentOf(timer), memory: first.memory }, label).toEqual(blind);
+      }
+      expect(names(timer.core.answered), label).not.toContain('MOVETOFUNC');
+
+      const { bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne } = quirks;
+      const choices: AssumedQuirks = {
+        bigEndianTimes: bigEndianTimes === true,
+        servoFirst: servoFirst === true,
+        bareChecksumRequests: bareChecksumRequests === true,
+        memoriesFromOne: memoriesFromOne === true,
+      };
+      client.assume(choices);
+      const baseline = await run(client.readProgram());
+      expect({ ...baseline, memory: 0 }, label).toEqual(contentOf(timer));
+      const goal = edited(baseline, [[4, 20000]], [[2, 3, 98]]);
+      const moveServos = quirks.servoNeedsMove === true;
+      expect((await run(client.writeProgram(goal, { baseline, moveServos }))).result, label).toBe('verified');
+      expect({ ...contentOf(timer), memory: baseline.memory }, label).toEqual(goal);
+      await run(client.unlockMotor());
+      expect(timer.core.motorLocked, label).toBe(false);
+      await run(client.selectMemory(2));
+      expect(timer.core.memory, label).toBe(2);
+
+      // What can be told from the line was found, and nothing else.
+      const expected = new Set<QuirkCode>();
+      if (quirks.timersReplyAs66) expected.add('timers-reply-66');
+      if (quirks.unlockReplyAs6A) expected.add('unlock-reply-6a');
+      if (quirks.memoryReplyEmpty) expected.add('memory-unknown');
+      if (quirks.bareChecksumReply) expected.add('bare-checksum');
+      if (quirks.bigEndianTimes) expected.add('times-big-endian');
+      if (quirks.echo) expected.add('echo');
+      // While the byte order is open the first write is refused, so its read-back tells nothing.
+      if (!quirks.bigEndianTimes && quirks.servoNeedsMove) expected.add('positions-unchanged');
+      else if (!quirks.bigEndianTimes && quirks.servoFirst) expected.add('servo-first');
+      for (const code of expected) expect(found(client), `${label} finds ${code}`).toContain(code);
+    }
+  }, 120_000);
+
+  it('a damaged line on top of it changes nothing of that', async () => {
+    const quirks = fc
+      .subarray([...switches])
+      .map((on): TimerQuirks => Object.fromEntries(on.map((name) => [name, true])));
+    await fc.assert(
+      fc.asyncProperty(
+        quirks,
+        fc.array(fc.integer({ min: 0, max: 300 }), { maxLength: 4 }),
+        async (timerQuirks, lost) => {
+          const { client, timer, run } = bench({
+            identity: { timerClass: 'Q', functions: 3, servos: 2 },
+            quirks: timerQuirks,
+            fromTimer: { fault: (byte, index) => (lost.includes(index) ? [] : [byte]) },
+          });
+          const { bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne, servoNeedsMove } = timerQuirks;
+          client.assume({ bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne } as AssumedQuirks);
+          const baseline = await run(client.readProgram().catch(() => null));
+          if (!baseline) return;
+          const goal = edited(baseline, [[3, 20000]], [[1, 2, 98]]);
+          const report = await run(
+            client.writeProgram(goal, { baseline, moveServos: servoNeedsMove === true }).catch(() => null),
+          );
+          if (report?.result === 'verified') expect({ ...contentOf(timer), memory: goal.memory }).toEqual(goal);
+        },
+      ),
+      { numRuns: 200 },
+    );
   });
 });

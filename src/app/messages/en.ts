@@ -78,6 +78,10 @@ const timer: Record<TimerErrorCode, Said> = {
     title: 'Another timer answers than before.',
     advice: 'Disconnect, and connect again to see what it holds.',
   },
+  undecided: {
+    title: 'It is not certain how this timer counts its times.',
+    advice: 'They fall as they are read, and would rise with their bytes exchanged. Nothing was written.',
+  },
   'port-lost': connection.lost,
   aborted: { title: 'Stopped.', advice: 'Read again to see what the timer holds.' },
   closed: { title: 'Disconnected.', advice: 'Click Connect to go on. What you typed is kept.' },
