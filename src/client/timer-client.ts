@@ -80,6 +80,11 @@ export class TimerClient {
     return this.#quirks.assumed;
   }
 
+  /** Whether it is open how times are to be written: `undecided` until the pilot has chosen, see quirk `times-big-endian`. */
+  get byteOrderOpen(): boolean {
+    return this.#quirks.byteOrderOpen;
+  }
+
   /**
    * Takes the pilot's word for how this timer is, from the next request on. A program that was read before with another byte order has
    * to be read again.

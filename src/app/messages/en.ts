@@ -284,6 +284,13 @@ export const en = {
     names: lineNames,
     rejected,
   },
+  byteOrder: {
+    title: 'The times of this timer fall.',
+    advice:
+      'With the two bytes of each time exchanged they would rise. Compare with what you know of the timer, and choose before you write times.',
+    keep: 'They are right as shown',
+    exchange: 'Exchange and read again',
+  },
   update: { ready: 'A new version is ready.', take: 'Use it now', later: 'It starts when you disconnect.' },
   dismiss: 'Dismiss',
   connection,

@@ -27,6 +27,7 @@ export function NoticeBar() {
           </button>
         </div>
       )}
+      {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice)} />
@@ -35,6 +36,25 @@ export function NoticeBar() {
           </button>
         </div>
       )}
+    </div>
+  );
+}
+
+/** What no reading can decide: how the timer writes its times. */
+function ByteOrderChoice() {
+  const { session } = useModels();
+  const { byteOrder } = messages.value;
+  return (
+    <div class="notice bad">
+      <NoticeText said={byteOrder} />
+      <div class="buttons">
+        <button type="button" disabled={session.busy.value} onClick={() => void session.chooseByteOrder(false)}>
+          {byteOrder.keep}
+        </button>
+        <button type="button" disabled={session.busy.value} onClick={() => void session.chooseByteOrder(true)}>
+          {byteOrder.exchange}
+        </button>
+      </div>
     </div>
   );
 }

@@ -56,6 +56,8 @@ export class Session {
   readonly notice = signal<Notice | null>(null, { name: 'notice' });
   /** Propeller off or model held, timer not armed: asked once for each connection. */
   readonly safe = signal(false, { name: 'safe' });
+  /** It is open how this timer writes its times: the pilot has to choose before they are written. */
+  readonly byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
   /** Whether the program on the screen is of the simulated timer. */
   readonly simulated = signal(false, { name: 'simulated' });
   /** A job, or the opening of a port, holds the wire. */
@@ -140,6 +142,13 @@ export class Session {
     });
   }
 
+  /** The pilot has chosen how the timer writes its times: they are read again that way. */
+  async chooseByteOrder(bigEndianTimes: boolean): Promise<void> {
+    if (this.busy.value) return;
+    this.connection.value?.client.assume({ bigEndianTimes });
+    await this.read();
+  }
+
   /** Says that something went wrong, in the pilot's words. */
   report(error: unknown): void {
     this.#fail(error);
@@ -160,6 +169,7 @@ export class Session {
     }
     batch(() => {
       this.safe.value = false;
+      this.byteOrderOpen.value = false;
       this.link.value = { status: 'on', connection, simulated };
     });
     void connection.lost.then((error) => this.#lost(connection, error));
@@ -218,6 +228,7 @@ export class Session {
         this.#savedKey = key;
       }
       const moved = editor.rebase(read);
+      this.byteOrderOpen.value = link.status === 'on' && link.connection.client.byteOrderOpen;
       this.simulated.value = simulated;
       if (moved) this.notice.value = { kind: 'note', code: 'edits-moved' };
       else if (draft && editor.dirty.value) this.notice.value = { kind: 'note', code: 'edits-kept' };
