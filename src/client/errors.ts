@@ -9,6 +9,8 @@ import type { CommandName } from '../protocol/index.js';
  * - `unstable`: damage was seen on the line, and no two reads agreed.
  * - `other-memory`: the timer's current memory is not the one that the program was read from.
  * - `other-timer`: the timer that answers is not of the kind that the program is for.
+ * - `changed`: after a write more values differ from what was read than the write can have changed: something else changed the
+ *   timer, or it is another one. Nothing was put back.
  * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to choose first.
  * - `port-lost`: the stream of bytes ended: unplugged, closed by someone else; `cause` says how.
  * - `aborted`: the caller's signal asked to stop. The port stays usable.
@@ -20,6 +22,7 @@ export type TimerErrorCode =
   | 'unstable'
   | 'other-memory'
   | 'other-timer'
+  | 'changed'
   | 'undecided'
   | 'port-lost'
   | 'aborted'

@@ -42,8 +42,8 @@ export interface WriteReport {
 
 /**
  * Sends what differs, reads everything back and compares. What changed without being asked is put back once.
- * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `undecided`, `aborted`, or as
- * Exchange. Afterwards it never throws a TimerError: the report says what stopped it and what is known of each value.
+ * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `undecided`,
+ * `aborted`, or as Exchange. Afterwards it never throws a TimerError: the report says what stopped it and what is known of each value.
  */
 export async function writeContent(
   job: Job,
@@ -82,17 +82,21 @@ export async function writeContent(
     }
   };
   const readBack = async (): Promise<void> => {
-    const held = await readContent(job, 'verify', goal.idleThrottle !== null);
-    requireSameMemory(held.memory, baseline.memory);
-    for (const { field } of unasked(held, goal, asked)) strays.set(fieldKey(field), field);
-    known.held = held;
+    const read = await readContent(job, 'verify', goal.idleThrottle !== null);
+    requireSameMemory(read.memory, baseline.memory);
+    for (const { field } of unasked(read, goal, asked)) strays.set(fieldKey(field), field);
+    known.held = read;
   };
 
   let stopped = await attempt(() => send('write', moveServos ? byColumn(requests) : requests));
   if (!stopped || stopped.code === 'no-answer' || stopped.code === 'bad-reply') {
     stopped = (await attempt(readBack)) ?? stopped;
   }
-  const repair = known.held && repairs(job, known.held, asked, goal, requests);
+  const held = known.held;
+  if (held && changedElsewhere(unasked(held, goal, asked), requests)) {
+    stopped = new TimerError('changed', 'more values differ from what was read than this write can have changed');
+  }
+  const repair = held && stopped?.code !== 'changed' && repairs(job, held, asked, goal, requests);
   if (repair) {
     const { assumed } = quirks;
     quirks.assumed = { ...assumed, ...repair.quirks };
@@ -167,6 +171,16 @@ async function attempt(work: () => Promise<void>): Promise<TimerError | null> {
 function unasked(held: TimerProgram, goal: TimerProgram, asked: readonly Change[]): Change[] {
   const changed = new Set(asked.map(({ field }) => fieldKey(field)));
   return differences(held, goal).filter(({ field, to }) => to !== null && !changed.has(fieldKey(field)));
+}
+
+/**
+ * Whether more values changed by themselves than the requests can have disturbed: each one position, and SETTIMERS any of the times.
+ * Then something else changed the timer, or it is another one, and putting back would overwrite what somebody wants.
+ */
+function changedElsewhere(wrong: readonly Change[], sent: readonly Request[]): boolean {
+  const others = wrong.filter(({ field }) => field.kind !== 'time').length;
+  const times = wrong.length > others ? 1 : 0;
+  return others + times > sent.length;
 }
 
 /**

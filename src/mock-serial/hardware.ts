@@ -88,7 +88,6 @@ export class Hardware {
   replug(): void {
     this.plugged = true;
     this.cable.mend();
-    if (this.device.opened) this.cable.setRate(this.device.opened);
     this.device.replug();
   }
 

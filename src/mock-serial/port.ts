@@ -57,9 +57,7 @@ export class MockSerialPort extends ConnectionTarget {
    */
   async open(options: OpenOptions): Promise<void> {
     const converted = convertOpenOptions(options);
-    if (this.#state !== 'closed') {
-      throw invalidState(this.#state === 'opening' ? 'The port is being opened.' : 'The port is already open.');
-    }
+    if (this.#state !== 'closed') throw invalidState(`The port is ${this.#state}.`);
     checkOpenOptions(converted);
     this.#state = 'opening';
     await null;
@@ -78,9 +76,7 @@ export class MockSerialPort extends ConnectionTarget {
    * @throws TypeError when `readable` or `writable` is locked; the port stays open.
    */
   async close(): Promise<void> {
-    if (this.#state !== 'opened') {
-      throw invalidState(this.#state === 'closing' ? 'The port is being closed.' : 'The port is already closed.');
-    }
+    this.#checkOpened();
     const readable = this.#hardware.receiver.stream;
     const writable = this.#hardware.transmitter.stream;
     if (readable?.locked) throw new TypeError('Cannot close the port while its readable is locked.');
@@ -95,7 +91,6 @@ export class MockSerialPort extends ConnectionTarget {
 
   /** The `forget()` method: the site gives up its permission. An open port is closed as if its device were lost. */
   async forget(): Promise<void> {
-    await null;
     this.#hardware.forget();
     if (this.#state === 'opened') this.#state = 'closed';
   }
@@ -107,12 +102,11 @@ export class MockSerialPort extends ConnectionTarget {
    * @throws NetworkError when the device is unplugged or fails.
    */
   async setSignals(signals: OutputSignals = {}): Promise<void> {
-    if (this.#state !== 'opened') throw invalidState('The port is closed.');
+    this.#checkOpened();
     const { dataTerminalReady, requestToSend, break: breaking } = signals;
     if (dataTerminalReady === undefined && requestToSend === undefined && breaking === undefined) {
       throw new TypeError('At least one signal must be given.');
     }
-    await null;
     this.#checkSignals('Failed to set control signals.');
     this.#hardware.setOutputSignals(signals);
   }
@@ -123,10 +117,13 @@ export class MockSerialPort extends ConnectionTarget {
    * @throws NetworkError when the device is unplugged or fails.
    */
   async getSignals(): Promise<InputSignals> {
-    if (this.#state !== 'opened') throw invalidState('The port is closed.');
-    await null;
+    this.#checkOpened();
     this.#checkSignals('Failed to get control signals.');
     return this.#hardware.inputSignals;
+  }
+
+  #checkOpened(): void {
+    if (this.#state !== 'opened') throw invalidState(`The port is ${this.#state}.`);
   }
 
   #checkSignals(message: string): void {

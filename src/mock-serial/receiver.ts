@@ -84,18 +84,15 @@ export class Receiver {
     if (kind === 'lost') {
       this.#fatal = true;
       this.#backlog = [];
-      // Without a stream there is nothing that could fail, and nothing from which the rest could still be read.
-      if (!this.#stream) this.#discard();
     }
     this.#backlog.push(kind);
     this.#refill();
     this.#serve();
   }
 
-  /** Ends the stream at once, with whatever it still held. */
+  /** Fails the stream at once, whatever the buffer still holds. */
   abandon(): void {
     this.#controller?.error(streamError('lost'));
-    this.close();
   }
 
   #overrun(bytes: number): ReadErrorKind[] {

@@ -1,5 +1,5 @@
 import type { Cable } from './cable.js';
-import { invalidState, streamError } from './errors.js';
+import { streamError } from './errors.js';
 import type { WriteErrorKind } from './types.js';
 
 /** A write, a close or an abort of the stream that is under way; there is never more than one. */
@@ -68,7 +68,6 @@ export class Transmitter {
   /** Forgets the stream and all that has not left. */
   close(): void {
     this.#discard();
-    this.#operation?.reject(invalidState('The port is closed.'));
     this.#replaceStream();
   }
 
@@ -108,12 +107,11 @@ export class Transmitter {
     if (this.#operation) this.#fail(streamError('lost'));
   }
 
-  /** Ends the stream at once. */
+  /** Fails the stream at once. */
   abandon(): void {
     const lost = streamError('lost');
     if (this.#operation) this.#operation.reject(lost);
     else this.#controller?.error(lost);
-    this.close();
   }
 
   async #write(chunk: unknown): Promise<void> {

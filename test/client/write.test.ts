@@ -138,6 +138,17 @@ describe('write program', () => {
     expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS', 'SETSERVO']);
   });
 
+  it('puts nothing back when more changed than it can have disturbed: it may be another timer', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const foreign = timer.core.content.positions.map((row) => row.map((position) => position + 1));
+    timer.core.content.positions = structuredClone(foreign);
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report).toMatchObject({ result: 'differs', acknowledged: 1, stopped: { code: 'changed' } });
+    expect(report.values.filter(({ asked }) => !asked)).toHaveLength(33);
+    expect(timer.core.content.positions).toEqual(foreign);
+  });
+
   it('cannot put back a position that nobody can set, and says that it differs', async () => {
     const { client, timer, run } = bench();
     (timer.core.content.positions[1] as number[])[5] = 200;

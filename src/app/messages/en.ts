@@ -78,6 +78,10 @@ const timer: Record<TimerErrorCode, Said> = {
     title: 'Another timer answers than before.',
     advice: 'Disconnect, and connect again to see what it holds.',
   },
+  changed: {
+    title: 'The timer holds other values than were read.',
+    advice: 'Something else changed it, or this is another timer. Look at the marked fields before you write again.',
+  },
   undecided: {
     title: 'It is not certain how this timer counts its times.',
     advice: 'They fall as they are read, and would rise with their bytes exchanged. Nothing was written.',

@@ -112,7 +112,7 @@ function Actions() {
           type="button"
           class={count > 0 ? 'primary' : ''}
           disabled={!connected || session.busy.value || editor.blocked.value}
-          onClick={() => write.open()}
+          onClick={() => void write.open()}
         >
           {program.write}
         </button>

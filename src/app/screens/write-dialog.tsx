@@ -54,8 +54,14 @@ function Review({ identity }: { identity: Identity }) {
   const { changes, working } = session.editor;
   const memory = working.value?.memory ?? null;
   const serious = write.serious.value;
+  const notice = session.notice.value;
   return (
     <>
+      {notice?.code === 'edits-moved' && (
+        <div class="notice bad">
+          <NoticeText said={messages.value.notes['edits-moved']} />
+        </div>
+      )}
       <p>
         {changes.value.length === 0
           ? words.nothing

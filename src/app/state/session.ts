@@ -129,9 +129,14 @@ export class Session {
     await link.connection.close();
   }
 
-  /** Reads the current memory again. Edits stay. */
-  async read(): Promise<void> {
-    await this.#run(null, async (connection, options) => this.#show(await connection.client.readProgram(options)));
+  /**
+   * Reads the current memory again. Edits stay.
+   * @returns whether it was read.
+   */
+  async read(): Promise<boolean> {
+    return await this.#run(null, async (connection, options) =>
+      this.#show(await connection.client.readProgram(options)),
+    );
   }
 
   /** Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. */
@@ -191,9 +196,9 @@ export class Session {
       connection: TimerConnection,
       options: { signal: AbortSignal; onProgress: (progress: Progress) => void },
     ) => Promise<void>,
-  ): Promise<void> {
+  ): Promise<boolean> {
     const connection = this.connection.value;
-    if (!connection || this.busy.value) return;
+    if (!connection || this.busy.value) return false;
     const stop = new AbortController();
     const begin = (progress: Progress | null): void => {
       this.job.value = { kind: memory === null ? 'read' : 'select', memory, progress, stop };
@@ -202,9 +207,11 @@ export class Session {
     begin(null);
     try {
       await work(connection, { signal: stop.signal, onProgress: begin });
+      return true;
     } catch (error) {
       // A lost port says so itself, once.
       if (this.connection.value === connection) this.#fail(error);
+      return false;
     } finally {
       this.job.value = null;
     }

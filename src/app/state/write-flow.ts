@@ -28,9 +28,10 @@ export class WriteFlow {
     this.#session = session;
   }
 
-  open(): void {
-    const { editor, busy, connection } = this.#session;
-    if (busy.value || !connection.value || editor.blocked.value) return;
+  /** Reads the timer afresh and shows the difference: what is written is told apart from what the timer holds now. */
+  async open(): Promise<void> {
+    const { editor } = this.#session;
+    if (editor.blocked.value || !(await this.#session.read()) || editor.blocked.value) return;
     batch(() => {
       this.acknowledged.value = false;
       this.current.value = { step: 'review' };
