@@ -19,7 +19,7 @@ export default defineConfig({
           name: 'unit',
           environment: 'node',
           include: [
-            'test/{line,protocol,program,client,simulator,mock-serial,serial}/**/*.test.ts',
+            'test/{line,protocol,program,client,simulator,mock-serial,serial,fuzz,package}/**/*.test.ts',
             'test/readme*.test.ts',
           ],
         },
@@ -56,6 +56,7 @@ export default defineConfig({
           name: 'rig',
           environment: 'node',
           include: ['test/rig/**/*.test.ts'],
+          globalSetup: 'test/rig/setup.ts',
           testTimeout: 60_000,
         },
       },

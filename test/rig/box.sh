@@ -1,0 +1,22 @@
+#!/bin/sh
+# box.sh SITE: the box in which Chromium meets the rig's serial port and no other, and the built page of SITE.
+# `unshare` has made its namespaces before this starts: mounts and network, which end with the last process that is in them,
+# so nothing outside is changed, and a second box is not in the way. Chromium enters by chromium.sh.
+set -e
+run=$(mktemp -d --tmpdir sidus-rig-XXXXXX)
+trap 'rm -rf "$run"' EXIT # if something below fails; else box.py does it
+mkdir -p "$run/dev" "$run/sys/devices" "$run/sys/class" "$run/chromium/policies/managed"
+
+# Where Chromium looks for serial ports, and for the drivers that have real ones.
+mount --bind "$run/sys/devices" /sys/devices/virtual/tty
+mount --bind "$run/sys/class" /sys/class/tty
+{
+  grep -v ' serial$' /proc/tty/drivers
+  echo 'usbserial            /dev/ttyUSB   188 0-511 serial'
+} >"$run/drivers"
+mount --bind "$run/drivers" /proc/tty/drivers
+# Where it looks for what the owner of the machine has decreed.
+mount --bind "$run/chromium" /etc/chromium
+
+rig=$(dirname "$0")
+exec python3 -B "$rig/box.py" "$run" "$1" "$rig/policy.json"

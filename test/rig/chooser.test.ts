@@ -1,0 +1,36 @@
+import { test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { Pilot } from './pilot.js';
+import { Rig } from './rig.js';
+
+test('nothing chosen is said; the port that is chosen is connected, and needs no choice the next time', async () => {
+  const rig = await Rig.start({ chooser: true });
+  const pilot = new Pilot(await rig.open());
+
+  await pilot.clickConnect();
+  await rig.chooser.shows(1);
+  await rig.chooser.dismiss();
+  await pilot.sees(en.connection['nothing-chosen'].title);
+
+  await pilot.clickConnect();
+  await rig.chooser.shows(1);
+  await rig.chooser.choose();
+  await pilot.isConnected();
+  await pilot.sees('firmware 536');
+
+  await pilot.button(en.header.disconnect).click();
+  await pilot.clickConnect();
+  await pilot.isConnected();
+});
+
+test('a port that is plugged in while the chooser is open can be chosen', async () => {
+  const rig = await Rig.start({ chooser: true });
+  const pilot = new Pilot(await rig.open());
+  await rig.unplug();
+  await pilot.clickConnect();
+  await rig.chooser.shows(0);
+  await rig.plug();
+  await rig.chooser.shows(1);
+  await rig.chooser.choose();
+  await pilot.isConnected();
+});

@@ -1,0 +1,113 @@
+import { type ChildProcess, execFileSync, spawn } from 'node:child_process';
+import { EventEmitter, once } from 'node:events';
+import { env, execPath } from 'node:process';
+import { createInterface } from 'node:readline';
+import { beside } from './box.js';
+
+/** The port of Chromium's UI DevTools; each box has a network of its own, so it is always free. */
+export const UI_DEVTOOLS_PORT = 9223;
+
+/** A screen that nobody looks at, since Chromium's chooser opens on a screen only. */
+export class Screen {
+  readonly display: string;
+  readonly #process: ChildProcess;
+
+  static async start(): Promise<Screen> {
+    // It takes a free display and says which, and ends with the last program that uses it.
+    const args = ['-displayfd', '1', '-terminate', '-screen', '0', '1280x900x24', '-nolisten', 'tcp'];
+    const process = spawn('Xvfb', args, { stdio: ['ignore', 'pipe', 'ignore'] });
+    const ended = once(process, 'close').then(() => Promise.reject(new Error('Xvfb has ended.')));
+    const [number] = await Promise.race([once(createInterface(process.stdout), 'line'), ended]);
+    ended.catch(() => {}); // It ends some time.
+    return new Screen(process, `:${number}`);
+  }
+
+  private constructor(process: ChildProcess, display: string) {
+    this.#process = process;
+    this.display = display;
+  }
+
+  press(key: string): void {
+    execFileSync('xdotool', ['key', key], { env: { ...env, DISPLAY: this.display } });
+  }
+
+  async close(): Promise<void> {
+    await end(this.#process);
+  }
+}
+
+interface ChooserState {
+  readonly shown: boolean;
+  readonly rows: number;
+  /** The row that is marked; -1 for none. */
+  readonly selected: number;
+}
+
+/** Chromium's own dialog for choosing a serial port, operated by keys as by a person. */
+export class Chooser {
+  readonly #screen: Screen;
+  readonly #process: ChildProcess;
+  readonly #changes = new EventEmitter<{ change: [] }>();
+  #state: ChooserState = { shown: false, rows: 0, selected: -1 };
+
+  constructor(screen: Screen, boxPid: number) {
+    const inBox = ['--target', String(boxPid), '--user', '--mount', '--net', '--preserve-credentials'];
+    const watch = [execPath, '--experimental-websocket', beside('chooser-watch.js'), String(UI_DEVTOOLS_PORT)];
+    this.#screen = screen;
+    const process = spawn('nsenter', [...inBox, ...watch], { stdio: ['ignore', 'pipe', 'inherit'] });
+    createInterface(process.stdout).on('line', (line) => {
+      this.#state = JSON.parse(line);
+      this.#changes.emit('change');
+    });
+    this.#process = process;
+  }
+
+  /** Waits until the dialog is up and lists so many ports. */
+  async shows(rows: number): Promise<void> {
+    if (!(await this.#until((state) => state.shown && state.rows === rows, 20_000))) {
+      throw new Error(`The chooser should list ${rows}, but: ${JSON.stringify(this.#state)}`);
+    }
+  }
+
+  /** Takes the first port. */
+  async choose(): Promise<void> {
+    // The list has the keyboard only after a Tab or two.
+    await this.#press(['Down', 'Tab'], ({ selected }) => selected === 0);
+    await this.#press(['Return'], ({ shown }) => !shown);
+  }
+
+  async dismiss(): Promise<void> {
+    await this.#press(['Escape'], ({ shown }) => !shown);
+  }
+
+  async close(): Promise<void> {
+    await end(this.#process);
+  }
+
+  /** Presses these keys in turn until they have had their effect: for a moment after it comes up the dialog ignores all keys. */
+  async #press(keys: readonly string[], effect: (state: ChooserState) => boolean): Promise<void> {
+    for (let tries = 0; tries < 10; tries++) {
+      for (const key of keys) {
+        this.#screen.press(key);
+        if (await this.#until(effect, 500)) return;
+      }
+    }
+    throw new Error(`${keys.join(', ')} has no effect on the chooser: ${JSON.stringify(this.#state)}`);
+  }
+
+  async #until(reached: (state: ChooserState) => boolean, limit: number): Promise<boolean> {
+    const signal = AbortSignal.timeout(limit);
+    while (!reached(this.#state)) {
+      const changed = await once(this.#changes, 'change', { signal }).catch(() => null);
+      if (!changed) return false;
+    }
+    return true;
+  }
+}
+
+async function end(process: ChildProcess): Promise<void> {
+  if (process.exitCode !== null || process.signalCode !== null) return;
+  const ended = once(process, 'close');
+  process.kill();
+  await ended;
+}

@@ -1,0 +1,64 @@
+import { execFileSync } from 'node:child_process';
+import { accessSync, constants } from 'node:fs';
+import { join } from 'node:path';
+import { env, platform } from 'node:process';
+
+/** Debian's package of each program that the rig starts. */
+const packages: Readonly<Record<string, string>> = {
+  chromium: 'chromium',
+  Xvfb: 'xvfb',
+  xdotool: 'xdotool',
+  python3: 'python3',
+  unshare: 'util-linux',
+  nsenter: 'util-linux',
+  mount: 'mount',
+};
+
+/**
+ * What `unshare` is told to make the namespaces of a box. The user namespace is for root too: only to those without rights outside
+ * does an open port refuse itself.
+ */
+export const NAMESPACES = ['--user', '--map-root-user', '--mount', '--net'];
+
+/**
+ * Looks for all that the rig needs and installs nothing.
+ * @throws Error one sentence that says what is missing, and what brings it.
+ */
+export function requireNeeds(): void {
+  if (platform !== 'linux') throw new Error(`The rig runs on Linux only, and this is ${platform}.`);
+  const missing = Object.keys(packages).filter((program) => !isInPath(program));
+  if (missing.length > 0) {
+    const names = [...new Set(missing.map((program) => packages[program]))].join(' ');
+    const command = `apt-get install --no-install-recommends ${names}`;
+    throw new Error(`The rig needs ${missing.join(', ')}, not found here; on Debian: ${command}`);
+  }
+  if (!canMount()) {
+    throw new Error(
+      'The rig needs namespaces of its own, which this machine refuses: allow them (sysctl user.max_user_namespaces, ' +
+        'kernel.apparmor_restrict_unprivileged_userns), or in a container start that with --privileged.',
+    );
+  }
+}
+
+function isInPath(program: string): boolean {
+  const { PATH = '' } = env;
+  return PATH.split(':').some((folder) => {
+    try {
+      accessSync(join(folder, program), constants.X_OK);
+      return true;
+    } catch {
+      return false;
+    }
+  });
+}
+
+function canMount(): boolean {
+  try {
+    execFileSync('unshare', [...NAMESPACES, 'mount', '--bind', '/sys/class/tty', '/sys/class/tty'], {
+      stdio: 'ignore',
+    });
+    return true;
+  } catch {
+    return false;
+  }
+}

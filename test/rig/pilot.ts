@@ -1,0 +1,77 @@
+import type { Locator, Page } from 'playwright';
+import { en } from '../../src/app/messages/en.js';
+
+/** What a pilot does on the page, and sees there; all of it found by role and name. */
+export class Pilot {
+  readonly page: Page;
+
+  constructor(page: Page) {
+    this.page = page;
+  }
+
+  button(name: string): Locator {
+    return this.page.getByRole('button', { name, exact: true });
+  }
+
+  /** A field of the table. */
+  field(name: string): Locator {
+    return this.page.getByRole('table', { name: en.program.tableCaption }).getByRole('textbox', { name, exact: true });
+  }
+
+  async clickConnect(): Promise<void> {
+    await this.button(en.header.connect).click();
+  }
+
+  /** Waits until the timer is connected and has been read. */
+  async isConnected(): Promise<void> {
+    await this.button(en.header.disconnect).waitFor();
+    await this.page.getByRole('button', { name: en.program.read, exact: true, disabled: false }).waitFor();
+  }
+
+  /** Waits until the browser has noticed that the port is plugged in; a pilot needs longer to reach for the mouse. */
+  async seesPort(): Promise<void> {
+    await this.page.waitForFunction(async () => (await navigator.serial.getPorts()).length > 0);
+  }
+
+  async sees(text: string): Promise<void> {
+    await this.page.getByText(text).first().waitFor();
+  }
+
+  async type(values: Readonly<Record<string, string>>): Promise<void> {
+    for (const [name, value] of Object.entries(values)) await this.field(name).fill(value);
+  }
+
+  /** What stands in the fields of these names. */
+  async shown(names: readonly string[]): Promise<Record<string, string>> {
+    const shown: Record<string, string> = {};
+    for (const name of names) shown[name] = await this.field(name).inputValue();
+    return shown;
+  }
+
+  /** Asks for the difference, which is read afresh, and says that it is safe to write. */
+  async review(): Promise<void> {
+    await this.button(en.program.write).click();
+    await this.page.getByRole('dialog').getByRole('checkbox', { name: en.write.safety }).check();
+  }
+
+  /** Begins to write what was reviewed. */
+  async startWriting(): Promise<void> {
+    await this.page
+      .getByRole('dialog')
+      .getByRole('button', { name: /^(Write|Read back)/ })
+      .click();
+  }
+
+  async write(): Promise<void> {
+    await this.review();
+    await this.startWriting();
+  }
+
+  /** Waits for what the dialog says in the end, and closes it. */
+  async result(): Promise<string> {
+    const result = this.page.getByRole('dialog').getByRole('alert');
+    const text = await result.innerText();
+    await this.button(en.write.close).click();
+    return text;
+  }
+}

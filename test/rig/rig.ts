@@ -1,0 +1,156 @@
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { env } from 'node:process';
+import { type BrowserContext, chromium, type Page } from 'playwright';
+import { expect, inject, onTestFinished } from 'vitest';
+import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
+import { browserArgs } from '../tools/browser.js';
+import { Box, beside, PAGE, type PortSettings } from './box.js';
+import { Chooser, Screen, UI_DEVTOOLS_PORT } from './chooser.js';
+
+export interface RigOptions {
+  /** The timer behind the port. */
+  readonly timer?: VirtualTimerOptions;
+  /** Chromium on a screen, where its chooser can be operated; without the policy that lets the page use the port unasked. */
+  readonly chooser?: boolean;
+}
+
+export type Direction = 'fromPage' | 'toPage';
+
+/** The built page in an unmodified Chromium, whose Web Serial leads to a pty, behind which a virtual timer answers. */
+export class Rig {
+  readonly timer: VirtualTimer;
+  /** All bytes that have passed, in each direction. */
+  readonly passed: Readonly<Record<Direction, number[]>> = { fromPage: [], toPage: [] };
+  /** How the page set the port when bytes last came from it. */
+  settings: PortSettings | undefined;
+  /** How often the page has opened and closed the port. */
+  readonly sessions = { opened: 0, closed: 0 };
+  readonly #box: Box;
+  readonly #context: BrowserContext;
+  readonly #chooser: Chooser | undefined;
+  readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
+  #plugged = false;
+  #fuse: { direction: Direction; left: number; blown: () => void } | undefined;
+
+  /** For one test: ends with it, and fails it when the page reports an error. */
+  static async start(options: RigOptions = {}): Promise<Rig> {
+    const disposals: (() => Promise<void> | undefined)[] = [];
+    const faults: string[] = [];
+    onTestFinished(async () => {
+      for (const dispose of disposals.reverse()) {
+        await dispose()?.catch((error: unknown) => faults.push(String(error)));
+      }
+      expect(faults, 'errors of the page or of the rig').toEqual([]);
+    });
+    const box = await Box.start(inject('builtPage'));
+    disposals.push(() => box.close());
+    if (!options.chooser) await box.order('grant');
+    const screen = options.chooser ? await Screen.start() : undefined;
+    disposals.push(() => screen?.close());
+    const home = await mkdtemp(join(tmpdir(), 'sidus-profile-'));
+    disposals.push(() => rm(home, { recursive: true, force: true, maxRetries: 5 }));
+    const context = await launch(box, home, screen);
+    disposals.push(() => context.close());
+    const chooser = screen && new Chooser(screen, box.pid);
+    disposals.push(() => chooser?.close());
+    // Errors of the page, and what its content security policy stopped.
+    context.on('weberror', (error) => faults.push(error.error().message));
+    context.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
+    const rig = new Rig(box, context, chooser, new VirtualTimer(options.timer));
+    await rig.plug();
+    return rig;
+  }
+
+  private constructor(box: Box, context: BrowserContext, chooser: Chooser | undefined, timer: VirtualTimer) {
+    this.#box = box;
+    this.#context = context;
+    this.#chooser = chooser;
+    this.timer = timer;
+    this.#toTimer = timer.writable.getWriter();
+    box.on('data', (bytes) => this.#pass('fromPage', bytes, (passed) => void this.#toTimer.write(passed)));
+    box.on('set', (settings) => {
+      this.settings = settings;
+    });
+    box.on('opened', () => this.sessions.opened++);
+    box.on('closed', () => this.sessions.closed++);
+    void timer.readable.pipeTo(
+      new WritableStream({ write: (bytes) => this.#pass('toPage', bytes, (passed) => box.send(passed)) }),
+    );
+  }
+
+  /** The page in a new tab; in the only one at first. */
+  async open(): Promise<Page> {
+    const [blank] = this.#context.pages().filter((page) => page.url() === 'about:blank');
+    const page = blank ?? (await this.#context.newPage());
+    await page.goto(PAGE);
+    return page;
+  }
+
+  get chooser(): Chooser {
+    if (!this.#chooser) throw new Error('This rig was started without a chooser.');
+    return this.#chooser;
+  }
+
+  async plug(): Promise<void> {
+    this.#plugged = true;
+    await this.#box.order('plug');
+  }
+
+  async unplug(): Promise<void> {
+    this.#plugged = false;
+    await this.#box.order('unplug');
+  }
+
+  /**
+   * Pulls the plug as soon as this many more bytes have passed in this direction: the next one does not arrive any more.
+   * @returns a promise that settles when it is out.
+   */
+  unplugAfter(bytes: number, direction: Direction): Promise<void> {
+    return new Promise((blown) => {
+      this.#fuse = { direction, left: bytes, blown };
+    });
+  }
+
+  /** The adapter fails, while for the machine it is still there. */
+  async breakAdapter(): Promise<void> {
+    this.#plugged = false;
+    await this.#box.order('hangup');
+  }
+
+  /** Another program has the port, while `work` runs. */
+  async whileHeld(work: () => Promise<void>): Promise<void> {
+    await this.#box.order('hold');
+    await work();
+    await this.#box.order('release');
+  }
+
+  #pass(direction: Direction, bytes: Uint8Array, onward: (bytes: Uint8Array) => void): void {
+    if (!this.#plugged) return;
+    const fuse = this.#fuse?.direction === direction ? this.#fuse : undefined;
+    const passed = bytes.subarray(0, fuse?.left);
+    this.passed[direction].push(...passed);
+    if (passed.length > 0) onward(passed);
+    if (!fuse) return;
+    fuse.left -= passed.length;
+    if (fuse.left > 0) return;
+    this.#fuse = undefined;
+    void this.unplug().then(fuse.blown);
+  }
+}
+
+/** Starts Chromium in the box, with a home of its own. */
+async function launch(box: Box, home: string, screen: Screen | undefined): Promise<BrowserContext> {
+  const surroundings = { ...env, HOME: home, RIG_BOX: String(box.pid), ...(screen && { DISPLAY: screen.display }) };
+  const context = await chromium.launchPersistentContext(join(home, 'profile'), {
+    executablePath: beside('chromium.sh'),
+    headless: !screen,
+    // In the box this is root, for whom Chromium has no sandbox.
+    chromiumSandbox: false,
+    env: surroundings as Record<string, string>,
+    args: [...browserArgs, ...(screen ? [`--enable-ui-devtools=${UI_DEVTOOLS_PORT}`, '--window-position=0,0'] : [])],
+  });
+  context.setDefaultTimeout(20_000);
+  return context;
+}

@@ -1,0 +1,116 @@
+import type { Page } from 'playwright';
+import { expect, test } from 'vitest';
+import { encodeRequest } from '../../src/protocol/index.js';
+import { fromHex } from '../tools/bytes.js';
+import { Rig } from './rig.js';
+
+// The page's own Web Serial, without the page's program: what the journeys stand on.
+
+const PATIENCE = { timeout: 20_000 };
+
+const identify = [...encodeRequest({ name: 'GETSWVER' })];
+const identity = [...fromHex('00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45')];
+
+/** Opens the port, asks, reads the answer, closes. */
+function exchange(page: Page): Promise<number[]> {
+  return page.evaluate(
+    async ({ request, size }) => {
+      const [port] = await navigator.serial.getPorts();
+      if (!port) throw new Error('no port');
+      await port.open({ baudRate: 9600 });
+      const writer = port.writable?.getWriter();
+      await writer?.write(Uint8Array.from(request));
+      writer?.releaseLock();
+      const reader = port.readable?.getReader();
+      const got: number[] = [];
+      while (got.length < size) got.push(...((await reader?.read())?.value ?? []));
+      reader?.releaseLock();
+      await port.close();
+      return got;
+    },
+    { request: identify, size: identity.length },
+  );
+}
+
+/** Notes from now on what the page is told of its ports. */
+async function listen(page: Page): Promise<() => Promise<string[]>> {
+  await page.evaluate(async () => {
+    const note = ({ type }: Event) => document.body.append(` ${type}`);
+    for (const type of ['connect', 'disconnect']) navigator.serial.addEventListener(type, note);
+    // When this is answered, the browser knows of the listeners.
+    await navigator.serial.getPorts();
+  });
+  return async () => (await page.locator('body').innerText()).match(/(dis)?connect\b/g) ?? [];
+}
+
+const ports = (page: Page) =>
+  page.evaluate(async () => (await navigator.serial.getPorts()).map((port) => port.getInfo()));
+
+test('the policy gives the page the port, and the timer answers at 9600 baud, 1 stop bit', async () => {
+  const rig = await Rig.start();
+  const page = await rig.open();
+  expect(await ports(page)).toEqual([{ usbVendorId: 0x0403, usbProductId: 0x6001 }]);
+  expect(await exchange(page)).toEqual(identity);
+  expect(rig.settings).toEqual({ baudRate: 9600, stopBits: 1, flowControl: 'none' });
+  expect(rig.passed).toEqual({ fromPage: identify, toPage: identity });
+  expect(rig.timer.core.answered).toEqual([{ name: 'GETSWVER' }]);
+});
+
+test('opened and closed twenty times in a row it answers each time', async () => {
+  const rig = await Rig.start();
+  const page = await rig.open();
+  for (let times = 0; times < 20; times++) expect(await exchange(page)).toEqual(identity);
+  await expect.poll(() => rig.sessions, PATIENCE).toEqual({ opened: 20, closed: 20 });
+});
+
+test('unplugged and plugged in again, the page is told, and the port answers as before', async () => {
+  const rig = await Rig.start();
+  const page = await rig.open();
+  const told = await listen(page);
+  await rig.unplug();
+  await expect.poll(told, PATIENCE).toEqual(['disconnect']);
+  expect(await ports(page)).toEqual([]);
+  await rig.plug();
+  await expect.poll(told, PATIENCE).toEqual(['disconnect', 'connect']);
+  expect(await exchange(page)).toEqual(identity);
+});
+
+test('the plug can be pulled behind any byte: none after it arrives', async () => {
+  const rig = await Rig.start();
+  const page = await rig.open();
+  for (const bytes of [1, 5, 17]) {
+    const passed = [...rig.passed.toPage];
+    void rig.unplugAfter(bytes, 'toPage');
+    const [got, error] = await page.evaluate(async (request) => {
+      const [port] = await navigator.serial.getPorts();
+      await port?.open({ baudRate: 9600 });
+      await port?.writable?.getWriter().write(Uint8Array.from(request));
+      const reader = port?.readable?.getReader();
+      const got: number[] = [];
+      try {
+        for (;;) got.push(...((await reader?.read())?.value ?? []));
+      } catch (error) {
+        return [got, String(error)] as const;
+      }
+    }, identify);
+    expect(rig.passed.toPage).toEqual([...passed, ...identity.slice(0, bytes)]);
+    // In Chromium the news that the port is gone can overtake the last bytes.
+    expect(identity.slice(0, bytes).slice(0, got.length)).toEqual(got);
+    expect(error).toContain('The device has been lost.');
+    const told = await listen(page);
+    await rig.plug();
+    await expect.poll(told, PATIENCE).toContain('connect');
+  }
+  const before = rig.passed.fromPage.length;
+  void rig.unplugAfter(4, 'fromPage');
+  await page.evaluate(async (request) => {
+    const [port] = await navigator.serial.getPorts();
+    await port?.open({ baudRate: 9600 });
+    await port?.writable?.getWriter().write(Uint8Array.from(request));
+    await port?.readable
+      ?.getReader()
+      .read()
+      .catch(() => {});
+  }, identify);
+  expect(rig.passed.fromPage.slice(before)).toEqual(identify.slice(0, 4));
+});
