@@ -53,6 +53,7 @@ export class Wire {
   readonly #options: WireOptions;
   readonly #decoder: FrameDecoder;
   #reader: ReadableStreamDefaultReader<Uint8Array> | undefined;
+  #writer: WritableStreamDefaultWriter<Uint8Array> | undefined;
   #reading: Promise<void> | undefined;
   #waiting: Waiting | undefined;
   #lost: TimerError | undefined;
@@ -150,6 +151,8 @@ export class Wire {
     this.#lose(new TimerError('closed', 'this client was closed'));
     // A stream that has failed refuses to be cancelled; its lock is released all the same.
     await this.#reader?.cancel().catch(() => {});
+    // A port that has not taken the last request by now keeps its lock no longer.
+    this.#writer?.releaseLock();
     await this.#reading;
   }
 
@@ -194,6 +197,7 @@ export class Wire {
     // The port has not taken the last request yet: this one is not sent, and so not answered.
     if (writable.locked) return;
     const writer = writable.getWriter();
+    this.#writer = writer;
     try {
       const frame = { code: bytes[ZEROS_SENT + 1] as number, data: bytes.slice(ZEROS_SENT + 2, -2) };
       this.#log({ direction: 'out', bytes, frame, rejected: null });

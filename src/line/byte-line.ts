@@ -35,7 +35,12 @@ export class ByteLine {
   readonly #chunks: readonly number[];
   readonly #fault: ByteLineOptions['fault'];
   readonly #deliver: (bytes: Uint8Array) => void;
-  readonly #pending = new Set<() => void>();
+  /**
+   * What is under way, in order. Each appointment delivers the first of it, not its own: a real clock may keep two appointments of
+   * nearly one time the wrong way round.
+   */
+  readonly #underWay: Uint8Array[] = [];
+  readonly #appointments = new Set<() => void>();
   #freeAt = Number.NEGATIVE_INFINITY;
   #sent = 0;
   #chunk = 0;
@@ -78,8 +83,9 @@ export class ByteLine {
 
   /** Drops what is still under way, as a port does that discards its buffer. */
   clear(): void {
-    for (const cancel of this.#pending) cancel();
-    this.#pending.clear();
+    for (const cancel of this.#appointments) cancel();
+    this.#appointments.clear();
+    this.#underWay.length = 0;
     this.#freeAt = Number.NEGATIVE_INFINITY;
   }
 
@@ -103,10 +109,11 @@ export class ByteLine {
     this.#sent += sent.length;
     const bytes = fault ? Uint8Array.from([...sent].flatMap((byte, i) => fault(byte, first + i))) : sent.slice();
     if (bytes.length === 0) return;
+    this.#underWay.push(bytes);
     const cancel = this.#clock.after(at + this.#latency - this.#clock.now(), () => {
-      this.#pending.delete(cancel);
-      this.#deliver(bytes);
+      this.#appointments.delete(cancel);
+      this.#deliver(this.#underWay.shift() as Uint8Array);
     });
-    this.#pending.add(cancel);
+    this.#appointments.add(cancel);
   }
 }

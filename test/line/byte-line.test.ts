@@ -69,6 +69,24 @@ describe('a byte line', () => {
     expect(arrived).toEqual(['1: 07']);
   });
 
+  it('keeps the order also on a clock that keeps near appointments the wrong way round', () => {
+    // As setTimeout does, which knows no part of a millisecond.
+    const kept: (() => void)[] = [];
+    const after = (_: number, callback: () => void): (() => void) => {
+      kept.unshift(callback);
+      return () => {};
+    };
+    const arrived: string[] = [];
+    const line = new ByteLine((bytes) => arrived.push(toHex(bytes)), {
+      clock: { now: () => 0, after },
+      baudRate: 9600,
+      chunks: [1],
+    });
+    line.send(Uint8Array.of(1, 2, 3));
+    for (const callback of kept) callback();
+    expect(arrived).toEqual(['01', '02', '03']);
+  });
+
   it('hands over its own copy', async () => {
     const clock = new VirtualClock();
     const arrived: Uint8Array[] = [];

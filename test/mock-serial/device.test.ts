@@ -21,6 +21,15 @@ describe('device', () => {
     expect(await device.read()).toEqual(Uint8Array.of(3));
   });
 
+  test('reads that wait together share what is in the buffer, a chunk each', async () => {
+    const { port, device } = await openPort();
+    const writer = writing(port);
+    for (const value of [1, 2, 3]) await writer.write(Uint8Array.of(value));
+    expect(await Promise.all([device.read(), device.read()])).toEqual([Uint8Array.of(1), Uint8Array.of(2)]);
+    await writer.abort();
+    expect(await isPending(device.read())).toBe(true);
+  });
+
   test('a read waits on while the page closes the port and opens it again', async () => {
     const { port, device } = await openPort();
     const read = device.read();
@@ -104,10 +113,10 @@ describe('timing', () => {
   });
 
   test('latency without timing is all the time there is', async () => {
-    const { clock, port, device } = await timed({ timing: false, latency: 30 });
+    const { clock, port, device } = await timed({ timing: false, latency: 1 });
     device.write(counted(96));
     await clock.run(reading(port).read());
-    expect(clock.now()).toBe(30);
+    expect(clock.now()).toBe(1);
   });
 
   test('no time is lost between chunks, nor by a buffer smaller than a chunk', async () => {
@@ -144,6 +153,34 @@ describe('timing', () => {
     expect(clock.now()).toBeCloseTo(wireTime(1, 9600));
   });
 
+  test('an abort leaves no more room than there was', async () => {
+    const { clock, port } = await timed({}, 9600, 96);
+    const writer = writing(port);
+    await writer.write(counted(96));
+    await writer.abort();
+    await clock.advance(200);
+    expect(await isPending(writing(port).write(counted(97)))).toBe(true);
+  });
+
+  test('what has left arrives even if the page then closes the port', async () => {
+    const { clock, port, device } = await timed({ latency: 30 });
+    const aborted = writing(port);
+    await aborted.write(counted(96));
+    await aborted.abort();
+    const writer = writing(port);
+    await writer.write(Uint8Array.of(9));
+    await clock.run(writer.close());
+    await port.close();
+    expect(await clock.run(device.read())).toEqual(Uint8Array.of(9));
+  });
+
+  test('an error with nothing before it comes at once', async () => {
+    const { clock, port, device } = await timed();
+    device.error('parity');
+    expect(await clock.run(failure(reading(port).read()))).toBe('ParityError');
+    expect(clock.now()).toBe(0);
+  });
+
   test('an error comes behind the bytes written before it, on the clock too', async () => {
     const { clock, port, device } = await timed({ latency: 3, chunks: [5] });
     const reader = reading(port);
@@ -153,6 +190,34 @@ describe('timing', () => {
     expect(await clock.run(collect(async () => (await reader.read()).value, 96))).toHaveLength(96);
     expect(await clock.run(failure(reader.read()))).toBe('ParityError');
     expect(clock.now()).toBeCloseTo(103);
+  });
+
+  test('an error waits neither for bytes that are lost on the way nor for fewer than come', async () => {
+    const toPage = (byte: number) => (byte < 10 ? [] : [byte, byte]);
+    const { clock, port, device } = await timed({ fault: { toPage }, chunks: [4] });
+    const reader = reading(port);
+    device.write(counted(96));
+    device.error('parity');
+    expect(await clock.run(collect(async () => (await reader.read()).value, 172))).toHaveLength(172);
+    expect(await clock.run(failure(reader.read()))).toBe('ParityError');
+  });
+
+  test('an error that was under way when the plug was pulled does not come, one after it is back does', async () => {
+    const { clock, serial, port, device } = await timed();
+    device.write(counted(48));
+    await clock.advance(50);
+    device.write(counted(96));
+    device.error('break');
+    await clock.advance(50);
+    serial.unplug(port);
+    await port.close();
+    serial.replug(port);
+    await port.open({ baudRate: 9600 });
+    const reader = reading(port);
+    device.write(counted(8));
+    device.error('framing');
+    expect((await clock.run(reader.read())).value).toEqual(counted(8));
+    expect(await clock.run(failure(reader.read()))).toBe('FramingError');
   });
 
   test('what is under way when the plug is pulled does not arrive, nor after it is back', async () => {

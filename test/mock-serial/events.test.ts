@@ -39,6 +39,7 @@ describe('connect and disconnect events', () => {
   test('are an Event, with target and phase of the DOM standard', async () => {
     const { serial, port } = plugged();
     const phases: number[] = [];
+    serial.addEventListener('disconnect', (it) => phases.push(it.eventPhase), true);
     let event: Event | undefined;
     port.addEventListener('disconnect', (it) => phases.push(it.eventPhase));
     serial.addEventListener('disconnect', (it) => {
@@ -49,7 +50,7 @@ describe('connect and disconnect events', () => {
     serial.unplug(port);
     await settled();
     expect(event).toBeInstanceOf(Event);
-    expect(phases).toEqual([Event.AT_TARGET, Event.BUBBLING_PHASE]);
+    expect(phases).toEqual([Event.CAPTURING_PHASE, Event.AT_TARGET, Event.BUBBLING_PHASE]);
     expect(event?.target).toBe(port);
     expect(event?.currentTarget).toBeNull();
     expect(event?.eventPhase).toBe(Event.NONE);
@@ -113,6 +114,9 @@ describe('onconnect and ondisconnect attributes', () => {
     const first = vi.fn();
     const second = vi.fn();
     expect(serial.ondisconnect).toBeNull();
+    serial.onconnect = first;
+    expect(serial.onconnect).toBe(first);
+    serial.onconnect = null;
     serial.ondisconnect = first;
     serial.ondisconnect = second;
     expect(serial.ondisconnect).toBe(second);
@@ -170,8 +174,9 @@ describe('the event path from SerialPort to Serial', () => {
   ])('%s stops it on the way down and on the way up', (_, stop) => {
     const down = listening();
     down.serial.addEventListener('foo', stop, { capture: true });
+    down.serial.addEventListener('foo', () => down.heard.push('its neighbour'), { capture: true });
     down.port.dispatchEvent(event());
-    expect(down.heard).toEqual(['capturing serial']);
+    expect(down.heard).toEqual(['capturing serial', 'its neighbour']);
     const up = listening();
     up.port.addEventListener('foo', stop);
     up.port.dispatchEvent(event());
@@ -237,6 +242,9 @@ describe('EventTarget of the DOM standard', () => {
     port.removeEventListener('foo', second);
     port.dispatchEvent(new Event('foo'));
     expect(heard).toEqual(['first', 'second', 'first']);
+    port.addEventListener('foo', second);
+    port.dispatchEvent(new Event('foo'));
+    expect(heard.slice(3)).toEqual(['first', 'second']);
   });
 
   test('once, and a signal', () => {

@@ -40,9 +40,9 @@ export function writing(port: MockSerialPort): WritableStreamDefaultWriter<Uint8
   return port.writable.getWriter();
 }
 
-/** The numbers from 0, wrapping round at 256. */
+/** As many bytes, the first 256 of them counting from 0, and no two stretches alike. */
 export function counted(length: number): Uint8Array {
-  return Uint8Array.from({ length }, (_, index) => index);
+  return Uint8Array.from({ length }, (_, index) => index + 31 * (index >> 8));
 }
 
 /** At least `length` bytes, in as many reads as they take. */

@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { MockSerial, type MockSerialPort, type OpenOptions } from '../../src/mock-serial/index.js';
-import { failure, openPort, reading, writing } from './helper.js';
+import { failure, isPending, openPort, reading, writing } from './helper.js';
 
 const plugged = (): MockSerialPort => new MockSerial().plug();
 
@@ -29,7 +29,7 @@ describe('open() method', () => {
   });
 
   test('SerialOptions: baudRate is required', async () => {
-    expect(await failure(open(plugged(), {}))).toBe('TypeError');
+    await expect(open(plugged(), {})).rejects.toThrow(new TypeError('baudRate is required.'));
     expect(await failure((plugged() as unknown as { open(): Promise<void> }).open())).toBe('TypeError');
   });
 
@@ -98,6 +98,7 @@ describe('open() method', () => {
   });
 
   test('step 8: opening raises DTR, and RTS under hardware flow control', async () => {
+    expect(plugged().device.signals).toEqual({ dataTerminalReady: false, requestToSend: false, break: false });
     const { port, device } = await openPort();
     expect(device.signals).toEqual({ dataTerminalReady: true, requestToSend: false, break: false });
     await port.close();
@@ -134,7 +135,7 @@ describe('close() method', () => {
   test('step 2: InvalidStateError when the port is being closed', async () => {
     const { port } = await openPort();
     const closing = port.close();
-    expect(await failure(port.close())).toBe('InvalidStateError');
+    await expect(port.close()).rejects.toMatchObject({ name: 'InvalidStateError', message: 'The port is closing.' });
     await closing;
   });
 
@@ -201,7 +202,16 @@ describe('close() method', () => {
     writer.releaseLock();
     await port.close();
     await port.open({ baudRate: 9600 });
-    expect(port.writable?.locked).toBe(false);
+    await writing(port).write(Uint8Array.of(1));
+  });
+
+  test('step 9: what a failed write left behind is discarded', async () => {
+    const { port, device } = await openPort();
+    device.failNextWrite('system', 2);
+    expect(await failure(writing(port).write(Uint8Array.of(1, 2, 3)))).toBe('UnknownError');
+    await port.close();
+    await port.open({ baudRate: 9600 });
+    expect(await isPending(device.read())).toBe(true);
   });
 
   test('step 9: closing drops all signals', async () => {
@@ -230,6 +240,7 @@ describe('device.opened', () => {
     await port.close();
     expect(port.device.opened).toBeNull();
     await port.open({ baudRate: 115200 });
+    await port.forget();
     await port.forget();
     expect(rates).toEqual([9600, undefined, 115200, undefined]);
   });

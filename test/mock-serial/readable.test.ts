@@ -31,9 +31,9 @@ describe('readable attribute: reading', () => {
     const { port, device } = await openPort({ bufferSize: 64 }, { backpressure: true });
     const reader = reading(port);
     device.write(counted(1024));
-    expect((await reader.read()).value?.length).toBe(64);
-    const rest = await collect(async () => (await reader.read()).value, 960);
-    expect(Uint8Array.from(rest)).toEqual(counted(1024).slice(64));
+    for (let from = 0; from < 1024; from += 64) {
+      expect((await reader.read()).value).toEqual(counted(1024).slice(from, from + 64));
+    }
   });
 
   test('a lock can be released while a read waits, and no byte is lost', async () => {
@@ -131,6 +131,38 @@ describe('readable attribute: errors', () => {
     expect(port.readable).toBeNull();
   });
 
+  test('bytes that come between two reads keep their place before an error, in a stream after an error too', async () => {
+    const { port, device } = await openPort();
+    const first = reading(port);
+    device.write([1]);
+    await first.read();
+    device.write([2]);
+    device.error('framing');
+    await settled();
+    expect((await first.read()).value).toEqual(Uint8Array.of(2));
+    expect(await failure(first.read())).toBe('FramingError');
+    const second = reading(port);
+    device.write([3]);
+    device.error('break');
+    await settled();
+    expect((await second.read()).value).toEqual(Uint8Array.of(3));
+    expect(await failure(second.read())).toBe('BreakError');
+  });
+
+  test('an error that a read waited for leaves the next stream’s bytes their place', async () => {
+    const { port, device } = await openPort();
+    const read = failure(reading(port).read());
+    await settled();
+    device.error('parity');
+    expect(await read).toBe('ParityError');
+    const second = reading(port);
+    device.write([1]);
+    device.error('break');
+    await settled();
+    expect((await second.read()).value).toEqual(Uint8Array.of(1));
+    expect(await failure(second.read())).toBe('BreakError');
+  });
+
   test('an error comes at once when a read waits', async () => {
     const { port, device } = await openPort();
     const read = failure(reading(port).read());
@@ -171,6 +203,16 @@ describe('readable attribute: errors', () => {
     await settled();
     expect(port.readable).toBeNull();
     await port.close();
+  });
+
+  test('lost: what a device with patience holds back is lost with it', async () => {
+    const { port, device } = await openPort({ bufferSize: 4 }, { backpressure: true });
+    const reader = reading(port);
+    device.write(counted(10));
+    device.error('lost');
+    await settled();
+    expect((await reader.read()).value).toEqual(counted(4));
+    expect(await failure(reader.read())).toBe('NetworkError');
   });
 
   test('an error while the port is closed is nobody’s', async () => {
@@ -234,12 +276,18 @@ describe('readable attribute: bufferSize', () => {
 });
 
 describe('readable attribute: cancel', () => {
-  test('ends a read that waits', async () => {
-    const { port } = await openPort();
+  test('ends a read that waits, and nothing of it is left to the next stream', async () => {
+    const { port, device } = await openPort();
     const reader = reading(port);
     const read = reader.read();
+    await settled();
     await reader.cancel();
     expect(await read).toEqual({ done: true, value: undefined });
+    const { readable } = port;
+    device.error('break');
+    await settled();
+    expect(port.readable).toBe(readable);
+    expect(await failure(reading(port).read())).toBe('BreakError');
     await port.close();
   });
 
@@ -262,10 +310,12 @@ describe('readable attribute: cancel', () => {
     device.write(counted(10));
     device.error('break');
     await settled();
-    await port.readable?.cancel();
+    const cancelled = port.readable?.cancel();
+    expect(port.readable).toBe(readable);
+    await cancelled;
     expect(port.readable).not.toBe(readable);
-    device.write([9]);
-    expect((await reading(port).read()).value).toEqual(Uint8Array.of(9));
+    device.write(counted(4));
+    expect((await reading(port).read()).value).toEqual(counted(4));
   });
 
   test('discards what a device with patience holds back', async () => {

@@ -59,6 +59,14 @@ describe('requestPort() method', () => {
     expect(await failure(serial.requestPort())).toBe('NotFoundError');
   });
 
+  test('step 5: the user may take time to choose', async () => {
+    const { serial, port } = clicked();
+    serial.choose(null);
+    const chosen = serial.requestPort();
+    serial.choose(port);
+    expect(await chosen).toBe(port);
+  });
+
   test('step 5: NotFoundError when the port is unplugged', async () => {
     const { serial, port } = clicked();
     serial.unplug(port);
@@ -108,6 +116,12 @@ describe('requestPort() method', () => {
       { bluetoothServiceClassId: CUSTOM },
       { filters: [{ bluetoothServiceClassId: CUSTOM }], allowedBluetoothServiceClassIds: [CUSTOM] },
       true,
+    ],
+    [
+      'another service class of one’s own',
+      { bluetoothServiceClassId: CUSTOM },
+      { filters: [{ bluetoothServiceClassId: 0x1101 }], allowedBluetoothServiceClassIds: [CUSTOM] },
+      false,
     ],
     [
       'another class of the Bluetooth standard, blocked though allowed',

@@ -72,9 +72,9 @@ describe('loopback', () => {
     const { port } = await openPort({}, { loopback: true });
     const reader = reading(port);
     await port.setSignals({ break: true });
-    await port.setSignals({ break: true });
     expect((await reader.read()).value).toEqual(Uint8Array.of(0));
     expect(await failure(reader.read())).toBe('BreakError');
+    await port.setSignals({ break: true });
     await port.setSignals({ break: false });
     expect(await isPending(reading(port).read())).toBe(true);
   });

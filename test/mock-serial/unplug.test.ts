@@ -133,12 +133,27 @@ describe('the device that is unplugged', () => {
   test('reads what had arrived, then empty arrays, until it is plugged in again', async () => {
     const { serial, port, device } = await openPort();
     const waiting = device.read();
-    await writing(port).write(Uint8Array.of(1));
+    const writer = writing(port);
+    await writer.write(Uint8Array.of(1));
     expect(await waiting).toEqual(Uint8Array.of(1));
     const ended = device.read();
     serial.unplug(port);
     expect((await ended).length).toBe(0);
     expect((await device.read()).length).toBe(0);
+    serial.replug(port);
+    const again = device.read();
+    expect(await isPending(again)).toBe(true);
+    writer.releaseLock();
+    await port.close();
+    await port.open({ baudRate: 9600 });
+    await writing(port).write(Uint8Array.of(2));
+    expect(await again).toEqual(Uint8Array.of(2));
+  });
+
+  test('never gets what it had not read', async () => {
+    const { serial, port, device } = await openPort();
+    await writing(port).write(Uint8Array.of(1));
+    serial.unplug(port);
     serial.replug(port);
     expect(await isPending(device.read())).toBe(true);
   });
@@ -149,6 +164,7 @@ describe('the device that is unplugged', () => {
     device.write([1]);
     serial.unplug(port);
     device.write([2, 3]);
+    await settled();
     expect(device.lost).toBe(2);
     expect(await failure(reader.read())).toBe('NetworkError');
   });
@@ -156,7 +172,8 @@ describe('the device that is unplugged', () => {
   test('is not to be found at another MockSerial', async () => {
     const port = new MockSerial().plug();
     const other = new MockSerial();
-    expect(() => other.unplug(port)).toThrow(TypeError);
-    expect(() => other.replug(port)).toThrow(TypeError);
+    const refusal = new TypeError('The port was not plugged in here.');
+    expect(() => other.unplug(port)).toThrow(refusal);
+    expect(() => other.replug(port)).toThrow(refusal);
   });
 });

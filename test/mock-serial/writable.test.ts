@@ -174,15 +174,16 @@ describe('writable attribute: errors', () => {
 
 describe('writable attribute: abort', () => {
   test('discards what has not left, and brings a new stream', async () => {
-    const { port, device } = await openPort({ bufferSize: 64 });
+    const { port, device } = await openPort({ bufferSize: 8 });
     const { writable } = port;
     const writer = writing(port);
     await writer.write(DATA);
     await writer.abort();
     expect(port.writable).toBeInstanceOf(WritableStream);
     expect(port.writable).not.toBe(writable);
-    await writing(port).write(Uint8Array.of(9));
-    expect(await device.read()).toEqual(Uint8Array.of(9));
+    const next = DATA.map((byte) => byte + 8);
+    await writing(port).write(next);
+    expect(await device.read()).toEqual(next);
   });
 
   test('does not wait for the buffer to empty: the write rejects with the reason', async () => {

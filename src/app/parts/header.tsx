@@ -42,11 +42,10 @@ export function Header() {
   );
 }
 
-/** Connect; the simulated timer again where the program is of it; Choose a port for when the one used before is the wrong one. */
+/** Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port for when the one used before is the wrong one. */
 export function ConnectButtons({ large = false }: { large?: boolean }) {
   const { session } = useModels();
-  const { header } = messages.value;
-  if (session.unavailable) return null;
+  const { header, program } = messages.value;
   const notice = session.notice.value;
   const timerClass = session.editor.working.value?.identity.timerClass;
   const again = session.simulated.value
@@ -55,14 +54,16 @@ export function ConnectButtons({ large = false }: { large?: boolean }) {
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen' && notice.code !== 'lost';
   return (
     <>
-      <button
-        type="button"
-        class={large ? 'primary large' : 'primary'}
-        disabled={session.busy.value}
-        onClick={() => void session.connect()}
-      >
-        {header.connect}
-      </button>
+      {!session.unavailable && (
+        <button
+          type="button"
+          class={large ? 'primary large' : 'primary'}
+          disabled={session.busy.value}
+          onClick={() => void session.connect()}
+        >
+          {session.connection.value ? program.read : header.connect}
+        </button>
+      )}
       {again && (
         <button type="button" disabled={session.busy.value} onClick={() => void session.trySimulated(again)}>
           {header.simulatedTimer}

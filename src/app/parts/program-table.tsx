@@ -107,16 +107,16 @@ function TimeCell({ identity, column }: { identity: Identity; column: number }) 
   );
 }
 
-const STEPS: Readonly<Record<string, number>> = { Enter: 1, ArrowDown: 1, ArrowUp: -1 };
+const STEPS: Readonly<Record<string, number>> = { Enter: 1, 'Shift+Enter': -1, ArrowDown: 1, ArrowUp: -1 };
 
 /** Moves to the field above or below. */
 function moveByKey(event: KeyboardEvent): void {
-  const step = STEPS[event.key];
+  const step = STEPS[event.shiftKey ? `Shift+${event.key}` : event.key];
   const { target } = event;
   if (step === undefined || !(target instanceof HTMLInputElement)) return;
   const cell = target.closest('td');
   const rows = [...(target.closest('tbody')?.querySelectorAll('tr[data-column]') ?? [])];
-  const row = rows[rows.indexOf(target.closest('tr') as HTMLTableRowElement) + (event.shiftKey ? -step : step)];
+  const row = rows[rows.indexOf(target.closest('tr') as HTMLTableRowElement) + step];
   const next = row?.children[cell?.cellIndex ?? 0]?.querySelector('input');
   if (!next) return;
   event.preventDefault();

@@ -10,10 +10,12 @@ interface ValueFieldProps {
   /** Which of several fields for the same value this is, to keep their ids apart. */
   readonly place: 'table' | 'large';
   readonly readOnly?: boolean;
+  /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
+  readonly notesShown?: boolean;
 }
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
-export function ValueField({ field, label, place, readOnly = false }: ValueFieldProps) {
+export function ValueField({ field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
   const { session } = useModels();
   const { editor } = session;
   const key = fieldKey(field);
@@ -46,7 +48,7 @@ export function ValueField({ field, label, place, readOnly = false }: ValueField
         </span>
       )}
       {notes.length > 0 && (
-        <span class="visually-hidden" id={notesId}>
+        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={notesId}>
           {notes.map(({ text }) => text).join(' ')}
         </span>
       )}

@@ -87,7 +87,7 @@ function LargeFigures() {
           <span class="figure-name">
             {program.idleThrottle} <span class="hint">{program.idleThrottleUnit}</span>
           </span>
-          <ValueField field={{ kind: 'idleThrottle' }} label={program.idleThrottle} place="large" />
+          <ValueField field={{ kind: 'idleThrottle' }} label={program.idleThrottle} place="large" notesShown />
         </div>
       )}
     </div>

@@ -5,6 +5,7 @@ import {
   differences,
   type Finding,
   fieldKey,
+  fieldsOf,
   hasErrors,
   type ProgramField,
   sameLayout,
@@ -127,6 +128,9 @@ export class Editor {
         read,
       );
       if (!before || !sameLayout(before.identity, read.identity)) this.#typed.value = new Map();
+      // A text that says what the timer held before must not stand for what it holds now.
+      const stays = new Set([...this.unreadable.value.keys(), ...this.changed.value.keys()]);
+      this.#forget([...this.#typed.value.keys()].filter((key) => !stays.has(key)));
     });
     return moved;
   }
@@ -139,17 +143,22 @@ export class Editor {
     return { baseline: baseline.value, working: working.value, texts };
   }
 
-  /** Comes back to what was kept. Texts of fields that do not exist are dropped. */
-  restore({ baseline, working, texts }: EditorContent, fields: readonly ProgramField[]): void {
+  /**
+   * Comes back to what was kept. Texts of fields that do not exist are dropped.
+   * @returns false, and nothing is changed, when the two programs do not fit together.
+   */
+  restore({ baseline, working, texts }: EditorContent): boolean {
+    if (!sameLayout(baseline.identity, working.identity)) return false;
     batch(() => {
       this.baseline.value = baseline;
       this.working.value = working;
-      const typed = fields.flatMap((field): [string, Typed][] => {
+      const typed = fieldsOf(working.identity).flatMap((field): [string, Typed][] => {
         const text = texts[fieldKey(field)];
         return text === undefined ? [] : [[fieldKey(field), { field, text }]];
       });
       this.#typed.value = new Map(typed);
     });
+    return true;
   }
 
   /** Nothing on the screen. */

@@ -1,6 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
-import { fieldsOf, type TimerProgram } from '../../program/index.js';
+import type { TimerProgram } from '../../program/index.js';
 import {
   availability,
   ConnectionError,
@@ -70,7 +70,10 @@ export class Session {
   /** Why there can be no wire here at all; null when there can. */
   readonly unavailable: 'insecure' | 'unsupported' | null;
   readonly #options: SessionOptions;
+  /** What was typed since the page was opened, also where the browser keeps nothing. */
+  readonly #drafts = new Map<string, Draft>();
   #saving: Promise<unknown> = Promise.resolve();
+  #closing: Promise<unknown> = Promise.resolve();
   #savedKey: string | null = null;
 
   constructor(options: SessionOptions) {
@@ -84,20 +87,22 @@ export class Session {
       this.notice.value = { kind: 'note', code: 'not-kept' };
       return undefined;
     });
-    if (draft && !this.editor.working.value) {
-      this.#restore(draft);
+    if (draft && !this.editor.working.value && this.editor.restore(draft)) {
+      this.simulated.value = draft.simulated;
       this.notice.value ??= { kind: 'note', code: 'edits-restored' };
     }
     effect(() => this.#keep());
   }
 
   /**
-   * Connects to the port that was used before if there is just one, else to the one that the pilot chooses.
+   * Connects to the port that was used before if there is just one, else to the one that the pilot chooses. A timer that is connected
+   * and has not been read is read.
    * @param choose asks for a port in any case.
    */
   async connect(choose = false): Promise<void> {
     const { serial } = this.#options.surroundings;
     if (!serial || this.busy.value) return;
+    if (this.connection.value) return void (await this.read());
     this.notice.value = null;
     this.link.value = { status: 'choosing' };
     try {
@@ -111,6 +116,7 @@ export class Session {
 
   async trySimulated(timerClass: 'Q' | 'B'): Promise<void> {
     if (this.busy.value) return;
+    void this.disconnect();
     this.notice.value = null;
     await this.#open(this.#options.plugSimulated(timerClass), true);
   }
@@ -126,7 +132,7 @@ export class Session {
       this.notice.value = null;
       if (!this.editor.dirty.value) this.editor.clear();
     });
-    await link.connection.close();
+    await this.#close(link.connection);
   }
 
   /**
@@ -163,6 +169,7 @@ export class Session {
     const stop = new AbortController();
     this.link.value = { status: 'opening', stop };
     let connection: TimerConnection;
+    await this.#closing;
     try {
       connection = await connect(port, { signal: stop.signal, onLine: this.log.add });
     } catch (error) {
@@ -187,7 +194,13 @@ export class Session {
       this.link.value = { status: 'off' };
       this.notice.value = { kind: 'connection', code: error.code };
     });
-    await connection.close();
+    await this.#close(connection);
+  }
+
+  /** Closes a port. Whoever opens one next waits for that: it may be the same. */
+  async #close(connection: TimerConnection): Promise<void> {
+    this.#closing = Promise.all([this.#closing, connection.close()]);
+    await this.#closing;
   }
 
   async #run(
@@ -227,26 +240,18 @@ export class Session {
     const same = before !== null && draftKey(before, this.simulated.value) === key;
     const setAside = before !== null && !same && editor.dirty.value;
     await this.#saving;
-    const draft = same ? undefined : await this.#options.store.load(key).catch(() => undefined);
+    const draft = same
+      ? undefined
+      : (this.#drafts.get(key) ?? (await this.#options.store.load(key).catch(() => undefined)));
     batch(() => {
       if (!same) editor.clear();
-      if (draft) {
-        editor.restore(draft, fieldsOf(draft.working.identity));
-        this.#savedKey = key;
-      }
+      if (draft && editor.restore(draft)) this.#savedKey = key;
       const moved = editor.rebase(read);
       this.byteOrderOpen.value = link.status === 'on' && link.connection.client.byteOrderOpen;
       this.simulated.value = simulated;
       if (moved) this.notice.value = { kind: 'note', code: 'edits-moved' };
       else if (draft && editor.dirty.value) this.notice.value = { kind: 'note', code: 'edits-kept' };
       else if (setAside) this.notice.value = { kind: 'note', code: 'edits-set-aside' };
-    });
-  }
-
-  #restore(draft: Draft): void {
-    batch(() => {
-      this.simulated.value = draft.simulated;
-      this.editor.restore(draft, fieldsOf(draft.working.identity));
     });
   }
 
@@ -260,9 +265,10 @@ export class Session {
     if (!dirty && this.#savedKey !== key) return;
     this.#savedKey = dirty ? key : null;
     const { store } = this.#options;
-    const work = dirty
-      ? () => store.save({ key, ...content, savedAt: Date.now(), simulated })
-      : () => store.remove(key);
+    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
+    if (dirty) this.#drafts.set(key, draft);
+    else this.#drafts.delete(key);
+    const work = dirty ? () => store.save(draft) : () => store.remove(key);
     this.#saving = this.#saving.then(work).catch(() => {
       this.notice.value = { kind: 'note', code: 'not-kept' };
     });

@@ -1,4 +1,4 @@
-import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { type Progress, TimerError, type WriteReport } from '../../client/index.js';
 import type { Change, Finding } from '../../program/index.js';
 import type { Session } from './session.js';
@@ -26,12 +26,19 @@ export class WriteFlow {
 
   constructor(session: Session) {
     this.#session = session;
+    effect(() => {
+      // Without a wire there is nothing to write to; the notice says why.
+      if (!session.connection.value && this.current.peek()?.step === 'review') this.current.value = null;
+    });
   }
 
   /** Reads the timer afresh and shows the difference: what is written is told apart from what the timer holds now. */
   async open(): Promise<void> {
     const { editor } = this.#session;
+    const memory = editor.working.value?.memory;
     if (editor.blocked.value || !(await this.#session.read()) || editor.blocked.value) return;
+    // Another memory is current by now: the edits were set aside, and the pilot is told so.
+    if (editor.working.value?.memory !== memory) return;
     batch(() => {
       this.acknowledged.value = false;
       this.current.value = { step: 'review' };

@@ -1,0 +1,371 @@
+import { describe, expect, it } from 'vitest';
+import type { ProgramField } from '../../src/program/index.js';
+import { CAPTURED_POSITIONS } from '../protocol/vectors.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from './bench.js';
+
+const DT: ProgramField = { kind: 'time', column: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+
+function status({ session }: AppBench): string {
+  return session.link.value.status;
+}
+
+function notice({ session }: AppBench): string | undefined {
+  return session.notice.value?.code;
+}
+
+/** Lets one step after another happen until the link stands there. */
+async function until(bench: AppBench, wanted: string): Promise<void> {
+  for (let i = 0; i < 1000 && status(bench) !== wanted; i++) await Promise.resolve();
+  expect(status(bench)).toBe(wanted);
+}
+
+/** The requests that the timer has answered. */
+function answered({ timer }: AppBench): string[] {
+  return timer.core.answered.map(({ name }) => name);
+}
+
+describe('connect', () => {
+  it('lets the pilot choose, opens, asks what it is, and shows what it holds', async () => {
+    const bench = await connectedBench();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', undefined, false]);
+    expect(bench.editor.baseline.value?.positions).toEqual([
+      CAPTURED_POSITIONS,
+      CAPTURED_POSITIONS,
+      CAPTURED_POSITIONS,
+    ]);
+    expect(bench.editor.dirty.value).toBe(false);
+    expect(answered(bench)).toEqual(['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM']);
+    expect(bench.session.log.entries.value).toHaveLength(10);
+  });
+
+  it('takes the port of the last time without asking', async () => {
+    const bench = await appBench({ plug: { granted: true } });
+    bench.serial.choose(null);
+    await run(bench.session.connect());
+    expect(status(bench)).toBe('on');
+  });
+
+  it('asks when more than one is remembered, or when the pilot wants to choose', async () => {
+    const bench = await appBench({ plug: { granted: true } });
+    bench.serial.choose(null);
+    await run(bench.session.connect(true));
+    expect([status(bench), notice(bench)]).toEqual(['off', 'nothing-chosen']);
+    bench.serial.plug({}, { granted: true });
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)]).toEqual(['off', 'nothing-chosen']);
+  });
+
+  const troubles: [code: string, set: (bench: AppBench, trouble: boolean) => void][] = [
+    ['nothing-chosen', ({ serial, port }, trouble) => serial.choose(trouble ? null : port)],
+    ['busy', ({ port }, trouble) => Object.assign(port.device, { busy: trouble })],
+    ['no-answer', ({ timer: { core } }, trouble) => (trouble ? core.sleep() : core.press())],
+    ['not-allowed', ({ serial }, trouble) => Object.assign(serial, { userActivation: !trouble })],
+    ['lost', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
+  ];
+
+  it.each(troubles)('says %s, and works when that is mended', async (code, set) => {
+    const bench = await appBench();
+    set(bench, true);
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['off', code, false]);
+    expect(bench.port.device.opened).toBeNull();
+    set(bench, false);
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+
+  it('stops when asked to, and leaves the port free', async () => {
+    const bench = await appBench();
+    bench.timer.core.sleep();
+    const connecting = bench.session.connect();
+    await until(bench, 'opening');
+    await run(bench.session.disconnect());
+    await run(connecting);
+    expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
+  });
+
+  it('does nothing the second time of a double click', async () => {
+    const bench = await appBench();
+    await run(Promise.all([bench.session.connect(), bench.session.connect(), bench.session.trySimulated('B')]));
+    expect(answered(bench).filter((name) => name === 'GETSWVER')).toHaveLength(1);
+    expect(bench.session.simulated.value).toBe(false);
+  });
+
+  it('tries one simulated timer by a double click', async () => {
+    const bench = await appBench();
+    await run(Promise.all([bench.session.trySimulated('Q'), bench.session.trySimulated('B')]));
+    expect(bench.editor.working.value?.identity.timerClass).toBe('Q');
+    const identified = bench.session.log.entries.value.filter(({ frame }) => frame?.code === 0x6b);
+    expect(identified).toHaveLength(1);
+  });
+
+  it('knows when there can be no wire here', async () => {
+    const bench = await appBench({ webSerial: false });
+    expect(bench.session.unavailable).toBe('unsupported');
+    await run(bench.session.connect());
+    expect(status(bench)).toBe('off');
+    await run(bench.session.trySimulated('B'));
+    expect([status(bench), bench.editor.working.value?.identity.timerClass]).toEqual(['on', 'B']);
+  });
+});
+
+describe('when the first read does not come to its end', () => {
+  it.each([
+    ['the timer fell asleep', ({ timer }: AppBench) => timer.core.sleep(), ({ timer }: AppBench) => timer.core.press()],
+    ['the pilot stopped it', ({ session }: AppBench) => session.job.value?.stop.abort(), () => {}],
+  ])('because %s, Connect reads it', async (_, hinder, mend) => {
+    const bench = await appBench();
+    bench.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETMEMORY') hinder(bench);
+    };
+    await run(bench.session.connect());
+    expect(bench.editor.working.value).toBeNull();
+    bench.timer.core.onAnswer = undefined;
+    mend(bench);
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+    expect(bench.editor.working.value?.timers[10]).toBe(18000);
+  });
+
+  it('trying a simulated timer gives the port back', async () => {
+    const bench = await appBench();
+    bench.timer.core.onAnswer = () => bench.session.job.value?.stop.abort();
+    await run(bench.session.connect());
+    await run(bench.session.trySimulated('Q'));
+    expect(bench.session.simulated.value).toBe(true);
+    expect(bench.port.device.opened).toBeNull();
+  });
+});
+
+describe('a lost port', () => {
+  it('is said, and what was typed is kept', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.adapter.unplug();
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['off', 'lost']);
+    expect(bench.editor.textOf(S1)).toBe('7');
+    bench.adapter.replug();
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench), bench.editor.textOf(S1)]).toEqual(['on', undefined, '7']);
+    expect(bench.editor.changes.value).toHaveLength(1);
+  });
+
+  it.each([3, 20, 60])('is said when it goes %i bytes into a read', async (bytes) => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.adapter.unplugAfter(bytes);
+    await run(bench.session.read());
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['off', 'lost', false]);
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('can be opened again at once, also while the old connection is still being closed', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await Promise.resolve();
+    bench.adapter.replug();
+    await until(bench, 'off');
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+});
+
+describe('disconnect', () => {
+  it('closes the port, and keeps what was typed', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    await run(bench.session.disconnect());
+    expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('and Connect work one behind the other without a pause', async () => {
+    const bench = await connectedBench();
+    const closing = bench.session.disconnect();
+    await run(bench.session.connect());
+    await run(closing);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+    expect(bench.editor.working.value).not.toBeNull();
+  });
+
+  it('in the middle of a read lets its request end; then Connect works at once', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.sleep();
+    const reading = bench.session.read();
+    await Promise.resolve();
+    const closing = bench.session.disconnect();
+    await run(reading);
+    bench.timer.core.press();
+    await run(bench.session.connect());
+    await run(closing);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+});
+
+describe('another memory', () => {
+  it('is made current and read; edits of the one that is left are kept', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.editor.type(DT, 'x');
+    await run(bench.session.selectMemory(1));
+    expect(bench.timer.core.memory).toBe(1);
+    expect([bench.editor.working.value?.memory, bench.editor.textOf(DT)]).toEqual([1, '3:30']);
+    expect([bench.editor.textOf(S1), bench.editor.dirty.value, notice(bench)]).toEqual([
+      '35',
+      false,
+      'edits-set-aside',
+    ]);
+
+    bench.editor.type(S1, '8');
+    await run(bench.session.selectMemory(0));
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT), notice(bench)]).toEqual(['7', 'x', 'edits-kept']);
+    await run(bench.session.selectMemory(1));
+    expect(bench.editor.textOf(S1)).toBe('8');
+  });
+
+  it('keeps the edits of the one that is left where the browser stores nothing', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const bench = await connectedBench({ store });
+    bench.editor.type(S1, '7');
+    await idle();
+    expect(notice(bench)).toBe('not-kept');
+    await run(bench.session.selectMemory(1));
+    await run(bench.session.selectMemory(0));
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('that the timer does not select is said, and the screen stays with the one that is current', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') bench.timer.core.memory = 0;
+    };
+    bench.editor.type(S1, '7');
+    await run(bench.session.selectMemory(1));
+    expect([notice(bench), bench.editor.working.value?.memory, bench.editor.textOf(S1)]).toEqual([
+      'other-memory',
+      0,
+      '7',
+    ]);
+  });
+});
+
+describe('read again', () => {
+  it('keeps the edits and says when the timer holds something else', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    (bench.timer.core.content.positions[2] as number[])[4] = 99;
+    await run(bench.session.read());
+    expect([notice(bench), bench.editor.textOf(S1)]).toEqual(['edits-moved', '7']);
+    expect(bench.editor.working.value?.positions[2]?.[4]).toBe(99);
+  });
+
+  it('says that nobody answers, and can be tried again', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.sleep();
+    await run(bench.session.read());
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', 'no-answer', false]);
+    bench.timer.core.press();
+    await run(bench.session.read());
+    expect(notice(bench)).toBeUndefined();
+  });
+
+  it('twice in a row reads once', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.answered.length = 0;
+    await run(Promise.all([bench.session.read(), bench.session.read(), bench.session.selectMemory(2)]));
+    expect(answered(bench)).toEqual(['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM']);
+  });
+
+  it('that is stopped says nothing and leaves the wire usable', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.onAnswer = () => bench.session.job.value?.stop.abort();
+    await run(bench.session.read());
+    expect([status(bench), notice(bench), bench.session.job.value]).toEqual(['on', undefined, null]);
+    bench.timer.core.onAnswer = undefined;
+    await run(bench.session.read());
+    expect(notice(bench)).toBeUndefined();
+  });
+});
+
+describe('after a reload', () => {
+  it('what was typed is back before anything is connected, and is put on top of what the timer holds', async () => {
+    const store = new MemoryStore();
+    const before = await connectedBench({ store });
+    before.editor.type(S1, '7');
+    before.editor.type(DT, 'soon');
+    await idle();
+
+    const after = await appBench({ store });
+    expect([notice(after), status(after)]).toEqual(['edits-restored', 'off']);
+    expect([after.editor.textOf(S1), after.editor.textOf(DT), after.editor.blocked.value]).toEqual(['7', 'soon', true]);
+    await run(after.session.connect());
+    expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
+  });
+
+  it('there is nothing to bring back once it was undone, or written', async () => {
+    const store = new MemoryStore();
+    const bench = await connectedBench({ store });
+    bench.editor.type(S1, '7');
+    await idle();
+    expect(store.drafts.size).toBe(1);
+    bench.editor.revertAll();
+    await idle();
+    expect(store.drafts.size).toBe(0);
+
+    bench.editor.type(S1, '8');
+    bench.session.safe.value = true;
+    await run(bench.write.open());
+    await run(bench.write.start());
+    await idle();
+    expect(store.drafts.size).toBe(0);
+  });
+
+  it('edits of the simulated timer are not put onto a real one', async () => {
+    const store = new MemoryStore();
+    const before = await appBench({ store });
+    await run(before.session.trySimulated('Q'));
+    before.editor.type(S1, '7');
+    await idle();
+
+    const after = await appBench({ store });
+    expect([after.session.simulated.value, after.editor.textOf(S1)]).toEqual([true, '7']);
+    await run(after.session.connect());
+    expect([after.session.simulated.value, after.editor.textOf(S1), notice(after)]).toEqual([
+      false,
+      '35',
+      'edits-set-aside',
+    ]);
+    await run(after.session.disconnect());
+    await run(after.session.trySimulated('Q'));
+    expect(after.editor.textOf(S1)).toBe('7');
+  });
+
+  it('starts without storage, and says that nothing is kept', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const bench = await appBench({ store });
+    expect(notice(bench)).toBe('not-kept');
+    await run(bench.session.connect());
+    expect(status(bench)).toBe('on');
+  });
+
+  it('starts with a draft whose two programs do not fit together', async () => {
+    const store = new MemoryStore();
+    const bench = await connectedBench({ store });
+    bench.editor.type(S1, '7');
+    await idle();
+    const [draft] = [...store.drafts.values()];
+    if (!draft) throw new Error('nothing was kept');
+    const { working } = draft;
+    const fewer = { ...working, identity: { ...working.identity, functions: 9 }, timers: working.timers.slice(1) };
+    const small = { ...fewer, positions: working.positions.map((row) => row.slice(1)) };
+    store.drafts.set(draft.key, { ...draft, working: small });
+    const after = await appBench({ store });
+    await run(after.session.connect());
+    expect(status(after)).toBe('on');
+  });
+});

@@ -1,0 +1,185 @@
+import { describe, expect, it } from 'vitest';
+import type { ProgramField } from '../../src/program/index.js';
+import { type AppBench, connectedBench, idle, run } from './bench.js';
+
+const DT: ProgramField = { kind: 'time', column: 10 };
+const STOP: ProgramField = { kind: 'time', column: 0 };
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+
+/** The pilot has edited a time and two positions, has opened the dialog and ticked the safety. */
+async function reviewed(): Promise<AppBench> {
+  const bench = await connectedBench();
+  bench.editor.type(DT, '4:00');
+  bench.editor.type(S1, '7');
+  bench.editor.type(S3, '8');
+  await run(bench.write.open());
+  bench.session.safe.value = true;
+  return bench;
+}
+
+function sets({ timer }: AppBench): string[] {
+  return timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'));
+}
+
+describe('a write', () => {
+  it('sends the difference, reads back, and has no changes left', async () => {
+    const bench = await reviewed();
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    expect(bench.timer.core.content.timers[10]).toBe(24000);
+    expect([bench.editor.dirty.value, bench.editor.textOf(S1)]).toEqual([false, '7']);
+    bench.write.dismiss();
+    expect(bench.write.current.value).toBeNull();
+  });
+
+  it('is told apart from what the timer holds now, not from what it held when it was last read', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    (bench.timer.core.content.positions[2] as number[])[4] = 99;
+    await run(bench.write.open());
+    expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
+    expect(bench.editor.textOf(S3)).toBe('99');
+    expect(bench.session.notice.value?.code).toBe('edits-moved');
+  });
+
+  it('is not offered as one of nothing when another memory is current by now', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.timer.core.memory = 2;
+    await run(bench.write.open());
+    expect(bench.session.notice.value?.code).toBe('edits-set-aside');
+    expect(bench.write.current.value).toBeNull();
+  });
+
+  it('does not begin without the safety', async () => {
+    const bench = await reviewed();
+    bench.session.safe.value = false;
+    expect(bench.write.ready.value).toBe(false);
+    await run(bench.write.start());
+    expect(sets(bench)).toEqual([]);
+  });
+
+  it('is asked for the safety once in each connection', async () => {
+    const bench = await reviewed();
+    await run(bench.write.start());
+    bench.write.dismiss();
+    await run(bench.write.open());
+    expect(bench.write.ready.value).toBe(true);
+    bench.write.dismiss();
+    await run(bench.session.disconnect());
+    await run(bench.session.connect());
+    await run(bench.write.open());
+    expect(bench.write.ready.value).toBe(false);
+  });
+
+  it('of something serious begins only when that is acknowledged, each time', async () => {
+    const bench = await reviewed();
+    bench.editor.type(STOP, '5:00');
+    expect(bench.write.serious.value).toMatchObject([{ code: 'motor-stop-after-dt' }]);
+    await run(bench.write.start());
+    expect(sets(bench)).toEqual([]);
+    bench.write.acknowledged.value = true;
+    bench.write.dismiss();
+    await run(bench.write.open());
+    expect(bench.write.ready.value).toBe(false);
+    bench.write.acknowledged.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+  });
+
+  it('cannot be opened while a text is no value, while something is read, or without a timer', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, 'x');
+    await run(bench.write.open());
+    expect(bench.write.current.value).toBeNull();
+    bench.editor.revertAll();
+    const reading = bench.session.read();
+    await bench.write.open();
+    expect(bench.write.current.value).toBeNull();
+    await run(reading);
+    bench.adapter.unplug();
+    await idle();
+    await run(bench.write.open());
+    expect(bench.write.current.value).toBeNull();
+  });
+
+  it('is written once by a double click', async () => {
+    const bench = await reviewed();
+    await run(Promise.all([bench.write.start(), bench.write.start()]));
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+  });
+
+  it('that is stopped is not called verified, and finishes when it is done again', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.write.dismiss();
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({
+      step: 'done',
+      report: { result: 'unknown', stopped: { code: 'aborted' } },
+    });
+    expect(sets(bench)).toEqual(['SETTIMERS']);
+    bench.write.dismiss();
+    await run(bench.session.read());
+    expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
+    await run(bench.write.open());
+    await run(bench.write.start());
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+
+  it.each(['SETTIMERS', 'SETSERVO'] as const)(
+    'whose plug is pulled at %s keeps the edits for the next',
+    async (name) => {
+      const bench = await reviewed();
+      bench.timer.core.onAnswer = (request) => request.name === name && bench.adapter.unplug();
+      await run(bench.write.start());
+      await idle();
+      expect(bench.write.current.value).toMatchObject({
+        step: 'done',
+        report: { result: 'unknown', stopped: { code: 'port-lost' } },
+      });
+      expect(bench.session.notice.value).toEqual({ kind: 'connection', code: 'lost' });
+      expect([bench.editor.textOf(S1), bench.editor.textOf(S3)]).toEqual(['7', '8']);
+      bench.write.dismiss();
+      bench.timer.core.onAnswer = undefined;
+      bench.adapter.replug();
+      await run(bench.session.connect());
+      bench.session.safe.value = true;
+      await run(bench.write.open());
+      await run(bench.write.start());
+      expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+      expect(bench.timer.core.content.positions[2]?.[4]).toBe(8);
+    },
+  );
+
+  it('says so when the plug is pulled before it begins', async () => {
+    const bench = await reviewed();
+    bench.adapter.unplug();
+    await idle();
+    await run(bench.write.start());
+    expect(bench.write.current.value?.step, 'the difference is no longer offered').not.toBe('review');
+  });
+
+  it('into another memory than the one on the screen is refused', async () => {
+    const bench = await reviewed();
+    bench.timer.core.memory = 2;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-memory' } });
+    expect(sets(bench)).toEqual([]);
+    expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('that the timer does not take shows what it holds, and keeps the edit', async () => {
+    const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
+    bench.editor.type(S1, '7');
+    await run(bench.write.open());
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({
+      report: { result: 'differs', values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] },
+    });
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+});
