@@ -1,7 +1,6 @@
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import { Header } from './parts/header.js';
-import { NoticeBar } from './parts/notice-bar.js';
 import { LinePanel } from './screens/line-panel.js';
 import { ProgramScreen } from './screens/program-screen.js';
 import { StartScreen } from './screens/start-screen.js';
@@ -33,7 +32,6 @@ export function App({ models }: { models: AppModels }) {
   return (
     <Models.Provider value={models}>
       <Header />
-      <NoticeBar />
       <main>
         {hasProgram ? <ProgramScreen /> : <StartScreen />}
         {hasLine && <LinePanel />}

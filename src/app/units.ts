@@ -8,9 +8,12 @@ export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whol
 
 export type Parsed = { readonly value: number } | { readonly unreadable: UnreadableReason };
 
-const TIME = /^(?:(\d{1,4}):(?=[0-5]?\d(?:[.,]|$)))?(\d{1,6})?(?:[.,](\d*))?$/;
+const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
 
-/** `12.5`, `12,5`, `.5`, `2:05`, `2:05.5` to hundredths of a second. */
+/**
+ * `12.5`, `12,5`, `.5`, `2:05`, `2:05.5` to hundredths of a second; `2.05.5` too, since the number pads of some phones have no
+ * colon.
+ */
 export function parseTime(text: string): Parsed {
   const trimmed = text.trim();
   if (trimmed === '') return { unreadable: 'empty' };

@@ -114,7 +114,7 @@ describe('the table', () => {
         .getAllByRole('columnheader')
         .map(({ textContent }) => textContent),
     ).toEqual(['Function', 'Time', 'S1', 'S2', 'S3', 'S4']);
-    expect(screen.getAllByRole('radio')).toHaveLength(2);
+    expect(screen.getAllByRole('button', { name: /^M\d$/ })).toHaveLength(2);
   });
 
   it('marks what differs, with the old value', async () => {
@@ -252,29 +252,48 @@ describe('the large figures', () => {
 });
 
 describe('the memories', () => {
+  const pressed = () => screen.queryAllByRole('button', { pressed: true }).map(({ textContent }) => textContent);
+
+  it('are not changed by passing over them with the keys', async () => {
+    const { timer } = await connected();
+    const asked = timer.core.answered.length;
+    screen.getByRole('button', { name: 'M1' }).focus();
+    for (const key of ['ArrowRight', 'ArrowDown', 'End']) fireEvent.keyDown(document.activeElement as Element, { key });
+    await idle();
+    expect([timer.core.answered.length - asked, pressed()]).toEqual([0, ['M1']]);
+  });
+
+  it('keep the focus while one is being selected', async () => {
+    await connected();
+    const chosen = screen.getByRole('button', { name: 'M2' });
+    chosen.focus();
+    fireEvent.click(chosen);
+    await idle();
+    expect(document.activeElement).toBe(chosen);
+  });
+
   it('show which is current, and read the one that is chosen', async () => {
     const { timer } = await connected();
-    const radio = (name: string) => screen.getByRole<HTMLInputElement>('radio', { name });
-    expect(radio('M1').checked).toBe(true);
-    fireEvent.click(radio('M3'));
+    expect(pressed()).toEqual(['M1']);
+    fireEvent.click(screen.getByRole('button', { name: 'M3' }));
     await idle();
-    expect([timer.core.memory, radio('M3').checked, radio('M1').checked]).toEqual([2, true, false]);
+    expect([timer.core.memory, pressed()]).toEqual([2, ['M3']]);
     expect(field('DT').value).toBe('4:00');
   });
 
   it('show the one that is current when the other could not be selected', async () => {
     const { timer } = await connected();
     timer.core.sleep();
-    fireEvent.click(screen.getByRole('radio', { name: 'M3' }));
+    fireEvent.click(screen.getByRole('button', { name: 'M3' }));
     await idle();
-    expect(screen.getByRole<HTMLInputElement>('radio', { name: 'M1' }).checked).toBe(true);
+    expect(pressed()).toEqual(['M1']);
     expect(screen.getByText('The timer did not answer.')).toBeTruthy();
   });
 
   it('say when the timer does not tell which it is', async () => {
     await connected({ quirks: { memoryReplyEmpty: true } });
     expect(screen.getByText('This timer does not say which memory is current.')).toBeTruthy();
-    expect(screen.getAllByRole<HTMLInputElement>('radio').some(({ checked }) => checked)).toBe(false);
+    expect(pressed()).toEqual([]);
   });
 });
 

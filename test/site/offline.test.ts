@@ -1,4 +1,5 @@
 import { expect, inject, test } from 'vitest';
+import { AppPage } from './app-page.js';
 import { newPage } from './page.js';
 
 for (const site of ['site', 'siteUnderPath'] as const) {
@@ -12,5 +13,19 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     await page.goto(`${inject(site)}?any=thing`);
     expect(await page.title()).toBe('Sidus Timer');
     await expect(page.goto(`${inject(site)}another-page`), 'the network is gone').rejects.toThrow('DISCONNECTED');
+  });
+
+  test(`without a network the page at ${new URL(inject(site)).pathname} reads, writes and verifies`, async () => {
+    const app = await AppPage.open({ at: site });
+    await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+    await app.page.context().setOffline(true);
+    await app.reload();
+    await app.trySimulated('F1B');
+    await app.type('DT time', '4:00');
+    await app.kept();
+    await app.write();
+    await app.result('Verified.');
+    await app.close();
+    expect(await app.sets()).toEqual(['SETTIMERS']);
   });
 }

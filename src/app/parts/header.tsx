@@ -1,8 +1,9 @@
 import { useModels } from '../app.js';
 import { messages, timerName } from '../messages/index.js';
+import { NoticeBar } from './notice-bar.js';
 import { ProgressLine } from './progress-line.js';
 
-/** The name of the program, what it is connected to, and the buttons that change that. */
+/** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
 export function Header() {
   const { session } = useModels();
   const { name, header, program } = messages.value;
@@ -38,6 +39,7 @@ export function Header() {
           onStop={() => job.stop.abort()}
         />
       )}
+      <NoticeBar />
     </header>
   );
 }

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { columnKind, type ProgramField } from '../../program/index.js';
+import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
 import { useModels } from '../app.js';
 import { columnLabel, fieldLabel, messages } from '../messages/index.js';
@@ -66,7 +66,7 @@ function ProgramRow({ identity, column, servos }: ProgramRowProps) {
         <tr class="row-notes">
           <td colSpan={servos.length + 2}>
             {notes.map(({ field, severity, text }) => (
-              <p key={text} class={severity}>
+              <p key={`${fieldKey(field)} ${text}`} class={severity}>
                 <strong>{about(fieldLabel(identity, field))}</strong> {text}
               </p>
             ))}

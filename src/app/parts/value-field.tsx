@@ -14,6 +14,9 @@ interface ValueFieldProps {
   readonly notesShown?: boolean;
 }
 
+/** More letters than a large figure has room for on a phone. */
+const LONG = 6;
+
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
 export function ValueField({ field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
   const { session } = useModels();
@@ -22,6 +25,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   const change = editor.changed.value.get(key);
   const notes = notesFor(editor, field);
   const wrong = notes.some(({ severity }) => severity === 'error');
+  const text = editor.textOf(field);
   const wasId = `${place}-was-${key}`;
   const notesId = `${place}-notes-${key}`;
   const described = [change && wasId, notes.length > 0 && notesId].filter(Boolean).join(' ');
@@ -36,7 +40,8 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
         aria-invalid={wrong}
         aria-describedby={described || undefined}
         readOnly={readOnly}
-        value={editor.textOf(field)}
+        class={text.length > LONG ? 'long' : ''}
+        value={text}
         onFocus={(event) => event.currentTarget.select()}
         onInput={(event) => editor.type(field, event.currentTarget.value)}
         onBlur={() => editor.leave(field)}

@@ -1,3 +1,4 @@
+import { fieldKey } from '../../program/index.js';
 import { useModels } from '../app.js';
 import { fieldLabel, messages, timerName } from '../messages/index.js';
 import { allNotes } from '../parts/field-notes.js';
@@ -29,6 +30,7 @@ export function ProgramScreen() {
   );
 }
 
+/** Which memory is current is what flies next: it changes by a click or by Enter on one, never by passing over it. */
 function MemoryChoice() {
   const { session } = useModels();
   const { program, memoryName } = messages.value;
@@ -37,21 +39,23 @@ function MemoryChoice() {
   const { identity, memory } = working;
   const memories = Array.from({ length: identity.memories }, (_, index) => index);
   const shown = session.job.value?.memory ?? memory;
+  const connected = session.connection.value !== null;
   return (
-    <fieldset class="memories" disabled={session.busy.value || !session.connection.value}>
+    <fieldset class="memories">
       <legend>{program.memory}</legend>
       <div class="segments">
         {memories.map((index) => (
-          <label key={index}>
-            <input
-              type="radio"
-              name="memory"
-              value={index}
-              checked={index === shown}
-              onChange={() => void session.selectMemory(index)}
-            />
-            <span>{memoryName(index)}</span>
-          </label>
+          <button
+            type="button"
+            key={index}
+            aria-pressed={index === shown}
+            // Not while a job runs; but the focus stays, which a disabled button would lose.
+            aria-disabled={session.busy.value}
+            disabled={!connected}
+            onClick={() => void (index !== memory && session.selectMemory(index))}
+          >
+            {memoryName(index)}
+          </button>
         ))}
       </div>
       {memory === null && <p class="hint">{program.memoryUnknown}</p>}
@@ -143,7 +147,7 @@ function Checks() {
       ) : (
         <ul>
           {notes.map(({ field, severity, text }) => (
-            <li key={`${field ? fieldLabel(identity, field) : ''} ${text}`} class={severity}>
+            <li key={`${field ? fieldKey(field) : ''} ${text}`} class={severity}>
               <strong>{program.severity[severity]}</strong>
               {field && <span class="where">{fieldLabel(identity, field)}</span>}
               <span>{text}</span>

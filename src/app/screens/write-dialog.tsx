@@ -28,6 +28,11 @@ export function WriteDialog() {
         event.preventDefault();
         write.dismiss();
       }}
+      onClose={() => {
+        // A browser lets Escape be refused once, then closes all the same: what became of a write has to be seen.
+        if (write.current.value?.step === 'running') dialog.current?.showModal();
+        else write.dismiss();
+      }}
     >
       {current && identity && (
         <>
@@ -72,7 +77,7 @@ function Review({ identity }: { identity: Identity }) {
         <div class="notice bad">
           <ul>
             {serious.map((finding) => (
-              <li key={findingText(finding)}>
+              <li key={`${finding.field ? fieldKey(finding.field) : ''} ${finding.code}`}>
                 {finding.field && <strong>{about(fieldLabel(identity, finding.field))} </strong>}
                 {findingText(finding)}
               </li>
@@ -141,9 +146,9 @@ function Running({ stage }: { stage: string }) {
   if (current?.step !== 'running') return null;
   return (
     <>
-      <ProgressLine label={stage} progress={current.progress} />
+      <ProgressLine label={current.stopping ? words.stopping : stage} progress={current.progress} />
       <div class="buttons">
-        <button type="button" onClick={() => write.dismiss()}>
+        <button type="button" aria-disabled={current.stopping} onClick={() => write.dismiss()}>
           {words.stop}
         </button>
       </div>

@@ -115,12 +115,18 @@ export class Editor {
 
   /**
    * The timer was read. Edits stay: they are taken over onto what the timer holds now.
-   * @returns whether there are edits and the timer held something else when they were made.
+   * @returns whether there are edits and the timer holds something else than when they were made, beyond what the pilot wants anyway:
+   * a part of the edits may have been written.
    */
   rebase(read: TimerProgram): boolean {
     const before = this.baseline.value;
     const edits = before && sameLayout(before.identity, read.identity) ? this.changes.value : [];
-    const moved = before !== null && edits.length > 0 && differences(before, read).length > 0;
+    const wanted = this.working.value;
+    const moved =
+      edits.length > 0 &&
+      before !== null &&
+      wanted !== null &&
+      differences(before, read).some(({ field, to }) => valueAt(wanted, field) !== to);
     batch(() => {
       this.baseline.value = read;
       this.working.value = edits.reduce(

@@ -43,7 +43,7 @@ export interface Job {
 
 export interface SessionOptions {
   readonly surroundings: Surroundings;
-  readonly store: DraftStore;
+  readonly store: Pick<DraftStore, 'save' | 'remove' | 'load' | 'newest'>;
   readonly plugSimulated: (timerClass: 'Q' | 'B') => SerialPortLike;
 }
 

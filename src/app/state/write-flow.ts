@@ -6,7 +6,13 @@ import type { Session } from './session.js';
 /** The steps of a write, from the difference to the result. */
 export type WriteStep =
   | { readonly step: 'review' }
-  | { readonly step: 'running'; readonly progress: Progress | null; readonly stop: AbortController }
+  | {
+      readonly step: 'running';
+      readonly progress: Progress | null;
+      readonly stop: AbortController;
+      /** The pilot has asked to stop; the request under way comes to its end. */
+      readonly stopping: boolean;
+    }
   | { readonly step: 'done'; readonly report: WriteReport; readonly changes: readonly Change[] }
   | { readonly step: 'refused'; readonly error: TimerError };
 
@@ -54,7 +60,7 @@ export class WriteFlow {
     if (!connection.value || !baseline || !working) return;
     const stop = new AbortController();
     const running = (progress: Progress | null): void => {
-      this.current.value = { step: 'running', progress, stop };
+      this.current.value = { step: 'running', progress, stop, stopping: stop.signal.aborted };
     };
     running(null);
     try {
@@ -77,7 +83,11 @@ export class WriteFlow {
   /** Leaves the dialog; while bytes move, asks the write to stop instead. */
   dismiss(): void {
     const { value } = this.current;
-    if (value?.step === 'running') value.stop.abort();
-    else this.current.value = null;
+    if (value?.step === 'running') {
+      value.stop.abort();
+      this.current.value = { ...value, stopping: true };
+    } else {
+      this.current.value = null;
+    }
   }
 }

@@ -55,9 +55,12 @@ export class DraftStore {
   readonly #open: Promise<IDBPDatabase<DraftSchema>>;
 
   constructor(name = 'sidus-timer') {
-    this.#open = openDB<DraftSchema>(name, 1, {
-      upgrade: (database) => void database.createObjectStore('drafts', { keyPath: 'key' }),
-    });
+    // Where storage is switched off, opening may throw at once instead of failing later.
+    this.#open = Promise.resolve().then(() =>
+      openDB<DraftSchema>(name, 1, {
+        upgrade: (database) => void database.createObjectStore('drafts', { keyPath: 'key' }),
+      }),
+    );
     // Whoever asks is told; nobody has asked yet.
     this.#open.catch(() => {});
   }

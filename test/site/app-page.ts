@@ -1,0 +1,241 @@
+import type { BrowserContextOptions, Locator, Page } from 'playwright';
+import { expect, inject } from 'vitest';
+import { newPage } from './page.js';
+import type { Workbench, WorkbenchOptions } from './workbench.js';
+
+declare module 'vitest' {
+  interface ProvidedContext {
+    /** The script that puts a workbench in the place of the browser's serial ports. */
+    workbench: string;
+  }
+}
+
+export interface AppOptions extends BrowserContextOptions {
+  /** Where the page lies. Default: at the root of a host. */
+  readonly at?: 'site' | 'siteUnderPath';
+  /** What is in the place of the browser's serial ports. Default: what the browser has. */
+  readonly bench?: WorkbenchOptions;
+  /** Runs in the page before its own scripts. */
+  readonly before?: () => unknown;
+}
+
+/** The table of the example and of the one reply that is known from a real timer. */
+export const FIRST_POSITIONS = [15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115].map(String);
+
+/** The page as a pilot sees it: by role and name. */
+export class AppPage {
+  readonly page: Page;
+
+  private constructor(page: Page) {
+    this.page = page;
+  }
+
+  static async open({ at = 'site', bench, before, ...options }: AppOptions = {}): Promise<AppPage> {
+    const page = await newPage(options);
+    if (before) await page.addInitScript(before);
+    if (bench) {
+      await page.addInitScript((given) => {
+        window.workbenchOptions = given;
+      }, bench);
+      await page.addInitScript(inject('workbench'));
+    }
+    await page.goto(inject(at));
+    return new AppPage(page);
+  }
+
+  /** Another tab with the same storage. */
+  async sibling(): Promise<AppPage> {
+    const page = await this.page.context().newPage();
+    await page.goto(this.page.url());
+    return new AppPage(page);
+  }
+
+  button(name: string | RegExp): Locator {
+    return this.page.getByRole('button', { name, exact: typeof name === 'string' });
+  }
+
+  field(name: string): Locator {
+    return this.page.getByRole('textbox', { name, exact: true });
+  }
+
+  text(text: string | RegExp): Locator {
+    return this.page.getByText(text);
+  }
+
+  get dialog(): Locator {
+    return this.page.getByRole('dialog', { name: 'Write to the timer' });
+  }
+
+  get table(): Locator {
+    return this.page.getByRole('table', { name: 'Time and servo positions of each function' });
+  }
+
+  get firmware(): Locator {
+    return this.page.getByRole('banner').getByText('firmware 536');
+  }
+
+  async trySimulated(name: 'F1Q' | 'F1B'): Promise<void> {
+    await this.button(`Try a simulated ${name} timer`).click();
+    await this.hasRead();
+  }
+
+  async connect(): Promise<void> {
+    await this.button('Connect').click();
+    await this.hasRead();
+  }
+
+  /** Waits until the wire is free and the table is there. */
+  async hasRead(): Promise<void> {
+    await this.table.waitFor();
+    await this.isReady();
+  }
+
+  async isReady(): Promise<void> {
+    await this.page.locator('button:enabled', { hasText: 'Read again' }).waitFor();
+  }
+
+  async readAgain(): Promise<void> {
+    await this.button('Read again').click();
+    await this.isReady();
+  }
+
+  async memory(name: string): Promise<void> {
+    await this.button(name).click();
+    await this.isReady();
+  }
+
+  /** Types over what stands in a field, and leaves it. */
+  async type(field: string, text: string): Promise<void> {
+    await this.field(field).fill(text);
+    await this.field(field).blur();
+  }
+
+  async valueOf(field: string): Promise<string> {
+    return this.field(field).inputValue();
+  }
+
+  /** What the column of a servo shows, start to DT. */
+  async positions(servo: string): Promise<string[]> {
+    const fields = this.table.getByRole('textbox', { name: new RegExp(`, ${servo}$`) });
+    return fields.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
+  }
+
+  /** The reasons that are said in the table, for people who see them. */
+  async reasons(): Promise<string[]> {
+    return (await this.table.locator('.row-notes p').allInnerTexts()).map((text) => text.trim());
+  }
+
+  /** The text of the status line above the program, once it says this. */
+  async says(sentence: string | RegExp): Promise<void> {
+    await this.page.locator('.notices').getByText(sentence).waitFor();
+  }
+
+  async review(): Promise<void> {
+    await this.button('Write…').click();
+    await this.dialog.waitFor();
+  }
+
+  async tickSafety(): Promise<void> {
+    await this.dialog.getByRole('checkbox', { name: 'The propeller is off' }).check();
+  }
+
+  /** The rows of the table in the dialog. */
+  async difference(): Promise<string[]> {
+    const rows = await this.dialog.locator('tbody tr').all();
+    return Promise.all(rows.map(async (row) => (await row.locator('th, td').allInnerTexts()).join(' | ')));
+  }
+
+  /** From the difference to the result. */
+  async write(): Promise<void> {
+    await this.review();
+    await this.tickSafety();
+    await this.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
+  }
+
+  async result(title: string): Promise<void> {
+    await this.dialog.getByRole('alert').getByText(title).waitFor();
+  }
+
+  async close(): Promise<void> {
+    await this.dialog.getByRole('button', { name: 'Close' }).click();
+    await this.dialog.waitFor({ state: 'hidden' });
+  }
+
+  /** What the page has sent by its own log, oldest first. */
+  async sent(): Promise<string[]> {
+    const rows = await this.page
+      .locator('details.line tbody tr')
+      .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent ?? '')).reverse());
+    return rows.flatMap(([, direction, message = '']) =>
+      direction === 'to the timer' ? [message.replace(/^.* · /, '')] : [],
+    );
+  }
+
+  /** What the log shows of the writing. */
+  async sets(): Promise<string[]> {
+    return (await this.sent()).filter((name) => name.startsWith('SET'));
+  }
+
+  /** Works at the bench beside the pilot. */
+  bench<T>(act: (bench: Workbench) => T): Promise<T> {
+    return this.page.evaluate(`(${act.toString()})(window.workbench)`) as Promise<T>;
+  }
+
+  /** Waits until what was typed has come to rest in the storage. */
+  async kept(): Promise<void> {
+    let before = '';
+    await expect
+      .poll(async () => {
+        const now = await this.#stored();
+        const isAtRest = now === before;
+        before = now;
+        return isAtRest && now !== '[]';
+      })
+      .toBe(true);
+  }
+
+  /** Puts something into the storage, as if an earlier visit had left it there. */
+  async store(draft: object): Promise<void> {
+    await this.page.evaluate(async (stored) => {
+      const opening = indexedDB.open('sidus-timer');
+      const database = await new Promise<IDBDatabase>((resolve) => {
+        opening.onsuccess = () => resolve(opening.result);
+      });
+      const writing = database.transaction('drafts', 'readwrite');
+      writing.objectStore('drafts').put(stored);
+      await new Promise((resolve) => {
+        writing.oncomplete = resolve;
+      });
+      database.close();
+    }, draft);
+  }
+
+  #stored(): Promise<string> {
+    return this.page.evaluate(async () => {
+      const opening = indexedDB.open('sidus-timer');
+      const database = await new Promise<IDBDatabase>((resolve) => {
+        opening.onsuccess = () => resolve(opening.result);
+      });
+      const reading = database.transaction('drafts').objectStore('drafts').getAll();
+      const drafts = await new Promise<unknown[]>((resolve) => {
+        reading.onsuccess = () => resolve(reading.result);
+      });
+      database.close();
+      return JSON.stringify(drafts);
+    });
+  }
+
+  /** Loads the page again. */
+  async reload(): Promise<void> {
+    await this.page.reload();
+    await this.page.getByRole('banner').waitFor();
+  }
+
+  async expectNoSidewaysScrolling(): Promise<void> {
+    const beyond = await this.page.evaluate(() => {
+      const { scrollWidth, clientWidth } = document.documentElement;
+      return scrollWidth - clientWidth;
+    });
+    expect(beyond, 'pixels beyond the edge').toBeLessThanOrEqual(0);
+  }
+}

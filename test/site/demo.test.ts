@@ -1,0 +1,129 @@
+import { expect, test } from 'vitest';
+import { AppPage, FIRST_POSITIONS } from './app-page.js';
+
+for (const name of ['F1Q', 'F1B'] as const) {
+  test(`a pilot without a timer tries a simulated ${name}: reads, edits, writes, and sees it verified`, async () => {
+    const app = await AppPage.open();
+    await app.trySimulated(name);
+    await app.firmware.waitFor();
+    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
+    expect(await app.valueOf('DT')).toBe('3:00');
+
+    await app.type('DT time', '5:00');
+    await app.type('Function 2, S1', '0');
+    await app.type('DT, S3', '130');
+    expect(await app.valueOf('DT'), 'the large figure follows').toBe('5:00');
+    await app.text('3 changes').waitFor();
+
+    await app.review();
+    expect(await app.difference()).toEqual(['DT time | 3:00 | 5:00', 'Function 2, S1 | 35 | 0', 'DT, S3 | 115 | 130']);
+    const start = app.dialog.getByRole('button', { name: 'Write 3 changes' });
+    expect(await start.isDisabled(), 'not before the tick').toBe(true);
+    expect(await app.sets(), 'nothing yet').toEqual([]);
+    await app.tickSafety();
+    await start.click();
+    await app.result('Verified.');
+    await app.close();
+
+    expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    const sent = await app.sent();
+    const reading = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', ...(name === 'F1Q' ? ['GETLOWRPM'] : [])];
+    expect(sent.slice(sent.lastIndexOf('SETSERVO') + 1), 'read back').toEqual(reading);
+    await app.text('No changes').waitFor();
+    await app.readAgain();
+    expect(await app.valueOf('Function 2, S1')).toBe('0');
+    expect(await app.valueOf('DT, S3')).toBe('130');
+  });
+}
+
+test('the motor stop of an F1Q stands large beside DT, and is the start time', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  expect(await app.valueOf('Motor stop')).toBe('10.00');
+  await app.type('Motor stop', '9.5');
+  expect(await app.valueOf('Motor stop time')).toBe('9.50');
+});
+
+test('the reserved start time of an F1B is edited only on purpose', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1B');
+  expect(await app.field('Start time').isEditable()).toBe(false);
+  await app.button('Edit the reserved time').click();
+  expect(await app.field('Start time').isEditable()).toBe(true);
+  await app.page.keyboard.type('1');
+  expect(await app.valueOf('Start time')).toBe('1');
+});
+
+test('the safety is asked for once in a connection', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  await app.type('Function 1, S1', '1');
+  await app.write();
+  await app.result('Verified.');
+  await app.close();
+  await app.type('Function 1, S1', '2');
+  await app.review();
+  expect(await app.dialog.getByRole('button', { name: 'Write 1 change' }).isEnabled()).toBe(true);
+});
+
+test('what may cost a model has to be acknowledged before it is written', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  await app.type('Motor stop', '4:00');
+  await app.review();
+  await app.tickSafety();
+  const start = app.dialog.getByRole('button', { name: 'Write 1 change' });
+  expect(await start.isDisabled()).toBe(true);
+  await app.dialog.getByText('The motor stops after DT, at 3:00').waitFor();
+  await app.dialog.getByRole('checkbox', { name: 'I have read this' }).check();
+  await start.click();
+  await app.result('Verified.');
+});
+
+test('each memory is read as it is chosen, and keeps its own edits', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  await app.type('Function 3, S2', '77');
+  await app.memory('M2');
+  expect(await app.valueOf('DT')).toBe('3:30');
+  expect(await app.valueOf('Function 3, S2')).toBe('45');
+  await app.says('Your edits of the other memory are kept.');
+  await app.memory('M1');
+  await app.says('Earlier edits for this memory are back.');
+  expect(await app.valueOf('Function 3, S2')).toBe('77');
+});
+
+test('by keyboard alone: try, edit DT, write, verify', async () => {
+  const app = await AppPage.open();
+  const { keyboard } = app.page;
+  /** Tabs until the element with this name has the focus. */
+  const tabTo = async (name: RegExp): Promise<void> => {
+    for (let i = 0; i < 60; i++) {
+      await keyboard.press('Tab');
+      const focused = await app.page.evaluate(() => {
+        const { activeElement: at } = document;
+        return at?.getAttribute('aria-label') ?? at?.closest('label')?.textContent ?? at?.textContent ?? '';
+      });
+      if (name.test(focused)) return;
+    }
+    throw new Error(`Tab never reached ${name}`);
+  };
+  await tabTo(/^Try a simulated F1Q timer$/);
+  await keyboard.press('Enter');
+  await app.hasRead();
+  await tabTo(/^DT$/);
+  await keyboard.type('240');
+  await tabTo(/^Write…$/);
+  await keyboard.press('Enter');
+  await app.dialog.waitFor();
+  await tabTo(/^The propeller is off/);
+  await keyboard.press('Space');
+  await tabTo(/^Write 1 change$/);
+  await keyboard.press('Enter');
+  await app.result('Verified.');
+  await tabTo(/^Close$/);
+  await keyboard.press('Enter');
+  await app.dialog.waitFor({ state: 'hidden' });
+  expect(await app.valueOf('DT')).toBe('4:00');
+  expect(await app.sets()).toEqual(['SETTIMERS']);
+});

@@ -1,0 +1,160 @@
+import { describe, expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+describe('what no timer can hold is refused at the field', () => {
+  const cases: [field: string, text: string, shown: string, reason: string][] = [
+    ['Function 2, S1', '131', '131', 'A position is 0 to 130 steps.'],
+    ['DT time', '655.36', '10:55.36', 'A time can be at most 10:55.35.'],
+    ['Function 2, S1', 'six', 'six', 'Not a whole number of steps.'],
+    ['DT time', 'soon', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
+    ['Function 2, S1', '', '', 'Empty: type a value.'],
+    ['DT time', '', '', 'Empty: type a value.'],
+  ];
+
+  test.for(cases)('%s = %j', async ([field, text, shown, reason]) => {
+    const app = await AppPage.open({ bench: {} });
+    await app.connect();
+    const sent = await app.sent();
+    await app.type(field, text);
+    expect(await app.valueOf(field)).toBe(shown);
+    expect(await app.field(field).getAttribute('aria-invalid')).toBe('true');
+    expect(await app.reasons()).toContain(`${field}: ${reason}`);
+    expect(await app.button('Write…').isDisabled()).toBe(true);
+    expect(await app.sent(), 'nothing was sent').toEqual(sent);
+
+    await app.kept();
+    await app.reload();
+    expect(await app.valueOf(field)).toBe(shown);
+    await app.button('Connect').click();
+    await app.isReady();
+    expect(await app.valueOf(field)).toBe(shown);
+    expect(await app.button('Write…').isDisabled()).toBe(true);
+    await app.button('Undo all').click();
+    expect(await app.button('Write…').isEnabled()).toBe(true);
+  });
+
+  test('a text without an end: the page stays whole', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.connect();
+    await app.type('Function 2, S1', '9'.repeat(100_000));
+    await app.type('DT time', '<img src=x onerror=alert(1)>'.repeat(100));
+    expect(await app.reasons()).toHaveLength(2);
+    await app.expectNoSidewaysScrolling();
+  });
+});
+
+describe('what was typed is kept', () => {
+  test('through a reload, before anything is connected, and on top of what the timer holds then', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.connect();
+    await app.type('Function 2, S1', '7');
+    await app.type('DT time', '4:00');
+    await app.kept();
+    await app.reload();
+    await app.says('Your edits are back.');
+    expect([await app.valueOf('Function 2, S1'), await app.valueOf('DT')]).toEqual(['7', '4:00']);
+    await app.button('Connect').click();
+    await app.isReady();
+    await app.text('2 changes').waitFor();
+    await app.write();
+    await app.result('Verified.');
+    await app.close();
+    await app.reload();
+    expect(await app.text('Your edits are back.').count(), 'nothing is left to bring back').toBe(0);
+  });
+
+  test('when another memory is chosen, text for text, and through a reload', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.connect();
+    await app.type('Function 2, S1', 'seven');
+    await app.memory('M2');
+    expect(await app.valueOf('Function 2, S1')).toBe('35');
+    await app.reload();
+    await app.button('Connect').click();
+    await app.isReady();
+    expect(await app.valueOf('Function 2, S1')).toBe('seven');
+  });
+
+  test('and seen in a second tab', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.connect();
+    await app.type('Function 2, S1', '7');
+    await app.kept();
+    const other = await app.sibling();
+    expect(await other.valueOf('Function 2, S1')).toBe('7');
+  });
+});
+
+describe('the page starts all the same', () => {
+  const program = (functions: number, servos: number, value: unknown) => ({
+    identity: { timerClass: 'Q', firmware: '536', functions, memories: 4, servos },
+    memory: 0,
+    timers: Array(functions + 1).fill(value),
+    positions: Array(servos).fill(Array(functions + 1).fill(value)),
+    idleThrottle: null,
+  });
+  const draft = {
+    key: 'a',
+    baseline: program(3, 1, 0),
+    working: program(3, 1, 5),
+    texts: {},
+    savedAt: 1,
+    simulated: false,
+  };
+  const garbage: [name: string, stored: object][] = [
+    ['nothing of a draft but its key', { key: 'a' }],
+    ['lists of another length than the identity says', { ...draft, working: { ...draft.working, timers: [1] } }],
+    ['texts for numbers', { ...draft, working: program(3, 1, 'five') }],
+    ['numbers that are none', { ...draft, working: program(3, 1, Number.NaN) }],
+    ['numbers that no timer holds', { ...draft, working: program(3, 1, -1e300) }],
+    ['an identity of a thousand servos', { ...draft, working: program(3, 1000, 1) }],
+    ['two programs of different timers', { ...draft, working: program(5, 2, 1) }],
+    ['texts for fields that there are not', { ...draft, texts: { 'time:99': 'x', __proto__: 'y' } }],
+  ];
+
+  test.for(garbage)('after %s was stored', async ([, stored]) => {
+    const app = await AppPage.open({ bench: {} });
+    await app.store(stored);
+    await app.reload();
+    await app.connect();
+    expect(await app.valueOf('DT time')).toBe('3:00');
+  });
+
+  test('after a later version has stored in another way', async () => {
+    const app = await AppPage.open({ bench: {}, before: () => void indexedDB.open('sidus-timer', 99) });
+    await app.says('This browser does not keep what you type.');
+    await app.connect();
+  });
+
+  const refusals: [how: string, before: () => void][] = [
+    [
+      'at once',
+      () => {
+        IDBFactory.prototype.open = () => {
+          throw new DOMException('The storage is off.', 'SecurityError');
+        };
+      },
+    ],
+    [
+      'when it is written to',
+      () => {
+        IDBObjectStore.prototype.put = () => {
+          throw new DOMException('The storage is full.', 'QuotaExceededError');
+        };
+      },
+    ],
+  ];
+
+  test.for(refusals)(
+    'where the browser refuses to store, %s: typed text stays while the page is open',
+    async ([, before]) => {
+      const app = await AppPage.open({ bench: {}, before });
+      await app.connect();
+      await app.type('Function 2, S1', '7');
+      await app.says('This browser does not keep what you type.');
+      await app.memory('M2');
+      await app.memory('M1');
+      expect(await app.valueOf('Function 2, S1')).toBe('7');
+    },
+  );
+});

@@ -1,0 +1,285 @@
+import { describe, expect, test } from 'vitest';
+import { AppPage, FIRST_POSITIONS } from './app-page.js';
+
+/** A pilot who has connected, and has edited a time and a position. */
+async function edited(): Promise<AppPage> {
+  const app = await AppPage.open({ bench: {} });
+  await app.connect();
+  await app.type('DT time', '4:00');
+  await app.type('Function 2, S1', '7');
+  return app;
+}
+
+describe('through a serial port', () => {
+  test('a pilot connects, reads, edits, writes, and sees it verified', async () => {
+    const app = await AppPage.open({ bench: {} });
+    expect(await app.bench(({ opened }) => opened), 'nothing is opened without a click').toBeNull();
+    await app.connect();
+    expect(await app.bench(({ opened }) => opened)).toMatchObject({
+      baudRate: 9600,
+      dataBits: 8,
+      stopBits: 1,
+      parity: 'none',
+      bufferSize: 16384,
+    });
+    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
+
+    await app.type('DT time', '4:00');
+    await app.type('Function 2, S1', '7');
+    await app.type('Function 9, S3', '130');
+    await app.write();
+    await app.result('Verified.');
+    await app.close();
+    expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    expect(await app.bench(({ sets }) => sets), 'the timer has seen the same').toEqual(await app.sets());
+    const { timers, positions } = await app.bench(({ content }) => content);
+    expect([timers[10], positions[0]?.[2], positions[2]?.[9]]).toEqual([24000, 7, 130]);
+
+    await app.button('Disconnect').click();
+    await app.button('Connect').waitFor();
+    expect(await app.bench(({ opened }) => opened)).toBeNull();
+  });
+
+  test('the port of the last visit is opened without the chooser', async () => {
+    const app = await AppPage.open({ bench: { granted: true } });
+    await app.bench((bench) => bench.dismissChooser());
+    await app.connect();
+  });
+
+  test('nothing is chosen: the page says so, and Connect works again', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.dismissChooser());
+    await app.button('Connect').click();
+    await app.says('No port was chosen.');
+    await app.bench((bench) => bench.chooseAdapter());
+    await app.connect();
+  });
+
+  test('another program holds the port: the page says so, and Connect works when it is free', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.setBusy(true));
+    await app.button('Connect').click();
+    await app.says('The port is in use.');
+    await app.bench((bench) => bench.setBusy(false));
+    await app.connect();
+  });
+
+  test('the timer sleeps: the page says so, and Connect works after a press of the switch', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.sleep());
+    await app.button('Connect').click();
+    await app.says('The timer did not answer.');
+    await app.bench((bench) => bench.press());
+    await app.connect();
+  });
+
+  test('the timer falls asleep before it is read: a press of the switch and Connect go on', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.sleepAt('GETSWVER'));
+    await app.button('Connect').click();
+    await app.says('The timer did not answer.');
+    await app.bench((bench) => bench.press());
+    await app.button(/^(Connect|Read again)$/).click();
+    await app.hasRead();
+  });
+
+  test('a first read that is stopped can be done again', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.button('Connect').click();
+    await app.page.getByRole('progressbar', { name: 'Reading the timer' }).waitFor();
+    await app.button('Stop').click();
+    await app.page.getByRole('progressbar').waitFor({ state: 'detached' });
+    await app.button(/^(Connect|Read again)$/).click();
+    await app.hasRead();
+  });
+
+  test('Disconnect and Connect can follow at once, although a port takes a moment to close', async () => {
+    const app = await edited();
+    await app.bench(({ adapter: { port } }) => {
+      const close = port.close.bind(port);
+      port.close = async () => {
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        await close();
+      };
+    });
+    await app.button('Disconnect').click();
+    await app.button('Connect').click();
+    await app.isReady();
+    expect(await app.valueOf('Function 2, S1')).toBe('7');
+  });
+
+  test('garbage comes in the middle of a read: it is read to the end', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.damageAfter(70));
+    await app.connect();
+    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
+    expect(await app.page.locator('details.line tr.damaged').count(), 'it is in the log').toBeGreaterThan(0);
+  });
+});
+
+describe('the plug is pulled', () => {
+  test('while nothing moves: the page says so and keeps the edits', async () => {
+    const app = await edited();
+    await app.bench((bench) => bench.adapter.unplug());
+    await app.says('The connection is gone.');
+    expect(await app.button('Write…').isDisabled()).toBe(true);
+    expect(await app.valueOf('Function 2, S1')).toBe('7');
+    await app.bench((bench) => bench.replug());
+    await app.button('Connect').click();
+    await app.isReady();
+    expect(await app.valueOf('Function 2, S1')).toBe('7');
+  });
+
+  for (const request of ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const) {
+    test(`while it reads, at ${request}: the page says so, and reads after plugging in`, async () => {
+      const app = await edited();
+      await app.page.evaluate((name) => window.workbench.unplugAt(name), request);
+      await app.button('Read again').click();
+      await app.says('The connection is gone.');
+      expect(await app.valueOf('DT time')).toBe('4:00');
+      await app.bench((bench) => bench.replug());
+      await app.button('Connect').click();
+      await app.isReady();
+      expect([await app.valueOf('DT time'), await app.valueOf('Function 2, S1')]).toEqual(['4:00', '7']);
+    });
+  }
+
+  for (const request of ['SETTIMERS', 'SETSERVO'] as const) {
+    test(`while it writes, at ${request}: nothing is called verified, and the write is finished later`, async () => {
+      const app = await edited();
+      await app.page.evaluate((name) => window.workbench.unplugAt(name), request);
+      await app.write();
+      await app.result('It is not certain what the timer holds.');
+      await app.close();
+      await app.says('The connection is gone.');
+      expect([await app.valueOf('DT time'), await app.valueOf('Function 2, S1')]).toEqual(['4:00', '7']);
+
+      await app.bench((bench) => bench.replug());
+      await app.button('Connect').click();
+      await app.isReady();
+      await app.review();
+      const safety = app.dialog.getByRole('checkbox', { name: 'The propeller is off' });
+      expect(await safety.isChecked(), 'asked again for this connection').toBe(false);
+      await app.tickSafety();
+      await app.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
+      await app.result('Verified.');
+      const { timers, positions } = await app.bench(({ content }) => content);
+      expect([timers[10], positions[0]?.[2]]).toEqual([24000, 7]);
+    });
+  }
+
+  test('while the difference is looked at: the dialog does not offer what it cannot do', async () => {
+    const app = await edited();
+    await app.review();
+    await app.tickSafety();
+    await app.bench((bench) => bench.adapter.unplug());
+    await app.says('The connection is gone.');
+    const start = app.dialog.getByRole('button', { name: /^Write/ });
+    expect((await start.isVisible()) && (await start.isEnabled())).toBe(false);
+  });
+
+  test('the sentence is in sight, wherever the page is scrolled on a phone', async () => {
+    const app = await AppPage.open({ bench: {}, viewport: { width: 390, height: 844 } });
+    await app.connect();
+    await app.field('DT, S1').scrollIntoViewIfNeeded();
+    await app.bench((bench) => bench.adapter.unplug());
+    await app.says('The connection is gone.');
+    const seen = await app.text('The connection is gone.').evaluate(
+      (element) =>
+        new Promise<boolean>((resolve) => {
+          const observer = new IntersectionObserver(([entry]) => resolve(entry?.isIntersecting ?? false));
+          observer.observe(element);
+        }),
+    );
+    expect(seen).toBe(true);
+  });
+});
+
+describe('an impatient pilot', () => {
+  test('clicks Connect twice: one connection', async () => {
+    const app = await AppPage.open({ bench: { granted: true } });
+    await app.button('Connect').dblclick();
+    await app.hasRead();
+    expect((await app.sent()).filter((name) => name === 'GETSWVER')).toHaveLength(1);
+  });
+
+  test('clicks Write twice: one write, and its result', async () => {
+    const app = await edited();
+    await app.review();
+    await app.tickSafety();
+    await app.dialog.getByRole('button', { name: 'Write 2 changes' }).dblclick();
+    await app.result('Verified.');
+    expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO']);
+  });
+
+  test('stops a write: it says what is not certain, and a second write finishes it', async () => {
+    const app = await edited();
+    await app.page.evaluate(() => {
+      const { core } = window.workbench.adapter.timer;
+      core.onAnswer = ({ name }) => {
+        if (name !== 'SETTIMERS') return;
+        [...document.querySelectorAll('dialog button')]
+          .find((button): button is HTMLButtonElement => button.textContent === 'Stop')
+          ?.click();
+      };
+    });
+    await app.write();
+    await app.result('It is not certain what the timer holds.');
+    expect(await app.sets()).toEqual(['SETTIMERS']);
+    await app.close();
+    await app.readAgain();
+    await app.text('1 change').waitFor();
+    await app.write();
+    await app.result('Verified.');
+  });
+
+  test('presses Escape again and again while it writes: the result is shown all the same', async () => {
+    const app = await edited();
+    await app.write();
+    for (let i = 0; i < 4; i++) await app.page.keyboard.press('Escape');
+    await app.isReady();
+    await app.page.waitForFunction(() => document.querySelector('dialog [role=alert]'));
+    expect(await app.dialog.isVisible(), 'the dialog is open').toBe(true);
+    await app.close();
+    await app.review();
+  });
+
+  test('loads the page again in the middle of a write: is asked first, and finds the edits after it', async () => {
+    const app = await edited();
+    let asked = 0;
+    app.page.on('dialog', (dialog) => {
+      asked++;
+      void dialog.accept();
+    });
+    await app.write();
+    await app.dialog.getByRole('button', { name: 'Stop' }).waitFor();
+    await app.reload();
+    expect(asked).toBe(1);
+    await app.says('Your edits are back.');
+    expect([await app.valueOf('DT time'), await app.valueOf('Function 2, S1')]).toEqual(['4:00', '7']);
+  });
+});
+
+describe('without Web Serial', () => {
+  const without = (): unknown => Reflect.deleteProperty(Navigator.prototype, 'serial');
+
+  test('the page names the browsers that have it, and the simulated timers are there', async () => {
+    const app = await AppPage.open({ before: without });
+    await app.text('Web Serial works in Chrome, Edge and Opera (version 89 or later) and in Firefox (151').waitFor();
+    expect(await app.button('Connect').count()).toBe(0);
+    await app.trySimulated('F1B');
+  });
+
+  test('edits of the simulated timer are back after a reload, and can be written to it', async () => {
+    const app = await AppPage.open({ before: without });
+    await app.trySimulated('F1Q');
+    await app.type('Function 2, S1', '7');
+    await app.kept();
+    await app.reload();
+    expect(await app.valueOf('Function 2, S1')).toBe('7');
+    await app.button(/simulated/i).click();
+    await app.isReady();
+    await app.write();
+    await app.result('Verified.');
+  });
+});
