@@ -85,10 +85,13 @@ describe('through a serial port', () => {
 
   test('a first read that is stopped can be done again', async () => {
     const app = await AppPage.open({ bench: {} });
+    // A timer that sleeps makes the reading last long enough for a hand.
+    await app.bench((bench) => bench.sleepAt('GETSWVER'));
     await app.button('Connect').click();
     await app.page.getByRole('progressbar', { name: 'Reading the timer' }).waitFor();
     await app.button('Stop').click();
     await app.page.getByRole('progressbar').waitFor({ state: 'detached' });
+    await app.bench((bench) => bench.press());
     await app.button(/^(Connect|Read again)$/).click();
     await app.hasRead();
   });

@@ -26,11 +26,11 @@ export function WriteDialog() {
       aria-labelledby="write-title"
       onCancel={(event) => {
         event.preventDefault();
-        write.dismiss();
+        write.escape();
       }}
       onClose={() => {
-        // A browser lets Escape be refused once, then closes all the same: what became of a write has to be seen.
-        if (write.current.value?.step === 'running') dialog.current?.showModal();
+        // A browser lets Escape be refused once, then closes all the same.
+        if (write.held) dialog.current?.showModal();
         else write.dismiss();
       }}
     >
@@ -45,7 +45,7 @@ export function WriteDialog() {
               }
             />
           )}
-          {current.step === 'done' && <Result identity={identity} report={current.report} changes={current.changes} />}
+          {current.step === 'done' && <Result identity={identity} report={current.report} />}
           {current.step === 'refused' && <Refused />}
         </>
       )}
@@ -156,13 +156,7 @@ function Running({ stage }: { stage: string }) {
   );
 }
 
-interface ResultProps {
-  readonly identity: Identity;
-  readonly report: WriteReport;
-  readonly changes: readonly Change[];
-}
-
-function Result({ identity, report }: ResultProps) {
+function Result({ identity, report }: { identity: Identity; report: WriteReport }) {
   const { write } = useModels();
   const { write: words, timer } = messages.value;
   const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);

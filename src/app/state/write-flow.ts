@@ -1,6 +1,6 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { type Progress, TimerError, type WriteReport } from '../../client/index.js';
-import type { Change, Finding } from '../../program/index.js';
+import type { Finding } from '../../program/index.js';
 import type { Session } from './session.js';
 
 /** The steps of a write, from the difference to the result. */
@@ -13,7 +13,12 @@ export type WriteStep =
       /** The pilot has asked to stop; the request under way comes to its end. */
       readonly stopping: boolean;
     }
-  | { readonly step: 'done'; readonly report: WriteReport; readonly changes: readonly Change[] }
+  | {
+      readonly step: 'done';
+      readonly report: WriteReport;
+      /** What became of the write has to be seen: only its button closes it, not an Escape meant for something else. */
+      readonly stays: boolean;
+    }
   | { readonly step: 'refused'; readonly error: TimerError };
 
 /** Shows the difference, writes it, and says what became of it. */
@@ -55,7 +60,6 @@ export class WriteFlow {
     const { editor, connection } = this.#session;
     const baseline = editor.baseline.value;
     const working = editor.working.value;
-    const changes = editor.changes.value;
     if (this.current.value?.step !== 'review' || !this.ready.value) return;
     if (!connection.value || !baseline || !working) return;
     const stop = new AbortController();
@@ -68,7 +72,7 @@ export class WriteFlow {
       const report = await connection.value.client.writeProgram(working, options);
       batch(() => {
         if (report.held) editor.rebase(report.held);
-        this.current.value = { step: 'done', report, changes };
+        this.current.value = { step: 'done', report, stays: report.result !== 'verified' || stop.signal.aborted };
       });
     } catch (error) {
       if (error instanceof TimerError) {
@@ -78,6 +82,17 @@ export class WriteFlow {
       this.current.value = null;
       this.#session.report(error);
     }
+  }
+
+  /** Whether the dialog has to stay open whatever key is pressed. */
+  get held(): boolean {
+    const { value } = this.current;
+    return value?.step === 'running' || (value?.step === 'done' && value.stays);
+  }
+
+  /** Escape was pressed: leaves the dialog where it may be left; while bytes move, asks the write to stop. */
+  escape(): void {
+    if (this.current.value?.step === 'running' || !this.held) this.dismiss();
   }
 
   /** Leaves the dialog; while bytes move, asks the write to stop instead. */
