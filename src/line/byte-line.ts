@@ -107,7 +107,9 @@ export class ByteLine {
     const fault = this.#fault;
     const first = this.#sent;
     this.#sent += sent.length;
-    const bytes = fault ? Uint8Array.from([...sent].flatMap((byte, i) => fault(byte, first + i))) : sent.slice();
+    const bytes = fault
+      ? Uint8Array.from([...sent].flatMap((byte, i) => fault(byte, first + i)))
+      : new Uint8Array(sent);
     if (bytes.length === 0) return;
     this.#underWay.push(bytes);
     const cancel = this.#clock.after(at + this.#latency - this.#clock.now(), () => {

@@ -87,11 +87,10 @@ describe('a byte line', () => {
     expect(arrived).toEqual(['01', '02', '03']);
   });
 
-  it('hands over its own copy', async () => {
+  it.each([Uint8Array.of(1, 2), Buffer.of(1, 2)])('hands over its own copy of %o', async (bytes) => {
     const clock = new VirtualClock();
     const arrived: Uint8Array[] = [];
-    const line = new ByteLine((bytes) => arrived.push(bytes), { clock });
-    const bytes = Uint8Array.of(1, 2);
+    const line = new ByteLine((piece) => arrived.push(piece), { clock });
     line.send(bytes);
     bytes.fill(9);
     await clock.advance(0);
