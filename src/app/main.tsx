@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
-import { App, type AppModels } from './app.js';
+import { App } from './app.js';
+import type { AppModels } from './models.js';
 import { registerOffline } from './offline.js';
 import { plugSimulatedTimer } from './simulated-timer.js';
 import { Session } from './state/session.js';

@@ -1,5 +1,5 @@
-import { useModels } from '../app.js';
 import { messages, timerName } from '../messages/index.js';
+import { useModels } from '../models.js';
 import { NoticeBar } from './notice-bar.js';
 import { ProgressLine } from './progress-line.js';
 

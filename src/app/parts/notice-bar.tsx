@@ -1,5 +1,5 @@
-import { useModels } from '../app.js';
 import { messages, type Said } from '../messages/index.js';
+import { useModels } from '../models.js';
 import type { Notice } from '../state/session.js';
 
 const CALM: ReadonlySet<Notice['code']> = new Set([

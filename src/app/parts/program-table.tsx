@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
-import { useModels } from '../app.js';
 import { columnLabel, fieldLabel, messages } from '../messages/index.js';
+import { useModels } from '../models.js';
 import { notesFor } from './field-notes.js';
 import { ValueField } from './value-field.js';
 

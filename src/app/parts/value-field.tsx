@@ -1,6 +1,6 @@
 import { fieldKey, type ProgramField } from '../../program/index.js';
-import { useModels } from '../app.js';
 import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
 import { formatValue } from '../state/editor.js';
 import { notesFor } from './field-notes.js';
 

@@ -1,7 +1,7 @@
 import type { LineEntry } from '../../client/index.js';
 import { commandOf } from '../../protocol/index.js';
-import { useModels } from '../app.js';
 import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
 
 /** Everything that was on the line, newest first. */
 export function LinePanel() {

@@ -1,6 +1,6 @@
 import { fieldKey } from '../../program/index.js';
-import { useModels } from '../app.js';
 import { fieldLabel, messages, timerName } from '../messages/index.js';
+import { useModels } from '../models.js';
 import { allNotes } from '../parts/field-notes.js';
 import { ProgramTable } from '../parts/program-table.js';
 import { ValueField } from '../parts/value-field.js';

@@ -1,5 +1,5 @@
-import { useModels } from '../app.js';
 import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
 import { ConnectButtons } from '../parts/header.js';
 import { NoticeText } from '../parts/notice-bar.js';
 
