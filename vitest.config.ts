@@ -7,6 +7,7 @@ import { launchOptions } from './test/tools/browser.js';
 const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
   setupFiles: ['test/app/setup.ts'],
+  testTimeout: 30_000,
 };
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
@@ -22,6 +23,9 @@ export default defineConfig({
             'test/{line,protocol,program,client,simulator,mock-serial,serial,fuzz,package}/**/*.test.ts',
             'test/readme*.test.ts',
           ],
+          globalSetup: 'test/tools/pack-folder.js',
+          // Nothing waits here, but properties take their time on a busy machine.
+          testTimeout: 60_000,
         },
       },
       {
@@ -47,8 +51,10 @@ export default defineConfig({
           name: 'site',
           environment: 'node',
           include: ['test/site/**/*.test.ts'],
-          globalSetup: 'test/site/setup.js',
-          testTimeout: 30_000,
+          globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
+          // A journey mostly waits for the line: several can run side by side.
+          maxWorkers: 3,
+          testTimeout: 60_000,
         },
       },
       {

@@ -1,4 +1,5 @@
 export { firstContent, type MemoryContent } from './memory.js';
 export type { TimerQuirks } from './quirks.js';
+export { ReplayTimer, type ReplayTimerOptions } from './replay.js';
 export { TimerCore, type TimerCoreOptions, type TimerPhase } from './timer-core.js';
 export { type LineFaults, VirtualTimer, type VirtualTimerOptions } from './virtual-timer.js';

@@ -1,7 +1,8 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { encodeFrame, type Frame, FrameDecoder, type Rejection } from '../../src/protocol/index.js';
+import { type DecoderQuirks, encodeFrame, type Frame, FrameDecoder, type Rejection } from '../../src/protocol/index.js';
 import { concat, cut, fromHex, toHex } from '../tools/bytes.js';
+import { PageDecoder } from './reference.js';
+import { table } from './table.js';
 import { CAPTURE, CAPTURE_PIECES } from './vectors.js';
 
 function shown(frames: readonly Frame[]): string[] {
@@ -10,24 +11,6 @@ function shown(frames: readonly Frame[]): string[] {
 
 function decode(pieces: readonly Uint8Array[], decoder = new FrameDecoder()): Frame[] {
   return [...pieces.flatMap((piece) => decoder.push(piece)), ...decoder.idle()];
-}
-
-/** The law in its plainest form, read off a stream that is there as a whole: slow, and with nothing of the decoder in it. */
-function reference(stream: Uint8Array): Frame[] {
-  const frames: Frame[] = [];
-  let begin = 0;
-  for (let at = 0; at < stream.length; at++) {
-    const length = stream[at] as number;
-    if (at - begin < 4 || length < 3 || at + length >= stream.length) continue;
-    if (stream.subarray(at - 4, at).some((byte) => byte !== 0)) continue;
-    const body = stream.subarray(at + 1, at + length - 1);
-    const sum = body.reduce((total, byte) => total + byte, 0) % 256;
-    if (stream[at + length] !== 0x45 || stream[at + length - 1] !== sum) continue;
-    frames.push({ code: body[0] as number, data: body.slice(1) });
-    begin = at + length + 1;
-    at = begin - 1;
-  }
-  return frames;
 }
 
 describe('frames that are whole', () => {
@@ -60,6 +43,16 @@ describe('frames that are whole', () => {
     const [frame] = new FrameDecoder().push(chunk);
     chunk.fill(9);
     expect(frame?.data).toEqual(Uint8Array.of(3));
+  });
+
+  it('are read from a Buffer of Node, whose slice is a view', () => {
+    const pooled = Buffer.from([...encodeFrame(0x72, [3, 4, 5]), ...encodeFrame(0x76, [6, 7, 8])]);
+    const frames = new FrameDecoder().push(pooled);
+    pooled.fill(9);
+    expect(frames).toEqual([
+      { code: 0x72, data: Uint8Array.of(3, 4, 5) },
+      { code: 0x76, data: Uint8Array.of(6, 7, 8) },
+    ]);
   });
 
   it('are read from a view into a larger buffer', () => {
@@ -158,75 +151,29 @@ describe('a bare checksum', () => {
   });
 });
 
-describe('laws', () => {
-  const frame = fc
-    .record({ code: fc.integer({ min: 0, max: 255 }), data: fc.uint8Array({ maxLength: 60 }) })
-    .map(({ code, data }) => encodeFrame(code, data));
-  // Bytes as they make trouble: zeros, lengths, ends, headers inside data.
-  const noise = fc.array(fc.constantFrom(0, 0, 0, 0, 3, 4, 9, 0x24, 0x45, 0x62, 0x6b, 0xff), { maxLength: 40 });
-  const damaged = fc.tuple(frame, fc.nat(), fc.integer({ min: 0, max: 255 })).map(([bytes, where, value]) => {
-    const copy = bytes.slice();
-    copy[where % copy.length] = value;
-    return copy;
-  });
-  const stream = fc
-    .array(
-      fc.oneof(
-        frame,
-        damaged,
-        noise.map((bytes) => Uint8Array.from(bytes)),
-      ),
-      { maxLength: 8 },
-    )
-    .map((pieces) => concat(...pieces));
-  const sizes = fc.array(fc.integer({ min: 1, max: 30 }), { maxLength: 40 });
-  const runs = { numRuns: 2000 };
+describe('the streams that are published for decoders in other languages', () => {
+  const decoders = {
+    'this decoder': (quirks: DecoderQuirks) => new FrameDecoder({ quirks }),
+    'the program of the protocol page': () => new PageDecoder(),
+  };
+  for (const [who, make] of Object.entries(decoders)) {
+    // The page's program knows no quirks.
+    for (const { name, quirks, steps } of table.streams.filter(({ quirks }) => !quirks || who === 'this decoder')) {
+      it(`${who}: ${name}`, () => {
+        const decoder = make(quirks ?? {});
+        const delivered = steps.map(({ push }) =>
+          shown(push === undefined ? decoder.idle() : decoder.push(fromHex(push))),
+        );
+        expect(delivered).toEqual(steps.map(({ frames }) => frames));
+      });
+    }
+  }
 
-  it('round trip: every frame comes back as it was', () => {
-    fc.assert(
-      fc.property(fc.integer({ min: 0, max: 255 }), fc.uint8Array({ maxLength: 252 }), (code, data) => {
-        expect(new FrameDecoder().push(encodeFrame(code, data))).toEqual([{ code, data }]);
-      }),
-      runs,
-    );
-  });
-
-  it('any split: the same frames whatever the chunks', () => {
-    fc.assert(
-      fc.property(stream, sizes, (bytes, pieces) => {
-        expect(shown(decode(cut(bytes, pieces)))).toEqual(shown(decode([bytes])));
-      }),
-      runs,
-    );
-  });
-
-  it('resynchronisation: exactly the frames of the law, whatever is around them', () => {
-    fc.assert(
-      fc.property(stream, sizes, (bytes, pieces) => {
-        expect(shown(decode(cut(bytes, pieces)))).toEqual(shown(reference(bytes)));
-      }),
-      runs,
-    );
-  });
-
-  it('every byte is told of once: as part of a frame or as passed over', () => {
-    fc.assert(
-      fc.property(stream, sizes, (bytes, pieces) => {
-        const told: Uint8Array[] = [];
-        const decoder = new FrameDecoder({
-          onFrame: (_, wire) => told.push(wire),
-          onRejected: (rejection) => told.push(rejection.bytes),
-        });
-        decode(cut(bytes, pieces), decoder);
-        // Runs of more than five zeros are shown as five, and zeros at the very end still wait for what follows.
-        const plain = (all: Uint8Array): string =>
-          toHex(all)
-            .replaceAll(/(00 ?){5,}/g, '00 00 00 00 00 ')
-            .replace(/(00 ?)+$/, '')
-            .trim();
-        expect(plain(concat(...told))).toBe(plain(bytes));
-      }),
-      runs,
-    );
+  it('name every reason to refuse bytes', () => {
+    const reasons = new Set<string>();
+    const decoder = new FrameDecoder({ onRejected: ({ reason }) => reasons.add(reason) });
+    for (const { steps } of table.streams)
+      for (const { push } of steps) push ? decoder.push(fromHex(push)) : decoder.idle();
+    expect(reasons).toEqual(new Set(['noise', 'length', 'terminator', 'checksum', 'silence']));
   });
 });

@@ -14,14 +14,15 @@ import {
   exchangeSize,
   type Frame,
   FrameDecoder,
-  type Reply,
-  type Request,
 } from '../../src/protocol/index.js';
 import { fromHex, toHex } from '../tools/bytes.js';
-import { B536, LARGE, REPLIES, REQUESTS, SMALL } from './vectors.js';
+import { optionsOf, type Row, table } from './table.js';
+import { B536, LARGE, SMALL } from './vectors.js';
 
-function onlyFrame(hex: string): Frame {
-  const frames = new FrameDecoder().push(fromHex(hex));
+function onlyFrame(hex: string, bareChecksum = false): Frame {
+  const bytes = fromHex(hex);
+  const quirks = { bareChecksum: bareChecksum && [bytes[6] as number] };
+  const frames = new FrameDecoder({ quirks }).push(bytes);
   expect(frames).toHaveLength(1);
   return frames[0] as Frame;
 }
@@ -54,166 +55,69 @@ describe('the table of commands', () => {
     expect(commandOf(0x79)).toBeUndefined();
   });
 
-  it('is covered by the vectors below', () => {
-    expect(new Set(REQUESTS.map((v) => v.message.name))).toEqual(new Set(COMMAND_NAMES));
-    expect(new Set(REPLIES.map((v) => v.message.name))).toEqual(new Set(COMMAND_NAMES));
+  it('is covered by the vectors', () => {
+    expect(new Set(table.requests.map((row) => row.message.name))).toEqual(new Set(COMMAND_NAMES));
+    expect(new Set(table.replies.map((row) => row.message.name))).toEqual(new Set(COMMAND_NAMES));
   });
 });
 
 describe('requests', () => {
-  for (const { name, hex, identity, message } of REQUESTS) {
-    it(`${name}: values to bytes`, () => expect(toHex(encodeRequest(message, { identity }))).toBe(hex));
-    it(`${name}: bytes to values`, () => expect(decodeRequest(onlyFrame(hex), { identity })).toEqual(message));
+  for (const row of table.requests) {
+    const { name, hex, message } = row;
+    const options = optionsOf(row);
+    const frame = (): Frame => onlyFrame(hex, options.bareChecksum);
+    it(`${name}: values to bytes`, () => expect(toHex(encodeRequest(message, options))).toBe(hex));
+    it(`${name}: bytes to values`, () => expect(decodeRequest(frame(), options)).toEqual(message));
   }
 });
 
 describe('replies', () => {
-  for (const { name, hex, identity, message } of REPLIES) {
-    it(`${name}: values to bytes`, () => expect(toHex(encodeReply(message, { identity }))).toBe(hex));
+  for (const row of table.replies) {
+    const { name, hex, message } = row;
+    const options = optionsOf(row);
+    const frame = (): Frame => onlyFrame(hex, options.bareChecksum);
+    it(`${name}: values to bytes`, () => expect(toHex(encodeReply(message, options))).toBe(hex));
     it(`${name}: bytes to values`, () => {
-      expect(decodeReply(onlyFrame(hex), { identity, pending: message.name })).toEqual(message);
-      expect(decodeReply(onlyFrame(hex), { identity })).toEqual(message);
+      expect(decodeReply(frame(), { ...options, pending: message.name })).toEqual(message);
+      expect(decodeReply(frame(), options)).toEqual(message);
     });
   }
 });
 
 describe('values that no frame may carry', () => {
-  const bad: [string, Request, CodecErrorCode, string][] = [
-    [
-      'a position past the last step',
-      { name: 'SETSERVO', function: 0, servo: 0, position: 131 },
-      'out-of-range',
-      'position',
-    ],
-    ['a negative position', { name: 'SETSERVO', function: 0, servo: 0, position: -1 }, 'out-of-range', 'position'],
-    ['half a step', { name: 'SETSERVO', function: 0, servo: 0, position: 0.5 }, 'not-an-integer', 'position'],
-    ['a servo the timer has not', { name: 'SETSERVO', function: 0, servo: 3, position: 0 }, 'out-of-range', 'servo'],
-    ['a function behind DT', { name: 'SETSERVO', function: 11, servo: 0, position: 0 }, 'out-of-range', 'function'],
-    ['a move behind DT', { name: 'MOVETOFUNC', function: 11 }, 'out-of-range', 'function'],
-    ['a memory the timer has not', { name: 'SETMEMORY', memory: 4 }, 'out-of-range', 'memory'],
-    ['655.36 s', { name: 'SETTIMERS', times: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 65536] }, 'out-of-range', 'times[10]'],
-    [
-      'not a number',
-      { name: 'SETTIMERS', times: [0, Number.NaN, 0, 0, 0, 0, 0, 0, 0, 0, 0] },
-      'not-an-integer',
-      'times[1]',
-    ],
-    ['ten times for eleven columns', { name: 'SETTIMERS', times: Array<number>(10).fill(0) }, 'wrong-count', 'times'],
-    ['idle throttle past one byte', { name: 'SETLOWRPM', idleThrottle: 256 }, 'out-of-range', 'idleThrottle'],
-  ];
-  for (const [name, request, code, field] of bad) {
-    it(name, () => expect(refusal(() => encodeRequest(request, { identity: B536 }))).toEqual([code, field]));
-  }
+  it.each(table.badValues)('$direction: $name', (row) => {
+    const encode = row.direction === 'request' ? encodeRequest : encodeReply;
+    expect(refusal(() => encode(row.message, optionsOf(row)))).toEqual([row.code, row.field]);
+  });
 
-  it('positions that do not have the shape of the timer', () => {
-    const reply = (positions: number[][]): Reply => ({ name: 'GETSERVOPOS', positions });
-    const encode = (positions: number[][]) => () => encodeReply(reply(positions), { identity: SMALL });
-    expect(refusal(encode([]))).toEqual(['wrong-count', 'positions']);
-    expect(refusal(encode([[1, 2, 3]]))).toEqual(['wrong-count', 'positions[0]']);
-    expect(refusal(encode([[1, 256]]))).toEqual(['out-of-range', 'positions[0][1]']);
+  it('values that no text of vectors can hold', () => {
+    const encode = (time: number) => () => encodeRequest({ name: 'SETTIMERS', times: [0, time] }, { identity: SMALL });
+    expect(refusal(encode(Number.NaN))).toEqual(['not-an-integer', 'times[1]']);
+    expect(refusal(encode(Number.POSITIVE_INFINITY))).toEqual(['not-an-integer', 'times[1]']);
   });
 
   it('a letter or data that no frame can hold', () => {
     expect(refusal(() => encodeFrame(256))).toEqual(['out-of-range', 'code']);
+    expect(refusal(() => encodeFrame(-1))).toEqual(['out-of-range', 'code']);
+    expect(refusal(() => encodeFrame(0x6b, [0, 256]))).toEqual(['out-of-range', 'data[1]']);
     expect(refusal(() => encodeFrame(0x6b, new Uint8Array(253)))).toEqual(['wrong-length', 'data']);
     expect(encodeFrame(0x6b, new Uint8Array(252))).toHaveLength(261);
   });
 });
 
-describe('frames that no reply can be', () => {
-  const bad: [string, string, CodecErrorCode, string][] = [
-    ['an odd letter', '00 00 00 00 00 03 6b 6b 45', 'unknown-command', 'code'],
-    ['a letter of nobody', '00 00 00 00 00 03 7a 7a 45', 'unknown-command', 'code'],
-    ['a version of eight bytes', '00 00 00 00 00 0b 6c 42 35 33 36 20 0a 04 03 7d 45', 'wrong-length', 'data'],
-    [
-      'a version with no functions',
-      '00 00 00 00 00 0c 6c 42 35 33 36 20 00 04 03 20 93 45',
-      'bad-identity',
-      'identity.functions',
-    ],
-    [
-      'a version with no memories',
-      '00 00 00 00 00 0c 6c 42 35 33 36 20 0a 00 03 20 99 45',
-      'bad-identity',
-      'identity.memories',
-    ],
-    [
-      'a version with no servos',
-      '00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 00 20 9a 45',
-      'bad-identity',
-      'identity.servos',
-    ],
-    [
-      'a version with too many functions',
-      '00 00 00 00 00 0c 6c 42 35 33 36 20 7e 04 01 20 0f 45',
-      'bad-identity',
-      'identity.functions',
-    ],
-    [
-      'a version with too many servos',
-      '00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 17 20 b1 45',
-      'bad-identity',
-      'identity.servos',
-    ],
-    [
-      'a version without its separator',
-      '00 00 00 00 00 0c 6c 42 35 33 36 21 0a 04 03 20 9e 45',
-      'bad-identity',
-      'identity',
-    ],
-    [
-      'a firmware that is no number',
-      '00 00 00 00 00 0c 6c 42 35 41 36 20 0a 04 03 20 ab 45',
-      'bad-identity',
-      'identity.firmware',
-    ],
-    [
-      'a class that is no letter',
-      '00 00 00 00 00 0c 6c 07 35 33 36 20 0a 04 03 20 62 45',
-      'bad-identity',
-      'identity.timerClass',
-    ],
-    [
-      'ten times for eleven columns',
-      '00 00 00 00 00 17 62 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 62 45',
-      'wrong-length',
-      'data',
-    ],
-    ['an acknowledgement with data', '00 00 00 00 00 04 64 01 65 45', 'wrong-length', 'data'],
-    ['a memory the timer has not', '00 00 00 00 00 04 72 05 77 45', 'out-of-range', 'memory'],
-    ['an idle throttle of two bytes', '00 00 00 00 00 05 76 01 01 78 45', 'wrong-length', 'data'],
-    ['an idle throttle of none', '00 00 00 00 00 03 76 76 45', 'wrong-length', 'data'],
-  ];
-  for (const [name, hex, code, field] of bad) {
-    it(name, () => expect(refusal(() => decodeReply(onlyFrame(hex), { identity: B536 }))).toEqual([code, field]));
-  }
-
-  it('positions before the timer is known', () => {
-    const frame = onlyFrame('00 00 00 00 00 05 68 00 ff 67 45');
-    expect(refusal(() => decodeReply(frame))).toEqual(['identity-needed', 'positions']);
+describe('frames that no request and no reply can be', () => {
+  it.each(table.badHex)('$direction: $name', (row) => {
+    const { direction, hex, pending, code, field } = row;
+    const decode = () =>
+      direction === 'request'
+        ? decodeRequest(onlyFrame(hex), optionsOf(row))
+        : decodeReply(onlyFrame(hex), { ...optionsOf(row), pending });
+    expect(refusal(decode)).toEqual([code, field]);
   });
 
   it('carries the raw bytes of a version that cannot be', () => {
     const frame = onlyFrame('00 00 00 00 00 0c 6c 42 35 33 36 20 00 04 03 20 93 45');
     expect(() => decodeReply(frame)).toThrowError(expect.objectContaining({ details: { bytes: frame.data } }));
-  });
-
-  it('takes a class of another letter, for the pilot to be warned', () => {
-    const frame = onlyFrame('00 00 00 00 00 0c 6c 58 35 33 36 20 0a 04 03 20 b3 45');
-    expect(decodeReply(frame)).toEqual({ name: 'GETSWVER', identity: { ...B536, timerClass: 'X' } });
-  });
-});
-
-describe('frames that no request can be', () => {
-  it.each([
-    ['a reply', '00 00 00 00 00 03 6e 6e 45', 'unknown-command', 'code'],
-    ['a servo command of two bytes', '00 00 00 00 00 05 63 00 00 63 45', 'wrong-length', 'data'],
-    ['a servo command of four bytes', '00 00 00 00 00 07 63 00 00 00 00 63 45', 'wrong-length', 'data'],
-    ['a servo command with one byte', '00 00 00 00 00 04 63 00 63 45', 'wrong-length', 'data'],
-    ['a question with data', '00 00 00 00 00 04 6b 00 6b 45', 'wrong-length', 'data'],
-    ['a position past the last step', '00 00 00 00 00 06 63 00 00 83 e6 45', 'out-of-range', 'position'],
-  ] satisfies [string, string, CodecErrorCode, string][])('%s', (_, hex, code, field) => {
-    expect(refusal(() => decodeRequest(onlyFrame(hex), { identity: B536 }))).toEqual([code, field]);
   });
 });
 
@@ -239,34 +143,16 @@ describe('where the source contradicts itself', () => {
       'code',
     ]);
   });
-
-  it('sends the true checksum, or the bare one when asked', () => {
-    expect(toHex(encodeRequest({ name: 'SETMEMORY', memory: 2 }))).toBe('00 00 00 00 00 04 73 02 75 45');
-    expect(toHex(encodeRequest({ name: 'SETMEMORY', memory: 2 }, { bareChecksum: true }))).toBe(
-      '00 00 00 00 00 04 73 02 73 45',
-    );
-  });
-
-  it('reads times with the high byte first when asked', () => {
-    const options = { identity: SMALL, quirks: { bigEndianTimes: true } };
-    const hex = '00 00 00 00 00 07 62 00 01 17 70 ea 45';
-    expect(toHex(encodeReply({ name: 'GETTIMERS', times: [1, 6000] }, options))).toBe(hex);
-    expect(decodeReply(onlyFrame(hex), options)).toEqual({ name: 'GETTIMERS', times: [1, 6000] });
-  });
-
-  it('sends servo before function when asked', () => {
-    const request: Request = { name: 'SETSERVO', function: 10, servo: 2, position: 65 };
-    const options = { identity: B536, quirks: { servoFirst: true } };
-    expect(toHex(encodeRequest(request, options))).toBe('00 00 00 00 00 06 63 02 0a 41 b0 45');
-    expect(decodeRequest(onlyFrame('00 00 00 00 00 06 63 02 0a 41 b0 45'), options)).toEqual(request);
-  });
 });
 
 describe('the size of an exchange', () => {
-  it.each([...REQUESTS.filter((v) => v.identity === undefined || v.identity === B536)])('$name', ({ hex, message }) => {
+  const ofB536 = <T extends Row<unknown>>(rows: readonly T[]): T[] =>
+    rows.filter(({ identity }) => JSON.stringify(identity) === JSON.stringify(B536));
+  const withoutData = table.requests.filter(({ hex }) => fromHex(hex).length === 9);
+  it.each([...ofB536(table.requests), ...withoutData])('$name', ({ hex, message }) => {
     expect(exchangeSize(message.name, B536).request).toBe(fromHex(hex).length);
   });
-  it.each(REPLIES.filter((v) => v.identity === B536))('reply to $name', ({ hex, message }) => {
+  it.each(ofB536(table.replies))('reply to $name', ({ hex, message }) => {
     expect(exchangeSize(message.name, B536).reply).toBe(fromHex(hex).length);
   });
   it('fits the longest frame for the largest timer', () => {

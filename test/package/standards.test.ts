@@ -1,0 +1,106 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join, sep } from 'node:path';
+import { createContext, Script } from 'node:vm';
+import { parseAst } from 'vite';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { MockSerial } from '../../src/mock-serial/index.js';
+import { packed } from '../tools/pack.js';
+
+/** A node of a syntax tree, as far as it matters here. */
+interface SyntaxNode {
+  readonly type: string;
+  readonly name?: string;
+  readonly computed?: boolean;
+  readonly source?: { readonly value?: unknown } | null;
+}
+
+/** What Node has and the web has not. (`setImmediate` is looked for as a property of globalThis, and done without.) */
+const NODE_GLOBALS = new Set([
+  '__dirname',
+  '__filename',
+  'Buffer',
+  'exports',
+  'global',
+  'module',
+  'process',
+  'require',
+]);
+
+let home: string;
+let modules: [path: string, code: string][];
+beforeAll(async () => {
+  home = await packed();
+  const lib = join(home, 'dist', 'lib');
+  modules = readdirSync(lib, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('.js'))
+    .map((path) => [path.split(sep).join('/'), readFileSync(join(lib, path), 'utf8')]);
+}, 120_000);
+
+/** What a module imports, and which names of Node it uses; a name behind a dot, before a colon or of its own is none. */
+function uses(code: string): { imports: string[]; globals: string[] } {
+  const imports: string[] = [];
+  const globals: string[] = [];
+  const own = new Set<string>();
+  const walk = (node: SyntaxNode, isLabel = false): void => {
+    const { type, name = '', source, computed = false } = node;
+    if (/^(Import|Export)/.test(type) && source) imports.push(String(source.value));
+    if (type === 'Identifier' && !isLabel && NODE_GLOBALS.has(name)) globals.push(name);
+    for (const [part, child] of Object.entries(node)) {
+      for (const inner of [child].flat()) {
+        if (!inner || typeof inner !== 'object' || !('type' in inner)) continue;
+        if (part === 'id' || part === 'params' || part === 'local') own.add((inner as SyntaxNode).name ?? '');
+        walk(inner as SyntaxNode, (part === 'property' || part === 'key') && !computed);
+      }
+    }
+  };
+  walk(parseAst(code) as unknown as SyntaxNode);
+  return { imports, globals: globals.filter((name) => !own.has(name)) };
+}
+
+describe('the package uses web standards only', () => {
+  it('sees what would be none', () => {
+    const code = `import fs from 'node:fs'; export * from './a.js'; const b = await import('x'); process.exit(a.process, { Buffer: 1 }); const require = 1; require;`;
+    expect(uses(code)).toEqual({ imports: ['node:fs', './a.js', 'x'], globals: ['process'] });
+  });
+
+  it('imports nothing but its own modules', () => {
+    expect(modules.length).toBeGreaterThan(20);
+    for (const [path, code] of modules) {
+      for (const specifier of uses(code).imports) expect(specifier, path).toMatch(/^\.\.?\/.*\.js$/);
+    }
+  });
+
+  it('uses no name that only Node has', () => {
+    for (const [path, code] of modules) expect(uses(code).globals, path).toEqual([]);
+  });
+});
+
+describe('the mock port as a classic script', () => {
+  it('gives its classes to a page that has the globals of the web and no modules', async () => {
+    const script = new Script(readFileSync(join(home, 'dist/lib/mock-serial.global.js'), 'utf8'));
+    const page = {
+      AbortController,
+      ByteLengthQueuingStrategy,
+      DOMException,
+      Event,
+      EventTarget,
+      performance,
+      queueMicrotask,
+      ReadableStream,
+      setTimeout,
+      clearTimeout,
+      WritableStream,
+    } as { SidusMockSerial?: { MockSerial: typeof MockSerial } };
+    script.runInContext(createContext(page));
+    const { MockSerial: Mock } = page.SidusMockSerial ?? {};
+    if (!Mock) throw new Error('no global');
+    const serial = new Mock({ userActivation: true });
+    const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
+    serial.choose(port);
+    expect(await serial.requestPort()).toBe(port);
+    await port.open({ baudRate: 9600 });
+    port.device.write([1, 2, 3]);
+    const reader = port.readable?.getReader();
+    expect([...((await reader?.read())?.value ?? [])]).toEqual([1, 2, 3]);
+  });
+});

@@ -1,0 +1,96 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { encodeFrame } from '../../src/protocol/index.js';
+import { piecesAndSilence, stream } from '../fuzz/streams.js';
+import { fromHex } from '../tools/bytes.js';
+import { CountedDecoder } from './counting.js';
+
+const SIZE = 65_536;
+
+/**
+ * Visits of a byte, on average, that no stream can exceed. A header takes five bytes at least, and for each header at most one longest
+ * frame is summed (254 bytes) and one moved up (255) when it turns out to be false; beside that a byte is looked at when it comes,
+ * when it is held, and when it is told of.
+ */
+const BOUND = (254 + 255) / 5 + 5;
+
+function repeated(bytes: Uint8Array, size: number): Uint8Array {
+  return Uint8Array.from({ length: size }, (_, at) => bytes[at % bytes.length] as number);
+}
+
+/** Visits that a stream costs in chunks of this size, and frames that ten good ones behind it still give. */
+function cost(bytes: Uint8Array, chunk: number): { perByte: number; last: number } {
+  const decoder = new CountedDecoder();
+  for (let at = 0; at < bytes.length; at += chunk) decoder.push(bytes.subarray(at, at + chunk));
+  const perByte = decoder.counter.visited / bytes.length;
+  let last = 0;
+  for (let i = 0; i < 10; i++) last += decoder.push(encodeFrame(0x6b));
+  return { perByte, last: last + decoder.idle() };
+}
+
+/** 51 headers that all ask for one and the same last byte, a right terminator. */
+function converging(): Uint8Array {
+  const bytes = new Uint8Array(256);
+  for (let at = 0; at <= 250; at += 5) bytes[at] = 255 - at;
+  bytes[255] = 0x45;
+  return bytes;
+}
+
+/** The longest frame with a wrong sum. */
+function almost(): Uint8Array {
+  const bytes = encodeFrame(0x62, new Uint8Array(252).fill(0x20));
+  bytes[bytes.length - 2] = 1;
+  return bytes;
+}
+
+// What was measured stands behind each: chunks of 64 KiB, and the dearest chunks.
+const hostile: [name: string, bytes: Uint8Array, most: number][] = [
+  ['zeros', fromHex('00'), 2], // 1, 1
+  ['false headers 00 00 00 00 FF', fromHex('00 00 00 00 ff'), BOUND], // 1.3, 54
+  ['false headers 00 00 00 00 45', fromHex('00 00 00 00 45'), BOUND], // 1.2, 17
+  ['false headers with a right terminator 00 00 00 00 FD 45', fromHex('00 00 00 00 fd 45'), BOUND], // 43, 87
+  ['headers that all ask for one terminator', converging(), BOUND], // 27, 28
+  ['almost-frames with right terminators and wrong sums', almost(), 6], // 2.0, 3.9
+];
+
+describe('the cost of a byte', () => {
+  for (const [name, bytes, most] of hostile) {
+    it(`is bounded for ${name}, and ten frames behind them are delivered`, () => {
+      for (const chunk of [SIZE, 4096, 1]) {
+        const { perByte, last } = cost(repeated(bytes, SIZE), chunk);
+        expect(perByte, `chunks of ${chunk}`).toBeLessThanOrEqual(most);
+        expect(last, `chunks of ${chunk}`).toBe(10);
+      }
+    }, 30_000);
+
+    it(`does not grow with the length of a stream of ${name}`, () => {
+      const short = cost(repeated(bytes, 8192), 64).perByte;
+      const long = cost(repeated(bytes, 32_768), 64).perByte;
+      expect(long / short).toBeLessThan(1.1);
+    });
+  }
+
+  it('is small for good frames', () => {
+    for (const chunk of [SIZE, 1]) {
+      // 2.0, 3.6
+      expect(cost(repeated(encodeFrame(0x68, new Uint8Array(33).fill(7)), SIZE), chunk).perByte).toBeLessThanOrEqual(6);
+    }
+  });
+
+  it('is bounded for any stream in any pieces, told of or not', () => {
+    fc.assert(
+      fc.property(stream, piecesAndSilence, fc.boolean(), ({ bytes }, cut, tell) => {
+        const ears = { onFrame: () => {}, onRejected: () => {} };
+        const decoder = new CountedDecoder(tell ? ears : {});
+        for (const { piece, silent } of cut.of(bytes)) {
+          decoder.push(piece);
+          if (silent) decoder.idle();
+        }
+        decoder.idle();
+        const most = BOUND * bytes.length;
+        if (decoder.counter.visited > most) throw new Error(`${decoder.counter.visited} visits, ${most} at most`);
+      }),
+      { numRuns: 3000 },
+    );
+  });
+});

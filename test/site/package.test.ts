@@ -1,0 +1,149 @@
+import { copyFileSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
+import { delimiter, dirname, extname, join } from 'node:path';
+import process from 'node:process';
+import type { Page } from 'playwright';
+import { build, type Rolldown } from 'vite';
+import { afterAll, beforeAll, describe, expect, test, vi } from 'vitest';
+import type {} from '../../src/mock-serial/global.js';
+import type { TimerProgram } from '../../src/program/index.js';
+import { findBrowser } from '../tools/browser.js';
+import { Consumer, packed, root } from '../tools/pack.js';
+import { newPage } from './page.js';
+
+let home: string;
+beforeAll(async () => {
+  home = await packed();
+  vi.stubEnv('NODE_ENV', 'production');
+}, 120_000);
+afterAll(() => vi.unstubAllEnvs());
+
+const ORIGIN = 'http://127.0.0.1:9';
+const TYPES: Record<string, string> = { '.html': 'text/html', '.js': 'text/javascript' };
+
+/** A page at an address without a server: its files are those of the examples and of the installed package. */
+async function pageOf(path: string): Promise<Page> {
+  const page = await newPage();
+  await page.route(`${ORIGIN}/**`, (route) => {
+    const { pathname } = new URL(route.request().url());
+    if (pathname === '/favicon.ico' || pathname === '/empty.html')
+      return route.fulfill({ contentType: 'text/html', body: '' });
+    const file = join(pathname.startsWith('/dist/') ? home : root, pathname);
+    return route.fulfill({ contentType: TYPES[extname(file)] ?? 'text/plain', body: readFileSync(file) });
+  });
+  await page.addInitScript({ path: join(home, 'dist/lib/mock-serial.global.js') });
+  await page.addInitScript(() => {
+    const serial = new globalThis.SidusMockSerial.MockSerial({ userActivation: true });
+    Object.defineProperty(navigator, 'serial', { value: serial });
+    Object.assign(window, { serial });
+  });
+  await page.goto(ORIGIN + path);
+  return page;
+}
+
+describe('the package in a browser', () => {
+  test('protocol, client and simulator work as one classic script', async () => {
+    const consumer = await Consumer.create();
+    consumer.write(
+      'main.js',
+      `export * from 'sidus-timer/protocol'; export * from 'sidus-timer/client'; export * from 'sidus-timer/simulator';`,
+    );
+    const [built] = (await build({
+      configFile: false,
+      root: consumer.folder,
+      logLevel: 'error',
+      build: { write: false, target: 'es2022', lib: { entry: 'main.js', formats: ['iife'], name: 'sidus' } },
+    })) as Rolldown.RolldownOutput[];
+    const page = await pageOf('/empty.html');
+    await page.addScriptTag({ content: built?.output[0].code ?? '' });
+    const [hex, program] = (await page.evaluate(`(async () => {
+      const timer = new sidus.TimerClient(new sidus.VirtualTimer({ identity: { timerClass: 'Q' } }));
+      const program = await timer.readProgram();
+      await timer.close();
+      return [Array.from(sidus.encodeFrame(0x6b)).join(' '), program];
+    })()`)) as [string, TimerProgram];
+    expect(hex).toBe('0 0 0 0 0 3 107 107 69');
+    expect(program).toMatchObject({ identity: { timerClass: 'Q', functions: 10 }, memory: 0, idleThrottle: 30 });
+  });
+
+  test('the mock port is put into a page as one classic script', async () => {
+    const page = await pageOf('/empty.html');
+    const heard = await page.evaluate(async () => {
+      const serial = navigator.serial as unknown as InstanceType<typeof SidusMockSerial.MockSerial>;
+      const plugged = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 }, { loopback: true });
+      serial.choose(plugged);
+      const port = await navigator.serial.requestPort({ filters: [{ usbVendorId: 0x0403 }] });
+      await port.open({ baudRate: 9600 });
+      await port.writable?.getWriter().write(Uint8Array.of(1, 2, 3));
+      const { value } = (await port.readable?.getReader().read()) ?? {};
+      return [...(value ?? [])];
+    });
+    expect(heard).toEqual([1, 2, 3]);
+  });
+});
+
+test('the example tests of a page pass in Playwright, with the mock port put into the page', async () => {
+  const consumer = await Consumer.create();
+  consumer.link('playwright');
+  consumer.link('vite');
+  mkdirSync(join(consumer.folder, 'node_modules/@playwright/test'), { recursive: true });
+  // This project has Playwright without its runner's own name, which holds no more than this.
+  consumer.write('node_modules/@playwright/test/package.json', '{ "type": "module", "exports": "./index.js" }');
+  consumer.write('node_modules/@playwright/test/index.js', `export * from 'playwright/test';`);
+  for (const file of readdirSync(join(root, 'examples/mock-port'))) {
+    if (/^(thermometer|playwright)\b/.test(file)) {
+      copyFileSync(join(root, 'examples/mock-port', file), join(consumer.folder, file));
+    }
+  }
+  const { PATH = '' } = process.env;
+  consumer.env = {
+    CHROME_PATH: findBrowser() ?? '',
+    PATH: [join(root, 'node_modules/.bin'), PATH].join(delimiter),
+  };
+  const cli = join(root, 'node_modules/playwright/cli.js');
+  const told = consumer.tell(process.execPath, cli, 'test', '--reporter=line');
+  expect(told).toMatchObject({ code: 0, said: expect.stringContaining('1 passed') });
+}, 120_000);
+
+describe('the example of one plain page', () => {
+  test('shows who is there and its times', async () => {
+    const page = await pageOf('/examples/plain-html/index.html');
+    // A string: what Vitest makes of import() would not be known in the page.
+    await page.evaluate(`(async () => {
+      const { VirtualTimer } = await import('/dist/lib/simulator/index.js');
+      const timer = new VirtualTimer();
+      const port = serial.plug();
+      serial.choose(port);
+      timer.readable.pipeTo(new WritableStream({ write: (bytes) => port.device.write(bytes) }));
+      const writer = timer.writable.getWriter();
+      (async () => {
+        for (;;) await writer.write(await port.device.read());
+      })();
+    })()`);
+    await page.getByRole('button', { name: 'Connect' }).click();
+    await page.getByText('Class B, firmware 536, memory 1').waitFor();
+    const row = page.getByRole('row', { name: 'DT' });
+    expect(await row.textContent()).toMatch(/DT\s*180\.00/);
+    expect(await page.getByRole('row').count()).toBe(12);
+    expect(await page.getByRole('button', { name: 'Connect' }).isEnabled()).toBe(true);
+  });
+
+  test('says why it could not, by name', async () => {
+    const page = await pageOf('/examples/plain-html/index.html');
+    await page.getByRole('button', { name: 'Connect' }).click();
+    await page.getByText('(NotFoundError)').waitFor();
+  });
+
+  test('loads the files that its import map names from where it lies', () => {
+    const html = readFileSync(join(root, 'examples/plain-html/index.html'), 'utf8');
+    const { imports } = JSON.parse(/<script type="importmap">(.*?)<\/script>/s.exec(html)?.[1] ?? '') as {
+      imports: Record<string, string>;
+    };
+    const { exports } = JSON.parse(readFileSync(join(home, 'package.json'), 'utf8')) as {
+      exports: Record<string, { default: string }>;
+    };
+    for (const [name, path] of Object.entries(imports)) {
+      const named = exports[name.replace('sidus-timer', '.')]?.default ?? '';
+      expect(join(dirname('/examples/plain-html/index.html'), path)).toBe(join('/', named));
+    }
+  });
+});

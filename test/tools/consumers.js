@@ -1,0 +1,127 @@
+// Compiles what consumers write against the packed package, on each TypeScript that is meant to take its types, and runs the backup example
+// with the real `serialport` on its mock binding. Needs the registry, and so is a part of `npm run check` and not of the tests.
+
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const folder = mkdtempSync(join(tmpdir(), 'sidus-consumers-'));
+
+/** The oldest, the last of each kind, and the project's own. */
+const COMPILERS = ['5.7.3', '5.9.3', '6.0.3', '7.0.2'];
+/** The package asks for streams and AbortSignal, and one of these has them. */
+const SURROUNDINGS = [
+  { name: 'DOM', lib: ['es2022', 'dom'], types: [] },
+  { name: 'Node', lib: ['es2022'], types: ['node'] },
+];
+
+/**
+ * @param {string} where
+ * @param {string} program
+ * @param {string[]} args
+ */
+function run(where, program, ...args) {
+  try {
+    return execFileSync(program, args, { cwd: where, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+  } catch (error) {
+    const { stdout = '', stderr = '' } = /** @type {{ stdout?: string, stderr?: string }} */ (error);
+    throw new Error(`${program} ${args.join(' ')}\n${stdout}${stderr}`);
+  }
+}
+
+/** @param {string} where @param {string[]} args */
+const npm = (where, ...args) => run(where, 'npm', ...args, '--ignore-scripts', '--no-audit', '--no-fund');
+
+/** A program that uses every entry of the package, each with all that it gives. */
+function everything() {
+  const { exports } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  const entries = Object.keys(exports).filter((entry) => !entry.endsWith('.json'));
+  const readme = readFileSync(join(root, 'README.md'), 'utf8');
+  const examples = [...readme.matchAll(/```ts\n(.*?)```/gs)].map(([, code]) => code);
+  const lines = entries.map((entry, index) =>
+    entry.endsWith('.js')
+      ? `import 'sidus-timer${entry.slice(1)}';\nexport const page = new SidusMockSerial.MockSerial();`
+      : `export * as entry${index} from 'sidus-timer${entry.slice(1)}';`,
+  );
+  return [lines.join('\n'), ...examples];
+}
+
+/** @param {string} tarball */
+function compile(tarball) {
+  const where = join(folder, 'compile');
+  cpSync(join(root, 'examples/node-backup/.npmrc'), join(where, '.npmrc'));
+  writeFileSync(join(where, 'package.json'), '{ "type": "module" }');
+  for (const [index, code] of everything().entries()) writeFileSync(join(where, `program-${index}.ts`), String(code));
+  const typescripts = COMPILERS.map((version) => `typescript-${version}@npm:typescript@${version}`);
+  npm(where, 'install', tarball, '@types/node@20.19.43', ...typescripts);
+  for (const { name, lib, types } of SURROUNDINGS) {
+    const options = { strict: true, noEmit: true, skipLibCheck: false, module: 'nodenext', target: 'es2022' };
+    const compilerOptions = { ...options, lib, types, exactOptionalPropertyTypes: true };
+    writeFileSync(join(where, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.ts'] }));
+    for (const version of COMPILERS) {
+      run(where, process.execPath, `node_modules/typescript-${version}/bin/tsc`, '-p', '.');
+      console.log(`TypeScript ${version} takes the types, with ${name}.`);
+    }
+  }
+}
+
+/** Puts serialport's mock binding, with a virtual timer behind it, in the place of the one that needs hardware. */
+const MOCK = `const { MockBinding, MockPortBinding } = require('@serialport/binding-mock');
+const path = require.resolve('@serialport/bindings-cpp');
+require.cache[path] = { id: path, filename: path, loaded: true, exports: { autoDetect: () => MockBinding } };
+MockBinding.createPort('/dev/timer', { manufacturer: 'Nobody' });
+const timer = import('sidus-timer/simulator').then(({ VirtualTimer }) => new VirtualTimer());
+const { write } = MockPortBinding.prototype;
+MockPortBinding.prototype.write = async function (bytes) {
+  await write.call(this, bytes);
+  const { readable, writable } = await timer;
+  if (!readable.locked) void readable.pipeTo(new WritableStream({ write: (reply) => this.emitData(reply) }));
+  const writer = writable.getWriter();
+  await writer.write(Uint8Array.from(bytes));
+  writer.releaseLock();
+};
+`;
+
+/** @param {string} tarball */
+function backUp(tarball) {
+  const where = join(folder, 'node-backup');
+  cpSync(join(root, 'examples/node-backup'), where, {
+    recursive: true,
+    filter: (path) => !path.endsWith('node_modules'),
+  });
+  const description = JSON.parse(readFileSync(join(where, 'package.json'), 'utf8'));
+  description.dependencies['sidus-timer'] = `file:${tarball}`;
+  writeFileSync(join(where, 'package.json'), JSON.stringify(description));
+  npm(where, 'install');
+  run(where, 'npm', 'run', 'typecheck');
+  writeFileSync(join(where, 'mock.cjs'), MOCK);
+  const said = run(
+    where,
+    process.execPath,
+    '--require',
+    './mock.cjs',
+    'backup.js',
+    '/dev/timer',
+    'timer.json',
+    '--all',
+  );
+  const { memories } = JSON.parse(readFileSync(join(where, 'timer.json'), 'utf8'));
+  if (memories.length !== 4 || memories[3].timers[10] !== 27_000) throw new Error(`Not backed up: ${said}`);
+  console.log(`The backup example works with serialport: ${said.trim()}`);
+}
+
+try {
+  const [{ filename }] = JSON.parse(run(root, 'npm', 'pack', '--json', '--pack-destination', folder));
+  const tarball = join(folder, filename);
+  compile(tarball);
+  backUp(tarball);
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  process.exitCode = 1;
+} finally {
+  rmSync(folder, { recursive: true, force: true });
+}

@@ -1,0 +1,13 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+/**
+ * A folder for one run of tests, in which pack.ts packs the package when a test first asks for it.
+ * @param {{ provide: (name: string, value: unknown) => void }} project
+ */
+export function setup({ provide }) {
+  const folder = mkdtempSync(join(tmpdir(), 'sidus-pack-'));
+  provide('packFolder', folder);
+  return () => rmSync(folder, { recursive: true, force: true });
+}

@@ -1,0 +1,18 @@
+import { defineConfig } from 'vite';
+
+/** The mock port as one classic script, for tools that put nothing else into a page: a part of `npm run build:lib`. */
+export default defineConfig({
+  publicDir: false,
+  build: {
+    outDir: 'dist/lib',
+    emptyOutDir: false,
+    target: 'es2022',
+    minify: false,
+    lib: {
+      entry: 'src/mock-serial/global.ts',
+      formats: ['iife'],
+      name: 'SidusMockSerial',
+      fileName: () => 'mock-serial.global.js',
+    },
+  },
+});
