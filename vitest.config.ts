@@ -54,6 +54,8 @@ export default defineConfig({
           globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
           // A journey mostly waits for the line: several can run side by side.
           maxWorkers: 3,
+          // Its turn comes when the other floors are done.
+          sequence: { groupOrder: 1 },
           testTimeout: 60_000,
         },
       },
