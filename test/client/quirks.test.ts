@@ -1,6 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { AssumedQuirks, QuirkCode } from '../../src/client/index.js';
+import { type AssumedQuirks, type QuirkCode, TimerClient } from '../../src/client/index.js';
+import { VirtualClock } from '../../src/line/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
+import { commandOf, encodeReply, type Identity } from '../../src/protocol/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
 import { bench, contentOf, edited, names } from './bench.js';
 
@@ -51,6 +54,40 @@ describe('a timer that departs from the usual reading', () => {
     await run(client.unlockMotor());
     // Behind a fence: a harmless request whose reply shows that nothing older can come.
     expect(names(timer.core.answered).slice(-2)).toEqual(['GETSERVOPOS', 'UNLOCK']);
+  });
+
+  it('a late reply to SETTIMERS, 66, is not taken for one to the GETTIMERS that serves as a fence', async () => {
+    const clock = new VirtualClock();
+    const identity: Identity = { timerClass: 'B', firmware: '536', functions: 1, memories: 1, servos: 1 };
+    const sent: string[] = [];
+    let line: ReadableStreamDefaultController<Uint8Array> | undefined;
+    const readable = new ReadableStream<Uint8Array>({
+      start: (controller) => {
+        line = controller;
+      },
+    });
+    const writable = new WritableStream<Uint8Array>({
+      write: (bytes) => {
+        const name = commandOf(bytes[6] as number)?.name ?? '';
+        sent.push(name);
+        if (sent.length === 1) line?.enqueue(encodeReply({ name: 'GETSWVER', identity }));
+        // Nothing is answered in time; what comes while GETTIMERS waits belongs to the SETTIMERS of before.
+        if (name === 'GETTIMERS') line?.enqueue(encodeReply({ name: 'SETTIMERS', times: [0, 7000] }, { identity }));
+      },
+    });
+    const client = new TimerClient({ readable, writable }, { clock });
+    await clock.run(client.identify());
+    const baseline: TimerProgram = {
+      identity,
+      memory: null,
+      timers: [0, 6000],
+      positions: [[0, 0]],
+      idleThrottle: null,
+    };
+    const report = await clock.run(client.writeProgram({ ...baseline, timers: [0, 7000] }, { baseline }));
+    expect(sent).toContain('GETTIMERS');
+    expect(report.result).toBe('unknown');
+    expect(found(client)).not.toContain('timers-reply-66');
   });
 
   it('times that are rounded: says which, and what became of it', async () => {

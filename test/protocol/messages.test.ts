@@ -46,6 +46,9 @@ describe('the table of commands', () => {
 
   it('never lets a command be repeated that moves something or whose effect is unknown', () => {
     expect(COMMAND_NAMES.filter((name) => !COMMANDS[name].repeatable)).toEqual(['MOVETOFUNC', 'UNLOCK', 'JUMP2']);
+    const harmless = ['reads', 'stores'];
+    for (const name of COMMAND_NAMES) expect(harmless.includes(COMMANDS[name].effect)).toBe(COMMANDS[name].repeatable);
+    expect(COMMANDS.UNLOCK.effect).toBe('frees-motor');
   });
 
   it('finds a command by either of its letters and no other', () => {

@@ -223,6 +223,7 @@ describe('a recorded timer', () => {
     await ask({ name: 'GETSWVER' }, 10);
     timer.cut();
     await expect(clock.run(new Promise(() => {}))).rejects.toThrow('Nothing is due');
+    expect(clock.now(), 'no appointment was kept').toBe(10);
     expect(received).toEqual([[10, 'The line to the recorded timer is cut.']]);
     await expect(ask({ name: 'GETSWVER' })).rejects.toThrow('cut');
   });
