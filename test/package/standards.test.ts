@@ -1,10 +1,10 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, sep } from 'node:path';
 import { createContext, Script } from 'node:vm';
-import { parseAst } from 'vite';
+import { build, parseAst, type Rolldown } from 'vite';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { MockSerial } from '../../src/mock-serial/index.js';
-import { packed } from '../tools/pack.js';
+import { Consumer, packed } from '../tools/pack.js';
 
 /** A node of a syntax tree, as far as it matters here. */
 interface SyntaxNode {
@@ -75,22 +75,48 @@ describe('the package uses web standards only', () => {
   });
 });
 
-describe('the mock port as a classic script', () => {
-  it('gives its classes to a page that has the globals of the web and no modules', async () => {
+/** The globals that browsers, Deno, Bun and Node share, as far as the package asks for them. */
+const web = () => ({
+  AbortController,
+  ByteLengthQueuingStrategy,
+  clearTimeout,
+  DOMException,
+  Event,
+  EventTarget,
+  MessageChannel,
+  performance,
+  queueMicrotask,
+  ReadableStream,
+  setTimeout,
+  Uint8Array,
+  WritableStream,
+});
+
+describe('where there is nothing but the web', () => {
+  it('a client reads, writes and verifies', async () => {
+    const consumer = await Consumer.create();
+    consumer.write('main.js', `export * from 'sidus-timer/client'; export * from 'sidus-timer/simulator';`);
+    const [built] = (await build({
+      configFile: false,
+      root: consumer.folder,
+      logLevel: 'error',
+      build: { write: false, target: 'es2022', lib: { entry: 'main.js', formats: ['iife'], name: 'sidus' } },
+    })) as Rolldown.RolldownOutput[];
+    const world = createContext(web());
+    new Script(built?.output[0].code ?? '').runInContext(world);
+    const result = new Script(`(async () => {
+      const timer = new sidus.TimerClient(new sidus.VirtualTimer());
+      const program = await timer.readProgram();
+      const report = await timer.writeProgram({ ...program, timers: program.timers.map((time) => time + 1) }, { baseline: program });
+      await timer.close();
+      return report.result;
+    })()`).runInContext(world);
+    expect(await result).toBe('verified');
+  });
+
+  it('a classic script gives a page the mock port', async () => {
     const script = new Script(readFileSync(join(home, 'dist/lib/mock-serial.global.js'), 'utf8'));
-    const page = {
-      AbortController,
-      ByteLengthQueuingStrategy,
-      DOMException,
-      Event,
-      EventTarget,
-      performance,
-      queueMicrotask,
-      ReadableStream,
-      setTimeout,
-      clearTimeout,
-      WritableStream,
-    } as { SidusMockSerial?: { MockSerial: typeof MockSerial } };
+    const page: ReturnType<typeof web> & { SidusMockSerial?: { MockSerial: typeof MockSerial } } = web();
     script.runInContext(createContext(page));
     const { MockSerial: Mock } = page.SidusMockSerial ?? {};
     if (!Mock) throw new Error('no global');
