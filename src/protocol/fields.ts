@@ -81,7 +81,7 @@ export const currentMemoryField: Field<'memory', number | null> = {
   size: () => 1,
   encode(memory, { quirks }) {
     if (memory === null) return [];
-    requireInteger(memory, 'memory', 0, 254);
+    requireInteger(memory, 'memory', 0, 255 - firstMemory(quirks));
     return [memory + firstMemory(quirks)];
   },
   decode(data, { identity, quirks }) {
