@@ -146,7 +146,7 @@ function motor({ identity, timers }: TimerProgram, wrong: ReadonlySet<number>): 
 }
 
 /** Ranges and steps of the manuals of 2010, hundredths of a second. */
-interface ManualRange {
+export interface ManualRange {
   readonly min: number;
   readonly max: number;
   readonly step: number;

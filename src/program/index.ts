@@ -4,10 +4,12 @@ export {
   type Finding,
   type FindingCode,
   hasErrors,
+  type ManualRange,
   manualRange,
   type Severity,
 } from './check.js';
 export { type Change, changeRequests, differences } from './difference.js';
+export { type PartOfWrite, partWritten, type WriteExtent } from './interrupted.js';
 export {
   columnKind,
   fieldKey,

@@ -1,0 +1,47 @@
+import { type Change, differences } from './difference.js';
+import { fieldKey, type TimerProgram, valueAt } from './program.js';
+
+/**
+ * How far a write came that nobody saw the end of, by a fresh read.
+ *
+ * - `nothing`: the timer holds what it held before.
+ * - `part`: what it holds is explained by the old content and a part of the write.
+ * - `all`: it holds all that was wanted.
+ * - `foreign`: it holds something that neither explains: this is another timer, or something else changed it.
+ */
+export type WriteExtent = 'nothing' | 'part' | 'all' | 'foreign';
+
+export interface PartOfWrite {
+  readonly extent: WriteExtent;
+  /** The values that the write was to change and that are as wanted. */
+  readonly written: readonly Change[];
+  /** The values that the write was to change and that are as before. */
+  readonly missing: readonly Change[];
+  /** The values that are neither as before nor as wanted; `from` is what they were before, `to` what the timer holds. */
+  readonly foreign: readonly Change[];
+}
+
+/**
+ * Tells what became of an interrupted write. Nothing on the wire identifies a timer: this says only whether what it holds can be
+ * explained, and `foreign` is the one answer that is certain to need a person.
+ * @param before what the timer held before the write.
+ * @param goal what it was to hold. An idle throttle that is null was not to be written.
+ * @param held what a fresh read gave.
+ * @throws CodecError `wrong-count` when the three are not of one layout.
+ */
+export function partWritten(before: TimerProgram, goal: TimerProgram, held: TimerProgram): PartOfWrite {
+  const asked = differences(before, goal).filter(({ to }) => to !== null);
+  const foreign = differences(before, held).filter(
+    ({ field, from, to }) => from !== null && to !== null && to !== valueAt(goal, field),
+  );
+  const strange = new Set(foreign.map(({ field }) => fieldKey(field)));
+  const written = asked.filter(({ field, to }) => valueAt(held, field) === to);
+  const missing = asked.filter(({ field, to }) => valueAt(held, field) !== to && !strange.has(fieldKey(field)));
+  return { extent: extentOf(written.length, missing.length, foreign.length), written, missing, foreign };
+}
+
+function extentOf(written: number, missing: number, foreign: number): WriteExtent {
+  if (foreign > 0) return 'foreign';
+  if (missing === 0) return 'all';
+  return written === 0 ? 'nothing' : 'part';
+}
