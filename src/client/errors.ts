@@ -3,11 +3,16 @@ import type { CommandName } from '../protocol/index.js';
 /**
  * What can go wrong between a request and its reply.
  *
- * - `no-answer`: the timer kept silent. `sent` says how often the request went out; a command that moves something may have been
- *   carried out all the same.
- * - `bad-reply`: a reply came each time, with a right checksum and a content that cannot be; `cause` says what.
- * - `unstable`: damage was seen on the line, and no two reads agreed.
+ * - `no-answer`: the timer kept silent, or does not answer this request. `sent` says how often it went out; 0: never, because older
+ *   requests got no answer either. A command that moves something may have been carried out all the same.
+ * - `bad-reply`: replies came with a right checksum and a content that cannot be; `cause` says what.
+ * - `unstable`: the line damages too much: the patience for repeats was used up, or no two reads agreed. As after `no-answer`, a request
+ *   that was `sent` may have been carried out.
  * - `other-memory`: the timer's current memory is not the one that the program was read from.
+ * - `memory-unknown`: the timer does not say which memory is current (quirk `memory-unknown`), so no other one may be selected: it
+ *   could not be told which to come back to.
+ * - `memory-left`: the memory that was current before could not be made current again. `expected` is that memory, `found` the one that
+ *   was last selected, null when that is not certain either; `cause` is what stopped the job, or the way back.
  * - `other-timer`: the timer that answers is not of the kind that the program is for.
  * - `changed`: after a write more values differ from what was read than the write can have changed: something else changed the
  *   timer, or it is another one. Nothing was put back.
@@ -21,6 +26,8 @@ export type TimerErrorCode =
   | 'bad-reply'
   | 'unstable'
   | 'other-memory'
+  | 'memory-unknown'
+  | 'memory-left'
   | 'other-timer'
   | 'changed'
   | 'undecided'

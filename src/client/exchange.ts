@@ -2,23 +2,37 @@ import type { Clock } from '../line/index.js';
 import {
   COMMANDS,
   type CommandName,
+  type Frame,
   type Identity,
   type Reply,
   type ReplyOf,
   type Request,
 } from '../protocol/index.js';
+import { Budget } from './budget.js';
 import { TimerError, throwIfAborted } from './errors.js';
+import {
+  BAD_REPLIES,
+  LATEST_REPLY,
+  longestExchange,
+  longestFence,
+  MISSES,
+  type Pace,
+  READS,
+  SENDS,
+  SILENT,
+  SILENT_AT_FIRST,
+  UNANSWERED,
+} from './patience.js';
 import type { Wire } from './wire.js';
 
-/** How often a request goes out at most, repeats and fences together. */
-const TRIES = 3;
-/** How often a reading is repeated at most to find two that agree. */
-const READS = 6;
-/**
- * Milliseconds after which an unanswered request can no longer be answered. It is the bound of the law that a late reply is never
- * taken for a later request's: a timer that answers later than this breaks it.
- */
-const LATEST_REPLY = 3000;
+/** How much is done to get an answer. */
+export interface Patience {
+  /** How often the request goes out at most. */
+  readonly tries?: number | undefined;
+  /** The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that could be why. */
+  readonly unanswered?: number | undefined;
+}
+
 /** Harmless requests, in the order in which they are tried as a fence. */
 const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 
@@ -29,24 +43,29 @@ const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 export class Exchange {
   readonly #wire: Wire;
   readonly #clock: Clock;
-  /** Letters that went out and may still be answered. */
-  readonly #outstanding = new Set<CommandName>();
+  readonly #pace: Pace;
+  /** Letters of the requests that went out and may still be answered. */
+  readonly #outstanding = new Set<number>();
   #lastSent = Number.NEGATIVE_INFINITY;
-  #repeats = 0;
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
+  /** Whether the timer has answered, and was not given up since. */
+  #awake = false;
+  /** Exchanges in a row without an answer in the request under way, and those of them in which nothing came at all. */
+  #misses = 0;
+  #silent = 0;
+  /** How often damage had been seen when the job began. */
+  #damageBefore = 0;
 
   /** What the timer said of itself: the layout of all that follows. Null until it has. */
   identity: Identity | null = null;
+  readonly budget: Budget;
 
-  constructor(wire: Wire, clock: Clock) {
+  constructor(wire: Wire, clock: Clock, pace: Pace) {
     this.#wire = wire;
     this.#clock = clock;
-  }
-
-  /** How many requests went out again, fences included. */
-  get repeats(): number {
-    return this.#repeats;
+    this.#pace = pace;
+    this.budget = new Budget(clock, pace);
   }
 
   /** Whether damage was seen on the line, so that a single read is no longer believed. */
@@ -54,12 +73,28 @@ export class Exchange {
     return this.#wire.damage > 0;
   }
 
+  /** Whether the timer is there: it has answered, and did not fall silent since. */
+  get awake(): boolean {
+    return this.#awake;
+  }
+
+  /** Whether anything can still be asked: the port is not lost, and nobody has closed this. */
+  get usable(): boolean {
+    return !this.#closed && !this.#wire.lost;
+  }
+
+  /** A job of these exchanges begins: from now on nothing is asked that could end later than such a job may. */
+  begin(names: readonly CommandName[]): void {
+    this.#damageBefore = this.#wire.damage;
+    this.budget.begin(names, this.identity);
+  }
+
   /**
    * Asks until the reply comes. One call at a time: whoever holds an Exchange waits for the last one.
-   * @throws TimerError `no-answer`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request went out.
+   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request went out.
    */
-  async ask<R extends Request>(request: R, signal?: AbortSignal): Promise<ReplyOf<R['name']>> {
-    return (await this.#askUntilAnswered(request, signal)) as ReplyOf<R['name']>;
+  async ask<R extends Request>(request: R, signal?: AbortSignal, patience: Patience = {}): Promise<ReplyOf<R['name']>> {
+    return (await this.#askUntilAnswered(request, signal, patience)) as ReplyOf<R['name']>;
   }
 
   /**
@@ -71,11 +106,11 @@ export class Exchange {
   async read<R extends Request>(
     request: R,
     signal?: AbortSignal,
-    before?: ReplyOf<R['name']>,
+    { before, ...patience }: Patience & { readonly before?: ReplyOf<R['name']> | undefined } = {},
   ): Promise<{ reply: ReplyOf<R['name']>; agreed: boolean }> {
     let previous = before === undefined ? undefined : JSON.stringify(before);
     for (let i = 0; i < READS; i++) {
-      const reply = await this.ask(request, signal);
+      const reply = await this.ask(request, signal, patience);
       const text = JSON.stringify(reply);
       if (text === previous) return { reply, agreed: true };
       if (!this.damaged) return { reply, agreed: false };
@@ -84,41 +119,102 @@ export class Exchange {
     throw new TimerError('unstable', `no two of ${READS} replies agreed`, { request: request.name });
   }
 
+  /**
+   * Sends any frame once, whatever it may do, behind a fence if something older can still be answered.
+   * @returns the frame with the next letter, or null when none came in time.
+   * @throws TimerError `port-lost`, `closed`, or `aborted` before it went out; CodecError when there is no such frame.
+   */
+  async send(code: number, data: ArrayLike<number>, signal?: AbortSignal): Promise<Frame | null> {
+    throwIfAborted(signal);
+    if (this.#outstanding.size > 0 && !(await this.#fence(signal))) await this.#outwait(signal);
+    throwIfAborted(signal);
+    const frame = await this.#once(code, () => this.#wire.send(code, data, this.identity));
+    return frame ?? null;
+  }
+
   /** Lets the request that is under way come to its end, and refuses all others with `closed`. */
   async close(): Promise<void> {
     this.#closed = true;
     await this.#underWay;
   }
 
-  async #askUntilAnswered(request: Request, signal: AbortSignal | undefined): Promise<Reply> {
+  async #askUntilAnswered(
+    request: Request,
+    signal: AbortSignal | undefined,
+    { tries = SENDS, unanswered = UNANSWERED }: Patience,
+  ): Promise<Reply> {
     const { name } = request;
+    const wire = this.#wire;
+    const { damage } = wire;
     let sent = 0;
+    let silent = 0;
+    let bad = 0;
     let badReply: unknown;
-    for (let left = TRIES; left > 0; left--) {
+    const isIgnored = (): boolean => silent === sent && sent >= (this.damaged ? tries : unanswered);
+    this.#misses = 0;
+    this.#silent = 0;
+    while (this.#mayGoOn(request, damage)) {
       throwIfAborted(signal);
       if (this.#outstanding.size > 0 && !(await this.#fence(signal))) continue;
       throwIfAborted(signal);
-      if (sent > 0) this.#repeats++;
+      if (sent > 0) this.budget.countRepeat();
       sent++;
-      const reply = await this.#once(request);
+      const { signs } = wire;
+      const reply = await this.#once(COMMANDS[name].request, () =>
+        wire.ask(request, this.identity, this.#outstanding.size === 0),
+      );
       if (reply) return reply;
-      badReply = this.#wire.badReply ?? badReply;
-      if (!COMMANDS[name].repeatable) break;
+      if (wire.badReply !== undefined) {
+        badReply = wire.badReply;
+        bad++;
+      }
+      if (wire.signs === signs) silent++;
+      if (!COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored()) break;
     }
-    if (badReply !== undefined) {
-      throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, { request: name, sent }, badReply);
+    const details = { request: name, sent };
+    if (bad > 0 && (bad === sent || bad >= BAD_REPLIES)) {
+      throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, details, badReply);
     }
-    throw new TimerError('no-answer', `no reply to ${name}`, { request: name, sent });
+    const isGone = this.#isSilent(request, damage);
+    if (isGone) this.#awake = false;
+    const isSentOnce = sent > 0 && !COMMANDS[name].repeatable;
+    // What came damaged at any time of the job counts when its time was over before this was asked.
+    if (!isGone && !isSentOnce && !isIgnored() && wire.damage > (sent > 0 ? damage : this.#damageBefore)) {
+      throw new TimerError('unstable', `too much damage to get a reply to ${name}`, details);
+    }
+    throw new TimerError('no-answer', `no reply to ${name}`, details);
   }
 
-  async #once(request: Request): Promise<Reply | undefined> {
-    if (this.#closed) throw new TimerError('closed', 'this client was closed', { request: request.name });
+  /** Whether one more attempt, fence and request, makes sense and still ends in time. */
+  #mayGoOn(request: Request, damage: number): boolean {
+    if (this.#misses >= MISSES || this.#isSilent(request, damage)) return false;
+    const fence = this.#outstanding.size > 0 ? longestFence(this.#pace) : 0;
+    return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#pace));
+  }
+
+  /** Whether nothing at all has come for so long that nobody is there. For a dangerous request the timer has to be there at once. */
+  #isSilent({ name }: Request, damage: number): boolean {
+    const isPatient = COMMANDS[name].repeatable && (this.#awake || this.#wire.damage > damage);
+    return this.#silent >= (isPatient ? SILENT : SILENT_AT_FIRST);
+  }
+
+  async #once<T>(code: number, send: () => Promise<T | undefined>): Promise<T | undefined> {
+    if (this.#closed) throw new TimerError('closed', 'this client was closed');
     this.#lastSent = this.#clock.now();
-    const asking = this.#wire.ask(request, this.identity, this.#outstanding.size === 0);
+    const { signs } = this.#wire;
+    const asking = send();
     this.#underWay = asking.catch(() => {});
-    const reply = await asking;
-    if (!reply) this.#outstanding.add(request.name);
-    return reply;
+    const answer = await asking;
+    if (answer !== undefined) {
+      this.#awake = true;
+      this.#misses = 0;
+      this.#silent = 0;
+      return answer;
+    }
+    this.#outstanding.add(code);
+    this.#misses++;
+    this.#silent = this.#wire.signs === signs ? this.#silent + 1 : 0;
+    return undefined;
   }
 
   /**
@@ -129,17 +225,31 @@ export class Exchange {
   async #fence(signal: AbortSignal | undefined): Promise<boolean> {
     await this.#wire.silence(signal);
     throwIfAborted(signal);
-    const name = FENCES.find((fence) => !this.#outstanding.has(fence));
-    const tooLate = this.#lastSent + LATEST_REPLY - this.#clock.now();
-    if (!name || tooLate <= 0) {
-      if (tooLate > 0) await this.#wire.pause(tooLate, signal);
-      throwIfAborted(signal);
-      this.#outstanding.clear();
+    const name = FENCES.find((fence) => !this.#outstanding.has(COMMANDS[fence].request) && this.#canDecode(fence));
+    if (!name || this.#latestReply <= this.#clock.now()) {
+      await this.#outwait(signal);
       return true;
     }
-    this.#repeats++;
-    if (!(await this.#once({ name }))) return false;
+    this.budget.countRepeat();
+    if (!(await this.#once(COMMANDS[name].request, () => this.#wire.ask({ name }, this.identity, false)))) return false;
     this.#outstanding.clear();
     return true;
+  }
+
+  /** Waits until nothing that was asked before can be answered any more. */
+  async #outwait(signal: AbortSignal | undefined): Promise<void> {
+    const left = this.#latestReply - this.#clock.now();
+    if (left > 0) await this.#wire.pause(left, signal);
+    throwIfAborted(signal);
+    this.#outstanding.clear();
+  }
+
+  get #latestReply(): number {
+    return this.#lastSent + LATEST_REPLY;
+  }
+
+  /** Positions cannot be read before the number of servos is known. */
+  #canDecode(name: CommandName): boolean {
+    return this.identity !== null || name !== 'GETSERVOPOS';
   }
 }

@@ -1,13 +1,17 @@
 export { TimerError, type TimerErrorCode, type TimerErrorDetails } from './errors.js';
-export type { LineEntry } from './log.js';
+export type { LineEntry, LineErrorKind } from './log.js';
+export type { MemoriesHooks, MemoriesRead, MemoriesReport, MemoryReport } from './memories.js';
 export type { BytePort } from './port.js';
 export type { Progress } from './progress.js';
 export type { AssumedQuirks, QuirkCode, QuirkParams } from './quirks.js';
 export {
+  type IdentifyOptions,
   type JobOptions,
+  type ReadMemoriesOptions,
   type ReadOptions,
   TimerClient,
   type TimerClientOptions,
+  type WriteMemoriesOptions,
   type WriteOptions,
 } from './timer-client.js';
 export type { ValueReport, WriteReport } from './write-program.js';

@@ -1,14 +1,36 @@
 import type { Frame, RejectionReason } from '../protocol/index.js';
 
-/** One thing seen on the line: a frame that was sent, a frame that came, or bytes that belong to no frame. */
+/**
+ * An error of the line that the port told of and that reading went on behind: `framing`, `parity`, `break` and `overrun` (the buffer
+ * of the port was full) are those that Web Serial names, `other` is any other.
+ */
+export type LineErrorKind = 'framing' | 'parity' | 'break' | 'overrun' | 'other';
+
+/** One thing seen on the line: a frame that was sent, a frame that came, bytes that belong to no frame, or an error of the line. */
 export interface LineEntry {
   /** Milliseconds since 1970, by the client's clock. */
   readonly time: number;
   readonly direction: 'out' | 'in';
-  /** The bytes as they went or came. */
+  /** The bytes as they went or came; none for an error of the line. */
   readonly bytes: Uint8Array;
-  /** Null for bytes that belong to no frame. */
+  /** Null for bytes that belong to no frame, and for an error of the line. */
   readonly frame: Frame | null;
-  /** Why bytes belong to no frame; null for a frame. */
+  /** Why bytes belong to no frame; else null. */
   readonly rejected: RejectionReason | null;
+  /** The error of the line that the port told of; else null. */
+  readonly error: LineErrorKind | null;
+}
+
+/** The names of the DOMExceptions with which Web Serial lets a stream fail that is replaced by a new one. */
+const KINDS: Readonly<Record<string, LineErrorKind>> = {
+  FramingError: 'framing',
+  ParityError: 'parity',
+  BreakError: 'break',
+  BufferOverrunError: 'overrun',
+};
+
+/** What kind of error of the line a stream failed with. */
+export function lineErrorKind(error: unknown): LineErrorKind {
+  const name = error instanceof Object && 'name' in error ? String(error.name) : '';
+  return KINDS[name] ?? 'other';
 }

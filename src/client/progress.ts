@@ -1,40 +1,61 @@
 import { type CommandName, exchangeSize, type Identity } from '../protocol/index.js';
+import type { Budget } from './budget.js';
 
 /** How far a job has come, in bytes of the line, so that it moves as evenly as the line does. */
 export interface Progress {
   readonly stage: 'read' | 'write' | 'verify' | 'repair';
   readonly done: number;
   readonly total: number;
+  /** The memory that a job on several is at, counted from 0; null in a job on the current one. */
+  readonly memory: number | null;
+  /** Requests of this job that went out more than once so far, fences included. */
+  readonly repeats: number;
+  /**
+   * Milliseconds since 1970, by the client's clock, by which the job has ended at the latest, with success or with an error, whatever
+   * the line does. It does not change while the job runs, but for the time that the caller's own `onHome` and `onMemory` take.
+   */
+  readonly endsBy: number;
 }
 
-/** Counts one stage of a job. Repeats do not count: the bar waits. */
+export type OnProgress = ((progress: Progress) => void) | undefined;
+
+/** What a job knows of itself. */
+export interface ProgressSource {
+  readonly identity: Identity;
+  readonly exchange: { readonly budget: Budget };
+  readonly onProgress: OnProgress;
+}
+
+/** Bytes of the line that these exchanges take. */
+export function bytesOf(names: readonly CommandName[], identity: Identity): number {
+  return names.reduce((sum, name) => {
+    const { request, reply } = exchangeSize(name, identity);
+    return sum + request + reply;
+  }, 0);
+}
+
+/** Counts one stage of a job. While requests are repeated the bar waits, and their number is told. */
 export class StageProgress {
   readonly #stage: Progress['stage'];
-  readonly #identity: Identity;
+  readonly #job: ProgressSource;
   readonly #total: number;
-  readonly #report: ((progress: Progress) => void) | undefined;
   #done = 0;
 
-  constructor(
-    stage: Progress['stage'],
-    requests: readonly CommandName[],
-    identity: Identity,
-    report: ((progress: Progress) => void) | undefined,
-  ) {
+  constructor(stage: Progress['stage'], requests: readonly CommandName[], job: ProgressSource) {
     this.#stage = stage;
-    this.#identity = identity;
-    this.#report = report;
-    this.#total = requests.reduce((sum, name) => sum + this.#size(name), 0);
-    report?.({ stage, done: 0, total: this.#total });
+    this.#job = job;
+    this.#total = bytesOf(requests, job.identity);
+    job.exchange.budget.onRepeat = () => this.#report();
+    this.#report();
   }
 
   finished(name: CommandName): void {
-    this.#done = Math.min(this.#total, this.#done + this.#size(name));
-    this.#report?.({ stage: this.#stage, done: this.#done, total: this.#total });
+    this.#done = Math.min(this.#total, this.#done + bytesOf([name], this.#job.identity));
+    this.#report();
   }
 
-  #size(name: CommandName): number {
-    const { request, reply } = exchangeSize(name, this.#identity);
-    return request + reply;
+  #report(): void {
+    const { repeats, endsBy } = this.#job.exchange.budget;
+    this.#job.onProgress?.({ stage: this.#stage, done: this.#done, total: this.#total, memory: null, repeats, endsBy });
   }
 }

@@ -1,8 +1,9 @@
 import type { TimerProgram } from '../program/index.js';
 import type { Identity, ReplyOf } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import type { Exchange } from './exchange.js';
-import { type Progress, StageProgress } from './progress.js';
+import type { Exchange, Patience } from './exchange.js';
+import { TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './patience.js';
+import { type OnProgress, StageProgress } from './progress.js';
 import type { QuirkCode, Quirks } from './quirks.js';
 
 /** What a job of the client works with. */
@@ -10,7 +11,7 @@ export interface Job {
   readonly exchange: Exchange;
   readonly identity: Identity;
   readonly signal: AbortSignal | undefined;
-  readonly onProgress: ((progress: Progress) => void) | undefined;
+  readonly onProgress: OnProgress;
   readonly quirks: Quirks;
   /** The index of the reply as a memory counted from 0. */
   readonly memoryOf: (reply: ReplyOf<'GETMEMORY'>) => number | null;
@@ -20,7 +21,7 @@ const ALWAYS = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 type Question = (typeof ALWAYS)[number] | 'GETLOWRPM' | 'GETSWVER';
 
 /** The questions that a timer is asked for its program: only Q is known to have a motor. */
-function questionsFor({ timerClass }: Identity, idleThrottle: boolean): Question[] {
+export function questionsFor({ timerClass }: Identity, idleThrottle: boolean): Question[] {
   return timerClass === 'Q' || idleThrottle ? [...ALWAYS, 'GETLOWRPM'] : [...ALWAYS];
 }
 
@@ -32,22 +33,25 @@ function questionsFor({ timerClass }: Identity, idleThrottle: boolean): Question
 export async function readContent(job: Job, stage: 'read' | 'verify', idleThrottle = false): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
   const questions = questionsFor(identity, idleThrottle);
-  const progress = new StageProgress(stage, questions, identity, job.onProgress);
+  const progress = new StageProgress(stage, questions, job);
   const replies = new Map<Question, ReplyOf<Question> | null>();
   const single = new Map<Question, ReplyOf<Question>>([['GETSWVER', { name: 'GETSWVER', identity }]]);
 
-  const ask = async (name: Question, before?: ReplyOf<Question>): Promise<void> => {
-    const { reply, agreed } = await exchange.read({ name }, signal, before);
+  const ask = async (name: Question, how: Patience & { before?: ReplyOf<Question> } = {}): Promise<void> => {
+    const { reply, agreed } = await exchange.read({ name }, signal, how);
     replies.set(name, reply);
     if (agreed) single.delete(name);
     else single.set(name, reply);
   };
   const askOptional = async (name: Question, quirk: QuirkCode): Promise<void> => {
+    const isKnown = job.quirks.found.has(quirk);
     try {
-      await ask(name);
+      await ask(name, isKnown ? { tries: TRIES_OF_UNANSWERED } : { unanswered: UNANSWERED_OPTIONAL });
     } catch (error) {
-      // Not known to be answered by every timer, and nothing else depends on it.
-      if (!(error instanceof TimerError) || error.code !== 'no-answer') throw error;
+      // Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either sleeps.
+      const isUnanswered =
+        error instanceof TimerError && (error.code === 'no-answer' || (isKnown && error.code === 'unstable'));
+      if (!isUnanswered || !exchange.awake) throw error;
       replies.set(name, null);
       job.quirks.note(quirk);
     }
@@ -60,7 +64,7 @@ export async function readContent(job: Job, stage: 'read' | 'verify', idleThrott
     progress.finished(name);
   }
   if (exchange.damaged) {
-    for (const [name, reply] of [...single]) await ask(name, reply);
+    for (const [name, reply] of [...single]) await ask(name, { before: reply });
   }
   const again = replies.get('GETSWVER') as ReplyOf<'GETSWVER'> | undefined;
   if (again && JSON.stringify(again.identity) !== JSON.stringify(identity)) {

@@ -1,15 +1,17 @@
 import { type Clock, realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import type { Identity, ReplyOf, Request } from '../protocol/index.js';
+import type { CommandName, Frame, Identity, ReplyOf, Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange } from './exchange.js';
-import type { LineEntry } from './log.js';
+import type { LineEntry, LineErrorKind } from './log.js';
+import { type MemoriesHooks, type MemoriesRead, type MemoriesReport, readMemories, writeMemories } from './memories.js';
 import type { BytePort } from './port.js';
 import type { Progress } from './progress.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
-import { type Job, readContent } from './read-program.js';
+import { type Job, questionsFor, readContent } from './read-program.js';
+import { SELECT, select } from './tour.js';
 import { Wire } from './wire.js';
-import { type WriteReport, writeContent } from './write-program.js';
+import { type WriteReport, writeContent, writePlan } from './write-program.js';
 
 export interface TimerClientOptions {
   /** Bits a second of the line, to know how long bytes take. Default 9600. */
@@ -26,11 +28,16 @@ export interface TimerClientOptions {
   readonly onLost?: ((error: TimerError) => void) | undefined;
 }
 
-/** What every job of more than one exchange takes. */
+/** What every job takes. */
 export interface JobOptions {
   /** Asks to stop. The exchange under way is waited for, so the port stays usable: at most one reply time. */
   readonly signal?: AbortSignal | undefined;
   readonly onProgress?: ((progress: Progress) => void) | undefined;
+}
+
+export interface IdentifyOptions extends JobOptions {
+  /** How often the question goes out at most until it is answered, 1 or more. Default: as any other, more often when damage is seen. */
+  readonly tries?: number | undefined;
 }
 
 export interface ReadOptions extends JobOptions {
@@ -48,6 +55,13 @@ export interface WriteOptions extends JobOptions {
   readonly baseline: TimerProgram;
 }
 
+export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'onHome'> {
+  /** Counted from 0. Default: all that the timer has. */
+  readonly memories?: readonly number[] | undefined;
+}
+
+export interface WriteMemoriesOptions extends JobOptions, MemoriesHooks {}
+
 /**
  * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time; each
  * rejects with a {@link TimerError} and leaves the port usable.
@@ -62,7 +76,7 @@ export class TimerClient {
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
     this.#quirks = new Quirks(options.quirks ?? {});
     this.#wire = new Wire(port, this.#quirks, { baudRate, clock, margin, onLine, onLost });
-    this.#exchange = new Exchange(this.#wire, clock);
+    this.#exchange = new Exchange(this.#wire, clock, { baudRate, margin });
   }
 
   /** What the timer said of itself; null before {@link identify}. */
@@ -98,14 +112,67 @@ export class TimerClient {
     return this.#exchange.damaged;
   }
 
+  /** How often the port told of each kind of error of the line. Reading went on behind all of them. */
+  get lineErrors(): ReadonlyMap<LineErrorKind, number> {
+    return this.#wire.lineErrors;
+  }
+
+  /** How many requests went out more than once since this client began, fences included. */
+  get repeats(): number {
+    return this.#exchange.budget.repeatsInAll;
+  }
+
   /** Asks the timer what it is (GETSWVER). */
-  identify({ signal }: JobOptions = {}): Promise<Identity> {
-    return this.#inTurn(() => this.#identify(signal));
+  identify({ signal, tries }: IdentifyOptions = {}): Promise<Identity> {
+    return this.#inTurn(() => this.#identify(signal, tries));
+  }
+
+  /**
+   * Sends one frame as it is, whatever it may do, and never again. Works before {@link identify} too.
+   * @param code the command's letter, 0..255.
+   * @param data 0 to 252 bytes. Length and checksum are filled in.
+   * @returns the frame that answers it, the one with the next letter; null when none came in time.
+   * @throws CodecError when there is no such frame; TimerError `port-lost`, `closed`, or `aborted` before it went out.
+   */
+  send(code: number, data: ArrayLike<number> = [], { signal }: JobOptions = {}): Promise<Frame | null> {
+    return this.#inTurn(() => {
+      this.#exchange.begin([]);
+      return this.#exchange.send(code, data, signal);
+    });
   }
 
   /** Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, and on class Q GETLOWRPM. */
   readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
-    return this.#inTurn(async () => readContent(await this.#job(options), 'read', options.idleThrottle));
+    const { idleThrottle = false } = options;
+    return this.#inTurn(async () => {
+      const job = await this.#job(options, (identity) => ['GETSWVER', ...questionsFor(identity, idleThrottle)]);
+      return readContent(job, 'read', idleThrottle);
+    });
+  }
+
+  /**
+   * Reads what several memories hold, one after the other. Selects them for that, and makes the first one current again at the end, also
+   * after an abort or an error; an abort takes that much longer.
+   * @throws CodecError when the timer has no such memory; TimerError `memory-unknown` before anything is selected, `memory-left` when
+   * the first memory could not be made current again.
+   */
+  readMemories(options: ReadMemoriesOptions = {}): Promise<MemoriesRead> {
+    return this.#inTurn(async () => {
+      const job = await this.#job(options);
+      const memories = options.memories ?? Array.from({ length: job.identity.memories }, (_, memory) => memory);
+      return readMemories(job, memories, options.idleThrottle ?? false, options);
+    });
+  }
+
+  /**
+   * Writes several memories, one after the other; each goal names its memory. Each is read afresh before, and only what differs is written
+   * and read back as by {@link writeProgram}. Makes the first memory current again at the end, also after an abort or an error. The idle
+   * throttle may belong to the timer and not to a memory (row 17), so goals should not differ in it.
+   * @throws before anything is selected: TimerError `memory-unknown`, `other-timer`; CodecError when a goal cannot be carried. Afterwards only
+   * what a hook throws: of all else the report tells.
+   */
+  writeMemories(goals: readonly TimerProgram[], options: WriteMemoriesOptions = {}): Promise<MemoriesReport> {
+    return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options));
   }
 
   /**
@@ -123,6 +190,7 @@ export class TimerClient {
       if (!sameKind(job.identity, baseline.identity) || !sameKind(job.identity, edited.identity)) {
         throw new TimerError('other-timer', 'the program is for another kind of timer');
       }
+      job.exchange.begin(writePlan(baseline, edited, options.moveServos));
       return writeContent(job, baseline, edited, options.moveServos);
     });
   }
@@ -134,12 +202,7 @@ export class TimerClient {
    */
   selectMemory(memory: number, options: JobOptions = {}): Promise<void> {
     return this.#inTurn(async () => {
-      const { exchange, signal, memoryOf } = await this.#job(options);
-      await exchange.ask({ name: 'SETMEMORY', memory }, signal);
-      const { reply } = await exchange.read({ name: 'GETMEMORY' }, signal);
-      const found = memoryOf(reply);
-      if (found === null || found === memory) return;
-      throw new TimerError('other-memory', `memory ${found} is current, not ${memory}`, { expected: memory, found });
+      await select(await this.#job(options, () => SELECT), memory);
     });
   }
 
@@ -168,7 +231,7 @@ export class TimerClient {
    */
   setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
     return this.#inTurn(async () => {
-      const { exchange, signal } = await this.#job(options);
+      const { exchange, signal } = await this.#job(options, () => ['SETLOWRPM', 'GETLOWRPM']);
       await exchange.ask({ name: 'SETLOWRPM', idleThrottle }, signal);
       const { reply } = await exchange.read({ name: 'GETLOWRPM' }, signal);
       return reply.idleThrottle;
@@ -194,20 +257,23 @@ export class TimerClient {
 
   #command(request: Request, options: JobOptions): Promise<void> {
     return this.#inTurn(async () => {
-      const { exchange, signal } = await this.#job(options);
+      const { exchange, signal } = await this.#job(options, () => [request.name]);
       await exchange.ask(request, signal);
     });
   }
 
-  async #identify(signal: AbortSignal | undefined): Promise<Identity> {
-    const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal);
+  async #identify(signal: AbortSignal | undefined, tries?: number): Promise<Identity> {
+    this.#exchange.begin(['GETSWVER']);
+    const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal, { tries });
     this.#exchange.identity = reply.identity;
     return reply.identity;
   }
 
-  async #job({ signal, onProgress }: JobOptions): Promise<Job> {
+  /** @param plan the exchanges that the job will need; nothing for one that says so itself. */
+  async #job({ signal, onProgress }: JobOptions, plan?: (identity: Identity) => readonly CommandName[]): Promise<Job> {
     throwIfAborted(signal);
     const identity = this.identity ?? (await this.#identify(signal));
+    if (plan) this.#exchange.begin(plan(identity));
     return {
       exchange: this.#exchange,
       identity,

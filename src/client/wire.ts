@@ -1,65 +1,62 @@
-import { type Clock, wireTime } from '../line/index.js';
+import type { Clock } from '../line/index.js';
 import {
   answers,
+  COMMANDS,
   type CommandName,
   commandOf,
   decodeReply,
+  encodeFrame,
   encodeRequest,
   exchangeSize,
   type Frame,
   FrameDecoder,
   frameSize,
   type Identity,
-  MAX_DATA,
   type Reply,
   type Request,
   ZEROS_SENT,
 } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import type { LineEntry } from './log.js';
+import type { LineEntry, LineErrorKind } from './log.js';
+import { DRAIN, LONGEST_FRAME, overtime, type Pace, replyTime, SILENCE } from './patience.js';
 import type { BytePort } from './port.js';
+import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
 
-export interface WireOptions {
+export interface WireOptions extends Pace {
   readonly clock: Clock;
-  /** Bits a second, to know how long bytes take. */
-  readonly baudRate: number;
-  /** Milliseconds beyond the time of the bytes that a reply may take. */
-  readonly margin: number;
   readonly onLine: ((entry: LineEntry) => void) | undefined;
   readonly onLost: ((error: TimerError) => void) | undefined;
 }
 
+/** What was sent and waits for its answer. */
 interface Waiting {
-  readonly request: Request;
-  readonly identity: Identity | null;
-  /** A misprinted letter may be taken: no earlier request can still be answered. */
-  readonly misprints: boolean;
-  readonly settle: (reply: Reply | undefined) => void;
+  /** Whether this frame is the answer; then it is taken, and the wait is over. */
+  readonly take: (frame: Frame) => boolean;
+  readonly giveUp: () => void;
 }
 
-/** Milliseconds without a byte after which the line counts as silent. */
-const SILENCE = 60;
-/** Milliseconds after which draining a line that never falls silent is given up. */
-const LONGEST_DRAIN = 1000;
+const NO_BYTES = new Uint8Array(0);
 
 /**
  * One request at a time on a pair of byte streams: sends it, waits for its own reply or until its time is up, and tells what else
  * was on the line. It never repeats anything; see Exchange for that.
  */
 export class Wire {
+  /** How often the port told of each kind of error of the line. */
+  readonly lineErrors = new Map<LineErrorKind, number>();
   readonly #port: BytePort;
   readonly #quirks: Quirks;
   readonly #options: WireOptions;
   readonly #decoder: FrameDecoder;
-  #reader: ReadableStreamDefaultReader<Uint8Array> | undefined;
+  readonly #reader: PortReader;
   #writer: WritableStreamDefaultWriter<Uint8Array> | undefined;
-  #reading: Promise<void> | undefined;
   #waiting: Waiting | undefined;
   #lost: TimerError | undefined;
   #lastByteAt = Number.NEGATIVE_INFINITY;
   #asked = false;
   #damage = 0;
+  #signs = 0;
   #badReply: unknown;
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
@@ -69,18 +66,33 @@ export class Wire {
     this.#decoder = new FrameDecoder({
       onFrame: (frame, bytes, bare) => {
         if (bare) quirks.note('bare-checksum');
-        this.#log({ direction: 'in', bytes, frame, rejected: null });
+        this.#log({ direction: 'in', bytes, frame });
       },
       onRejected: ({ reason, bytes }) => {
-        this.#log({ direction: 'in', bytes, frame: null, rejected: reason });
+        this.#log({ direction: 'in', bytes, rejected: reason });
         this.#noteDamage();
       },
     });
+    this.#reader = new PortReader(port, {
+      onBytes: (bytes) => this.#receive(bytes),
+      onLineError: (kind) => this.#noteLineError(kind),
+      onEnd: (cause) => this.#lose(new TimerError('port-lost', 'the port gives no more bytes', {}, cause)),
+    });
+  }
+
+  /** Why nothing more can be sent; undefined while it can. */
+  get lost(): TimerError | undefined {
+    return this.#lost;
   }
 
   /** How often damage was seen since the first request: bytes that belong to no frame, errors of the line, impossible replies. */
   get damage(): number {
     return this.#damage;
+  }
+
+  /** How often anything came that shows that somebody is there: a frame that is no echo of one's own, or damage. */
+  get signs(): number {
+    return this.#signs;
   }
 
   /** What was wrong with the last reply whose content could not be; cleared by asking. */
@@ -100,30 +112,27 @@ export class Wire {
       quirks: this.#quirks.assumed,
       bareChecksum: this.#quirks.isBare(request),
     });
-    this.#start();
-    if (this.#lost) throw this.#lost;
-    this.#asked = true;
-    this.#badReply = undefined;
-    this.#decoder.quirks.bareChecksum = request.name === 'GETLOWRPM';
-    const answered = new Promise<Reply | undefined>((settle) => {
-      this.#waiting = { request, identity, misprints, settle };
-    });
-    const cancel = this.#waitFor(this.#budget(request.name, identity));
-    try {
-      await Promise.race([this.#send(bytes), answered]);
-      const reply = await answered;
-      if (!reply && this.#lost) throw this.#lost;
-      return reply;
-    } finally {
-      cancel();
-      this.#waiting = undefined;
-    }
+    return this.#exchange(bytes, replySize(request.name, identity), (frame) =>
+      this.#match(frame, request, identity, misprints),
+    );
+  }
+
+  /**
+   * Sends any frame once and waits for one with the next letter.
+   * @returns undefined when none came in time.
+   * @throws TimerError `port-lost` or `closed`; CodecError when the frame cannot be encoded.
+   */
+  async send(code: number, data: ArrayLike<number>, identity: Identity | null): Promise<Frame | undefined> {
+    const bytes = encodeFrame(code, data);
+    const command = commandOf(code);
+    const size = command?.direction === 'request' ? replySize(command.name, identity) : LONGEST_FRAME;
+    return this.#exchange(bytes, size, (frame) => (frame.code === code + 1 ? frame : undefined));
   }
 
   /** Settles once nothing has come for a moment, or on a line that never falls silent after a second; looks into an unfinished frame then. */
   async silence(signal: AbortSignal | undefined): Promise<void> {
     const { clock } = this.#options;
-    const latest = clock.now() + LONGEST_DRAIN;
+    const latest = clock.now() + DRAIN;
     for (;;) {
       const left = SILENCE - (clock.now() - this.#lastByteAt);
       if (left <= 0 || this.#lost || signal?.aborted || clock.now() > latest) break;
@@ -149,45 +158,37 @@ export class Wire {
   /** Lets go of the port: cancels reading, releases the locks. The port itself stays open. */
   async close(): Promise<void> {
     this.#lose(new TimerError('closed', 'this client was closed'));
-    // A stream that has failed refuses to be cancelled; its lock is released all the same.
-    await this.#reader?.cancel().catch(() => {});
+    const stopped = this.#reader.stop();
     // A port that has not taken the last request by now keeps its lock no longer.
     this.#writer?.releaseLock();
-    await this.#reading;
+    await stopped;
   }
 
-  #start(): void {
-    this.#reading ??= this.#read().then(
-      () => this.#lose(new TimerError('port-lost', 'the stream of bytes ended')),
-      (error: unknown) => this.#lose(new TimerError('port-lost', 'the port gives no more bytes', {}, error)),
-    );
-  }
-
-  /**
-   * Reads until the stream ends or the client is closed. A SerialPort replaces its stream after a framing error: take the new one.
-   * @throws what the stream failed with when there is no new one.
-   */
-  async #read(): Promise<void> {
-    let failed: ReadableStream<Uint8Array> | undefined;
-    let cause: unknown;
-    while (!this.#lost) {
-      const { readable } = this.#port;
-      if (!readable || readable === failed) throw cause;
-      const reader = readable.getReader();
-      this.#reader = reader;
-      try {
-        for (;;) {
-          const { value, done } = await reader.read();
-          if (done) return;
-          this.#receive(value);
-        }
-      } catch (error) {
-        failed = readable;
-        cause = error;
-        this.#noteDamage();
-      } finally {
-        reader.releaseLock();
-      }
+  async #exchange<T>(bytes: Uint8Array, size: number, judge: (frame: Frame) => T | undefined): Promise<T | undefined> {
+    this.#reader.start();
+    if (this.#lost) throw this.#lost;
+    this.#asked = true;
+    this.#badReply = undefined;
+    this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
+    const answered = new Promise<T | undefined>((settle) => {
+      const take = (frame: Frame): boolean => {
+        const answer = judge(frame);
+        if (answer === undefined) return false;
+        this.#waiting = undefined;
+        settle(answer);
+        return true;
+      };
+      this.#waiting = { take, giveUp: () => settle(undefined) };
+    });
+    const cancel = this.#waitFor(replyTime(bytes.length + size, this.#options));
+    try {
+      await Promise.race([this.#send(bytes), answered]);
+      const answer = await answered;
+      if (answer === undefined && this.#lost) throw this.#lost;
+      return answer;
+    } finally {
+      cancel();
+      this.#waiting = undefined;
     }
   }
 
@@ -200,7 +201,7 @@ export class Wire {
     this.#writer = writer;
     try {
       const frame = { code: bytes[ZEROS_SENT + 1] as number, data: bytes.slice(ZEROS_SENT + 2, -2) };
-      this.#log({ direction: 'out', bytes, frame, rejected: null });
+      this.#log({ direction: 'out', bytes, frame });
       await writer.write(bytes);
     } catch (error) {
       this.#lose(new TimerError('port-lost', 'the port takes no more bytes', {}, error));
@@ -209,18 +210,10 @@ export class Wire {
     }
   }
 
-  #budget(name: CommandName, identity: Identity | null): number {
-    // Before the timer is known only requests of known size are asked: GETSWVER, or a fence whose reply may be the longest.
-    const size = identity
-      ? exchangeSize(name, identity)
-      : { request: frameSize(0), reply: frameSize(name === 'GETSWVER' ? 9 : MAX_DATA) };
-    return wireTime(size.request + size.reply, this.#options.baudRate) + this.#options.margin;
-  }
-
   /** Ends the wait when the time is up; while bytes are still coming it lasts until they stop, one longest frame at most. */
-  #waitFor(budget: number): () => void {
-    const { clock, baudRate } = this.#options;
-    const latest = clock.now() + budget + wireTime(frameSize(MAX_DATA), baudRate) + SILENCE;
+  #waitFor(time: number): () => void {
+    const { clock } = this.#options;
+    const latest = clock.now() + time + overtime(this.#options);
     let cancel: () => void = () => {};
     const look = (): void => {
       const now = clock.now();
@@ -230,9 +223,9 @@ export class Wire {
         return;
       }
       this.#dispatch(this.#decoder.idle());
-      this.#waiting?.settle(undefined);
+      this.#waiting?.giveUp();
     };
-    cancel = clock.after(budget, look);
+    cancel = clock.after(time, look);
     return () => cancel();
   }
 
@@ -243,42 +236,55 @@ export class Wire {
 
   #dispatch(frames: readonly Frame[]): void {
     for (const frame of frames) {
-      if (commandOf(frame.code)?.direction === 'request') this.#quirks.note('echo');
-      else this.#match(frame);
+      const isEcho = commandOf(frame.code)?.direction === 'request';
+      if (!isEcho) this.#signs++;
+      if (!this.#waiting?.take(frame) && isEcho) this.#quirks.note('echo');
     }
   }
 
-  #match(frame: Frame): void {
-    const waiting = this.#waiting;
-    const match = waiting && answers(frame.code, waiting.request.name);
-    if (!waiting || !match || (match === 'misprint' && !waiting.misprints)) return;
+  #match(frame: Frame, request: Request, identity: Identity | null, misprints: boolean): Reply | undefined {
+    const match = answers(frame.code, request.name);
+    if (!match || (match === 'misprint' && !misprints)) return undefined;
     let reply: Reply;
     try {
-      const identity = waiting.identity ?? undefined;
-      reply = decodeReply(frame, { identity, quirks: this.#quirks.assumed, pending: waiting.request });
+      const quirks = this.#quirks.assumed;
+      reply = decodeReply(frame, { identity: identity ?? undefined, quirks, pending: request });
     } catch (error) {
       this.#badReply = error;
       this.#noteDamage();
-      return;
+      return undefined;
     }
     if (match === 'misprint') this.#quirks.note(reply.name === 'UNLOCK' ? 'unlock-reply-6a' : 'timers-reply-66');
-    this.#waiting = undefined;
-    waiting.settle(reply);
+    return reply;
   }
 
   /** What was on the line before the first request, such as the noise of plugging in, says nothing about replies. */
   #noteDamage(): void {
+    this.#signs++;
     if (this.#asked) this.#damage++;
+  }
+
+  #noteLineError(error: LineErrorKind): void {
+    this.lineErrors.set(error, (this.lineErrors.get(error) ?? 0) + 1);
+    this.#log({ direction: 'in', error });
+    this.#noteDamage();
   }
 
   #lose(error: TimerError): void {
     if (this.#lost) return;
     this.#lost = error;
-    this.#waiting?.settle(undefined);
+    this.#waiting?.giveUp();
     if (error.code === 'port-lost') this.#options.onLost?.(error);
   }
 
-  #log(entry: Omit<LineEntry, 'time'>): void {
-    this.#options.onLine?.({ time: this.#options.clock.now(), ...entry });
+  #log(entry: Pick<LineEntry, 'direction'> & Partial<LineEntry>): void {
+    const time = this.#options.clock.now();
+    this.#options.onLine?.({ time, bytes: NO_BYTES, frame: null, rejected: null, error: null, ...entry });
   }
+}
+
+function replySize(name: CommandName, identity: Identity | null): number {
+  if (identity) return exchangeSize(name, identity).reply;
+  // Before the timer is known only GETSWVER has a reply of known size; that to a fence may be the longest.
+  return name === 'GETSWVER' ? frameSize(9) : LONGEST_FRAME;
 }

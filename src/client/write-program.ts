@@ -7,10 +7,17 @@ import {
   type TimerProgram,
   valueAt,
 } from '../program/index.js';
-import { encodeRequest, type LayoutQuirks, MAX_POSITION, type Reply, type Request } from '../protocol/index.js';
+import {
+  type CommandName,
+  encodeRequest,
+  type LayoutQuirks,
+  MAX_POSITION,
+  type Reply,
+  type Request,
+} from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { StageProgress } from './progress.js';
-import { type Job, readContent } from './read-program.js';
+import { type Job, questionsFor, readContent } from './read-program.js';
 
 /** What became of one value. */
 export interface ValueReport {
@@ -40,6 +47,14 @@ export interface WriteReport {
   readonly stopped: TimerError | null;
 }
 
+/** The exchanges of a write: see {@link writeContent}. */
+export function writePlan(baseline: TimerProgram, goal: TimerProgram, moveServos = false): CommandName[] {
+  const requests = changeRequests(baseline, goal).flatMap(({ name }): CommandName[] =>
+    moveServos && name === 'SETSERVO' ? ['MOVETOFUNC', name] : [name],
+  );
+  return ['GETMEMORY', ...requests, 'GETSWVER', ...questionsFor(goal.identity, goal.idleThrottle !== null)];
+}
+
 /**
  * Sends what differs, reads everything back and compares. What changed without being asked is put back once.
  * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `undecided`,
@@ -52,6 +67,8 @@ export async function writeContent(
   moveServos = false,
 ): Promise<WriteReport> {
   const { exchange, identity, signal, quirks } = job;
+  const { budget } = exchange;
+  const before = budget.repeats;
   const asked = differences(baseline, goal).filter(({ to }) => to !== null);
   const requests = changeRequests(baseline, goal);
   // All of it must fit before any of it is sent.
@@ -62,14 +79,14 @@ export async function writeContent(
   throwIfAborted(signal);
   await requireMemory(job, baseline);
 
-  const before = exchange.repeats;
+  const questions = questionsFor(identity, goal.idleThrottle !== null);
   const strays = new Map<string, ProgramField>();
   const known: { acknowledged: number; held: TimerProgram | null } = { acknowledged: 0, held: null };
 
   const send = async (stage: 'write' | 'repair', batch: readonly Request[]): Promise<void> => {
     known.held = null;
     const names = batch.map(({ name }) => name);
-    const progress = new StageProgress(stage, names, identity, job.onProgress);
+    const progress = new StageProgress(stage, names, job);
     let standsAt: number | null = null;
     for (const request of batch) {
       if (moveServos && request.name === 'SETSERVO' && request.function !== standsAt) {
@@ -88,8 +105,10 @@ export async function writeContent(
     known.held = read;
   };
 
-  let stopped = await attempt(() => send('write', moveServos ? byColumn(requests) : requests));
-  if (!stopped || stopped.code === 'no-answer' || stopped.code === 'bad-reply') {
+  // Whatever the line does to the requests, there is time left to see what came of them.
+  const batch = moveServos ? byColumn(requests) : requests;
+  let stopped = await attempt(() => budget.keepTimeFor(questions, identity, () => send('write', batch)));
+  if (!stopped || isUnanswered(stopped)) {
     stopped = (await attempt(readBack)) ?? stopped;
   }
   const held = known.held;
@@ -100,7 +119,7 @@ export async function writeContent(
   if (repair) {
     const { assumed } = quirks;
     quirks.assumed = { ...assumed, ...repair.quirks };
-    stopped = await attempt(() => send('repair', repair.requests));
+    stopped = await attempt(() => budget.keepTimeFor(questions, identity, () => send('repair', repair.requests)));
     quirks.assumed = assumed;
     stopped = (await attempt(readBack)) ?? stopped;
   }
@@ -108,7 +127,12 @@ export async function writeContent(
   const verdict = compare(goal, values, known.held);
   // A reply that did not come means nothing once the timer was seen to hold all that was wanted.
   if (verdict.result === 'verified') stopped = null;
-  return { ...verdict, ...known, repeats: exchange.repeats - before, stopped };
+  return { ...verdict, ...known, repeats: budget.repeats - before, stopped };
+}
+
+/** Whether the line and the timer may go on although a request was given up. */
+function isUnanswered({ code }: TimerError): boolean {
+  return code === 'no-answer' || code === 'bad-reply' || code === 'unstable';
 }
 
 function putBack(field: ProgramField): { field: ProgramField; asked: boolean } {

@@ -60,6 +60,7 @@ describe('a timer that departs from the usual reading', () => {
     const clock = new VirtualClock();
     const identity: Identity = { timerClass: 'B', firmware: '536', functions: 1, memories: 1, servos: 1 };
     const sent: string[] = [];
+    let late = true;
     let line: ReadableStreamDefaultController<Uint8Array> | undefined;
     const readable = new ReadableStream<Uint8Array>({
       start: (controller) => {
@@ -72,7 +73,9 @@ describe('a timer that departs from the usual reading', () => {
         sent.push(name);
         if (sent.length === 1) line?.enqueue(encodeReply({ name: 'GETSWVER', identity }));
         // Nothing is answered in time; what comes while GETTIMERS waits belongs to the SETTIMERS of before.
-        if (name === 'GETTIMERS') line?.enqueue(encodeReply({ name: 'SETTIMERS', times: [0, 7000] }, { identity }));
+        if (name !== 'GETTIMERS' || !late) return;
+        late = false;
+        line?.enqueue(encodeReply({ name: 'SETTIMERS', times: [0, 7000] }, { identity }));
       },
     });
     const client = new TimerClient({ readable, writable }, { clock });

@@ -75,8 +75,8 @@ export function requestFor({ identity: timer }) {
 /** @param {Options} options @returns {fc.Arbitrary<Reply>} */
 export function replyFor({ identity: timer, quirks }) {
   const { functions: last, servos, memories } = timer;
-  // A timer not known to count from 1 may answer the number of its memories; the last of 255 that is counted so takes two bytes.
-  const lastMemory = quirks?.memoriesFromOne ? memories - 1 : Math.min(memories, 254);
+  // A timer not known to count from 1 may answer the number of its memories.
+  const lastMemory = quirks?.memoriesFromOne ? memories - 1 : memories;
   const row = fc.array(upTo(255), { minLength: last + 1, maxLength: last + 1 });
   /** @type {fc.Arbitrary<Reply>[]} */
   const all = [

@@ -148,6 +148,19 @@ describe('where the source contradicts itself', () => {
   });
 });
 
+describe('the last of 255 memories', () => {
+  const identity = { ...SMALL, memories: 255 };
+  it.each([
+    ['a timer that counts from 1 and is not known to', 255, false],
+    ['one that is', 254, true],
+  ])('comes back as it was from %s', (_, memory, memoriesFromOne) => {
+    const options = { identity, quirks: { memoriesFromOne } };
+    const bytes = encodeReply({ name: 'GETMEMORY', memory }, options);
+    expect(toHex(bytes)).toBe('00 00 00 00 00 04 72 ff 71 45');
+    expect(decodeReply(onlyFrame(toHex(bytes)), options)).toEqual({ name: 'GETMEMORY', memory });
+  });
+});
+
 describe('the size of an exchange', () => {
   const ofB536 = <T extends Row<unknown>>(rows: readonly T[]): T[] =>
     rows.filter(({ identity }) => JSON.stringify(identity) === JSON.stringify(B536));

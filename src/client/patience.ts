@@ -1,0 +1,93 @@
+import { wireTime } from '../line/index.js';
+import { type CommandName, exchangeSize, frameSize, type Identity, MAX_DATA } from '../protocol/index.js';
+
+// How long the client waits, how often it asks again, and when it gives up: all of it stands here, so that the time a job takes at
+// most follows from this file alone. The protocol page explains the numbers under "Rules for a client".
+
+/** The speed of the line, and how slow a timer may be. */
+export interface Pace {
+  /** Bits a second. */
+  readonly baudRate: number;
+  /** Milliseconds beyond the time of the bytes that a reply may take. */
+  readonly margin: number;
+}
+
+/** Milliseconds without a byte after which the line counts as silent. */
+export const SILENCE = 60;
+/** Milliseconds after which draining a line that never falls silent is given up. */
+export const DRAIN = 1000;
+/**
+ * Milliseconds after which an unanswered request can no longer be answered. It is the bound of the law that a late reply is never
+ * taken for a later request's: a timer that answers later than this breaks it.
+ */
+export const LATEST_REPLY = 3000;
+/** Bytes of the longest frame. */
+export const LONGEST_FRAME = frameSize(MAX_DATA);
+
+/** How often a reading is repeated at most to find two that agree. */
+export const READS = 6;
+/** How often a request goes out at most. A request and reply of 62 bytes pass one in two times when 1 % of all bytes are damaged. */
+export const SENDS = 20;
+/**
+ * How often it goes out at most when nothing at all comes of it while fences are answered, and no damage was seen: the timer does not
+ * answer this request.
+ */
+export const UNANSWERED = 10;
+/** The same for a question that not every timer is known to answer. */
+export const UNANSWERED_OPTIONAL = 6;
+/** How often such a question goes out at most when this timer was found not to answer it. */
+export const TRIES_OF_UNANSWERED = 2;
+/** Exchanges in a row without an answer, fences included, after which a line that damages is given up. */
+export const MISSES = 12;
+/** Exchanges in a row in which nothing came at all, after which a timer that has answered before is not there: it fell asleep. */
+export const SILENT = 7;
+/** The same for a timer that has not answered yet, or not since it was given up, and before a request that must not be repeated. */
+export const SILENT_AT_FIRST = 3;
+/** Replies with a right checksum and impossible content after which that is how this timer answers. */
+export const BAD_REPLIES = 3;
+/** Milliseconds that a job may lose to damage, beyond twice what its exchanges can take. */
+export const LOST_TO_DAMAGE = 45_000;
+/** Milliseconds of those that are kept for what has to be done at its end: reading back, going back to the first memory. */
+export const KEPT_FOR_THE_END = 15_000;
+
+/** Milliseconds that so many bytes and the timer's thinking may take before the request counts as unanswered. */
+export function replyTime(bytes: number, { baudRate, margin }: Pace): number {
+  return wireTime(bytes, baudRate) + margin;
+}
+
+/** Milliseconds for which a wait goes on at most while bytes are still coming: one longest frame. */
+export function overtime({ baudRate }: Pace): number {
+  return wireTime(LONGEST_FRAME, baudRate) + SILENCE;
+}
+
+/** Milliseconds that one exchange takes at most: its own answer does not come, and something else does until the end. */
+export function longestExchange(name: CommandName, identity: Identity | null, pace: Pace): number {
+  const { request, reply } = identity ? exchangeSize(name, identity) : { request: LONGEST_FRAME, reply: LONGEST_FRAME };
+  return replyTime(request + reply, pace) + overtime(pace) + SILENCE;
+}
+
+/** Milliseconds that making sure of one's own replies takes at most: draining, then a fence or the wait until nothing older can come. */
+export function longestFence(pace: Pace): number {
+  return DRAIN + SILENCE + Math.max(LATEST_REPLY, replyTime(2 * LONGEST_FRAME, pace) + overtime(pace) + SILENCE);
+}
+
+/**
+ * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may have to be read twice,
+ * and what was written be put right and read back again.
+ */
+function timeFor(names: readonly CommandName[], identity: Identity | null, pace: Pace): number {
+  return names.reduce((sum, name) => sum + 2 * longestExchange(name, identity, pace), 0);
+}
+
+/**
+ * Milliseconds after which a job of these exchanges has ended, with success or with an error, whatever the line does. It is a true bound
+ * because nothing is begun for which there is no time left: see Budget.
+ */
+export function longestJob(names: readonly CommandName[], identity: Identity | null, pace: Pace): number {
+  return timeFor(names, identity, pace) + LOST_TO_DAMAGE;
+}
+
+/** Milliseconds of a job that must be left for these exchanges, which come last. */
+export function timeForTheEnd(names: readonly CommandName[], identity: Identity | null, pace: Pace): number {
+  return timeFor(names, identity, pace) + KEPT_FOR_THE_END;
+}

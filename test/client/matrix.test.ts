@@ -1,0 +1,66 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { type ActName, allCases, bytesOf, FAULTS, holds, wentOutOnce } from './matrix.js';
+
+const SMALL = { functions: 2, memories: 2, servos: 1 };
+
+describe('every fault at every byte of either direction, with a small timer', () => {
+  it.each([
+    ['connect', 'B', 297],
+    ['connect', 'Q', 297],
+    ['read', 'B', 704],
+    ['read', 'Q', 913],
+  ] as const)('%s, class %s: all %i cases; the goal is reached afterwards', async (act, timerClass, count) => {
+    const cases = await allCases({ ...SMALL, timerClass }, act);
+    expect(cases).toHaveLength(count);
+    for (const hit of cases) await holds(hit, 'goal');
+  });
+
+  it.each([
+    ['B', 'goal', 1936],
+    ['B', 'before', 1936],
+    ['Q', 'goal', 2354],
+    ['Q', 'before', 2354],
+  ] as const)(
+    'write of every value, class %s: afterwards a write reaches the %s; all %i cases',
+    async (timerClass, aim, count) => {
+      const cases = await allCases({ ...SMALL, timerClass }, 'write');
+      expect(cases).toHaveLength(count);
+      for (const hit of cases) await holds(hit, aim);
+    },
+  );
+
+  it.each([
+    ['UNLOCK', 198],
+    ['JUMP2', 198],
+    ['MOVETOFUNC', 209],
+  ] as const)('%s goes out once and is carried out once at most: all %i cases', async (act, count) => {
+    const cases = await allCases({ ...SMALL, timerClass: 'Q' }, act);
+    expect(cases).toHaveLength(count);
+    for (const hit of cases) await wentOutOnce(hit);
+  });
+});
+
+describe('any fault at any byte, with a full timer', () => {
+  it('the same holds', async () => {
+    const acts = ['connect', 'read', 'write', 'write', 'write', 'UNLOCK', 'JUMP2', 'MOVETOFUNC'] as const;
+    const sample = fc.record({
+      timerClass: fc.constantFrom('B', 'Q', 'E'),
+      act: fc.constantFrom<ActName>(...acts),
+      direction: fc.constantFrom('out' as const, 'in' as const),
+      place: fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true }),
+      fault: fc.constantFrom(...Object.keys(FAULTS)),
+      aim: fc.constantFrom('goal' as const, 'before' as const),
+    });
+    await fc.assert(
+      fc.asyncProperty(sample, async ({ timerClass, act, direction, place, fault, aim }) => {
+        const identity = { timerClass };
+        const bytes = await bytesOf(identity, act);
+        const hit = { identity, act, direction, index: Math.floor(place * bytes[direction]), fault };
+        if (act === 'connect' || act === 'read' || act === 'write') await holds(hit, aim);
+        else await wentOutOnce(hit);
+      }),
+      { numRuns: 400 },
+    );
+  });
+});

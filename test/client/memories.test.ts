@@ -1,0 +1,453 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  type MemoriesRead,
+  type MemoriesReport,
+  type Progress,
+  TimerClient,
+  TimerError,
+} from '../../src/client/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
+import type { VirtualTimer } from '../../src/simulator/index.js';
+import { bench, contentOf, edited, names } from './bench.js';
+import { type Direction, type Fault, FieldLine } from './field-line.js';
+import { everyValueChanged, FAULTS } from './matrix.js';
+import { damage, numbers } from './noise.js';
+
+/** What one memory of the virtual timer holds, as a program. */
+function memoryOf(timer: VirtualTimer, memory: number): TimerProgram {
+  const { timers, positions } = timer.core.memories[memory] as { timers: number[]; positions: number[][] };
+  return structuredClone({ ...contentOf(timer), memory, timers, positions });
+}
+
+const all = (timer: VirtualTimer): TimerProgram[] => timer.core.memories.map((_, memory) => memoryOf(timer, memory));
+const isSelect = (name: string): boolean => name === 'SETMEMORY';
+
+describe('reading several memories', () => {
+  it('gives what each holds, and makes the first one current again', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    timer.core.memory = 2;
+    const told: number[] = [];
+    const onHome = (home: number): void => {
+      expect(names(timer.core.answered)).not.toContain('SETMEMORY');
+      told.push(home);
+    };
+    expect(await run(client.readMemories({ onHome }))).toEqual({ home: 2, programs: all(timer) });
+    expect(timer.core.memory).toBe(2);
+    expect(told).toEqual([2]);
+    const selected = timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
+    expect(selected).toEqual([0, 1, 2, 3, 2]);
+  });
+
+  it('gives those that are asked for in their order, and selects nothing when the current one is enough', async () => {
+    const { client, timer, run } = bench();
+    const { programs } = await run(client.readMemories({ memories: [3, 1] }));
+    expect(programs).toEqual([memoryOf(timer, 3), memoryOf(timer, 1)]);
+    expect(timer.core.memory).toBe(0);
+    timer.core.answered.length = 0;
+    const onHome = (): void => expect.unreachable();
+    expect(await run(client.readMemories({ memories: [0], onHome }))).toEqual({
+      home: 0,
+      programs: [memoryOf(timer, 0)],
+    });
+    expect(names(timer.core.answered).some(isSelect)).toBe(false);
+  });
+
+  it('asks B for the idle throttle only on request', async () => {
+    const { client, run } = bench();
+    expect((await run(client.readMemories())).programs[1]?.idleThrottle).toBeNull();
+    expect((await run(client.readMemories({ idleThrottle: true }))).programs[1]?.idleThrottle).toBe(30);
+  });
+
+  it('selects nothing when the timer does not say which memory is current', async () => {
+    const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
+    await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
+    const goal = { ...(await run(client.readProgram())), memory: 1 };
+    await expect(run(client.writeMemories([goal]))).rejects.toMatchObject({ code: 'memory-unknown' });
+    expect(names(timer.core.answered).some((name) => name.startsWith('SET'))).toBe(false);
+  });
+
+  it('selects nothing when the timer has no such memory, and nothing when the memory to come back to could not be kept', async () => {
+    const { client, timer, run } = bench();
+    await expect(run(client.readMemories({ memories: [1, 4] }))).rejects.toMatchObject({ code: 'out-of-range' });
+    const onHome = (): Promise<void> => Promise.reject(new Error('the store is full'));
+    await expect(run(client.readMemories({ onHome }))).rejects.toThrow('the store is full');
+    expect(names(timer.core.answered).some(isSelect)).toBe(false);
+  });
+
+  it('fits a timer that counts its memories from 1, once that has shown', async () => {
+    const { client, timer, run } = bench({ quirks: { memoriesFromOne: true } });
+    timer.core.memory = 3;
+    expect(await run(client.readMemories())).toEqual({ home: 3, programs: all(timer) });
+  });
+
+  it('goes back when asked to stop, and says that it was stopped', async () => {
+    const { client, timer, run } = bench();
+    const stop = new AbortController();
+    timer.core.onAnswer = (request) => {
+      if (request.name === 'GETTIMERS' && timer.core.memory === 2) stop.abort();
+    };
+    await expect(run(client.readMemories({ signal: stop.signal }))).rejects.toMatchObject({ code: 'aborted' });
+    expect(timer.core.memory).toBe(0);
+    expect(names(timer.core.answered).slice(-3)).toEqual(['GETTIMERS', 'SETMEMORY', 'GETMEMORY']);
+  });
+
+  it('reads again what it had believed on one reading, when damage is first seen on the way', async () => {
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte, index) => (index === 2 * 150 ? [] : [byte]) } });
+    const told: Progress[] = [];
+    const { programs } = await run(client.readMemories({ onProgress: (progress) => told.push(progress) }));
+    expect(programs).toEqual(all(timer));
+    expect(client.damageSeen).toBe(true);
+    const times = { first: 0, last: 0 };
+    let memory = 0;
+    for (const request of timer.core.answered) {
+      if (request.name === 'SETMEMORY') memory = request.memory;
+      if (request.name === 'GETTIMERS' && memory === 0) times.first++;
+      if (request.name === 'GETTIMERS' && memory === 3) times.last++;
+    }
+    // Once, and then twice; twice from the beginning.
+    expect(times).toEqual({ first: 3, last: 2 });
+    for (const { done, total } of told) expect(done).toBeLessThanOrEqual(total);
+  });
+
+  it('says which memory is left behind when the cable is pulled, and why', async () => {
+    const { client, timer, run } = bench();
+    timer.core.memory = 1;
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETSERVOPOS' && timer.core.memory === 3) timer.cut();
+    };
+    await expect(run(client.readMemories())).rejects.toMatchObject({
+      code: 'memory-left',
+      details: { expected: 1, found: 3 },
+      cause: { code: 'port-lost' },
+    });
+  });
+
+  it('says that it is not known which memory is left when selecting got no answer', async () => {
+    const { client, timer, run } = bench();
+    timer.core.onAnswer = ({ name }) => {
+      if (isSelect(name)) timer.cut();
+    };
+    await expect(run(client.readMemories({ memories: [2] }))).rejects.toMatchObject({
+      code: 'memory-left',
+      details: { expected: 0, found: null },
+    });
+  });
+
+  it('knows which memory is left when selecting another never went out', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETSERVOPOS' && timer.core.memory === 2) timer.core.sleep();
+    };
+    await expect(run(client.readMemories())).rejects.toMatchObject({
+      code: 'memory-left',
+      details: { expected: 0, found: 2 },
+      cause: { code: 'no-answer' },
+    });
+    expect(names(timer.core.answered).filter(isSelect)).toHaveLength(2);
+  });
+
+  it('reads nothing from a memory that something else has selected, and goes back', async () => {
+    const { client, timer, run } = bench();
+    timer.core.memory = 1;
+    let asked = 0;
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETMEMORY') asked++;
+      // Behind the question that follows selecting.
+      if (asked === 2) timer.core.memory = 3;
+      if (asked === 3) timer.core.onAnswer = undefined;
+    };
+    await expect(run(client.readMemories({ memories: [2] }))).rejects.toMatchObject({
+      code: 'other-memory',
+      details: { expected: 2, found: 3 },
+    });
+    expect(timer.core.memory).toBe(1);
+  });
+
+  it('says so when the timer falls asleep, and also when the client is closed on the way', async () => {
+    for (const end of ['sleep', 'close'] as const) {
+      const { client, timer, run } = bench();
+      timer.core.onAnswer = ({ name }) => {
+        if (name !== 'GETTIMERS' || timer.core.memory !== 1) return;
+        if (end === 'sleep') timer.core.sleep();
+        else void client.close();
+      };
+      await expect(run(client.readMemories())).rejects.toMatchObject({
+        code: 'memory-left',
+        details: { expected: 0, found: end === 'sleep' ? null : 1 },
+        cause: { code: end === 'sleep' ? 'no-answer' : 'closed' },
+      });
+    }
+  });
+});
+
+describe('writing several memories', () => {
+  it('writes each into its own, hands over what it held before, and goes back', async () => {
+    const { client, timer, run } = bench();
+    timer.core.memory = 1;
+    const before = all(timer);
+    const copy = (memory: number): TimerProgram => ({ ...(before[1] as TimerProgram), memory });
+    const goals = [edited(copy(0), [[10, 30000]]), copy(3)];
+    const backups: [TimerProgram, TimerProgram][] = [];
+    const onMemory = async (read: TimerProgram, goal: TimerProgram): Promise<void> => {
+      await Promise.resolve();
+      expect(timer.core.memories[read.memory as number]).toEqual({ timers: read.timers, positions: read.positions });
+      backups.push([read, goal]);
+    };
+    const report = await run(client.writeMemories(goals, { onMemory }));
+    expect(report).toMatchObject({ home: 1, isHome: true, stopped: null });
+    expect(report.memories).toMatchObject([
+      { memory: 0, before: before[0], report: { result: 'verified', acknowledged: 1 } },
+      { memory: 3, before: before[3], report: { result: 'verified', acknowledged: 1 } },
+    ]);
+    expect(backups).toEqual([
+      [before[0], goals[0]],
+      [before[3], goals[1]],
+    ]);
+    expect(all(timer).map((program) => ({ ...program, memory: 0 }))).toEqual(
+      [goals[0], before[1], before[2], goals[1]].map((program) => ({ ...program, memory: 0 })),
+    );
+    expect(timer.core.memory).toBe(1);
+  });
+
+  it('writes nothing into a memory whose backup could not be kept, and goes back', async () => {
+    const { client, timer, run } = bench();
+    const before = all(timer);
+    const goals = before.slice(1, 3).map(everyValueChanged);
+    let kept = 0;
+    const onMemory = (): void => {
+      kept++;
+      if (kept === 2) throw new Error('the store is full');
+    };
+    await expect(run(client.writeMemories(goals, { onMemory }))).rejects.toThrow('the store is full');
+    expect(all(timer)).toEqual([before[0], goals[0], before[2], before[3]]);
+    expect(timer.core.memory).toBe(0);
+  });
+
+  it('writes nothing when any goal cannot be written', async () => {
+    const { client, timer, run } = bench();
+    const [, first, second] = all(timer) as [TimerProgram, TimerProgram, TimerProgram, TimerProgram];
+    await run(client.identify());
+    timer.core.answered.length = 0;
+    for (const [wrong, error] of [
+      [
+        { ...second, memory: 4 },
+        { code: 'out-of-range', field: 'memory' },
+      ],
+      [{ ...second, memory: null }, { code: 'memory-unknown' }],
+      [edited(second, [[1, 65536]]), { code: 'out-of-range', field: 'times[1]' }],
+      [edited(second, [], [[1, 2, 256]]), { code: 'out-of-range', field: 'positions[1][2]' }],
+      [
+        { ...second, idleThrottle: 256 },
+        { code: 'out-of-range', field: 'idleThrottle' },
+      ],
+      [{ ...second, timers: [1] }, { code: 'wrong-count' }],
+      [{ ...second, identity: { ...second.identity, timerClass: 'E' } }, { code: 'other-timer' }],
+    ] as const) {
+      await expect(run(client.writeMemories([first, wrong]))).rejects.toMatchObject(error);
+    }
+    expect(timer.core.answered).toEqual([]);
+  });
+
+  it('tells what was written when a later goal cannot be, and when it is asked to stop', async () => {
+    const { client, timer, run } = bench();
+    const [, first, second] = all(timer).map(everyValueChanged) as [TimerProgram, TimerProgram, TimerProgram];
+    // Past the last step: only where the timer holds the same.
+    const report = await run(client.writeMemories([first, edited(second, [], [[0, 0, 200]])]));
+    expect(report).toMatchObject({
+      isHome: true,
+      memories: [{ memory: 1, report: { result: 'verified' } }],
+      stopped: { name: 'CodecError', code: 'out-of-range' },
+    });
+    const stop = new AbortController();
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETSERVO' && timer.core.memory === 2) stop.abort();
+    };
+    const stopped = await run(client.writeMemories([first, second], { signal: stop.signal }));
+    expect(stopped).toMatchObject({
+      isHome: true,
+      memories: [
+        { memory: 1, report: { result: 'verified', values: [] } },
+        { memory: 2, report: { result: 'unknown', stopped: { code: 'aborted' } } },
+      ],
+      stopped: { code: 'aborted' },
+    });
+    expect(timer.core.memory).toBe(0);
+  });
+
+  it('goes on to the next memory when the timer rounds, and stops at one that was changed by something else', async () => {
+    const { client, timer, run } = bench({ quirks: { timeStep: 10 } });
+    const before = all(timer);
+    const goals = before.slice(1, 3).map((program) => edited(program, [[1, 123]]));
+    const rounded = await run(client.writeMemories(goals));
+    expect(rounded.memories.map(({ report }) => report.result)).toEqual(['differs', 'differs']);
+    expect(rounded.stopped).toBeNull();
+
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS')
+        timer.core.content.positions = [...everyValueChanged(contentOf(timer)).positions] as never;
+    };
+    const changed = await run(client.writeMemories(before.slice(1, 3).map((program) => edited(program, [[2, 400]]))));
+    expect(changed).toMatchObject({ isHome: true, stopped: { code: 'changed' } });
+    expect(changed.memories).toHaveLength(1);
+  });
+
+  it('makes the first memory current again also when something else has selected another one', async () => {
+    const { client, timer, run } = bench();
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') timer.core.memory = 3;
+    };
+    const report = await run(client.writeMemories([edited(memoryOf(timer, 0), [[10, 30000]])]));
+    expect(report).toMatchObject({
+      isHome: true,
+      memories: [{ report: { result: 'unknown' } }],
+      stopped: { code: 'other-memory' },
+    });
+    expect(timer.core.memory).toBe(0);
+  });
+
+  it('says loudly which memory is left behind when the cable is pulled, with what is known of each', async () => {
+    const { client, timer, run } = bench();
+    const goals = all(timer).slice(1, 3).map(everyValueChanged);
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS' && timer.core.memory === 2) timer.cut();
+    };
+    const report = await run(client.writeMemories(goals));
+    expect(report).toMatchObject({
+      home: 0,
+      isHome: false,
+      memories: [{ report: { result: 'verified' } }, { report: { result: 'unknown' } }],
+      stopped: { code: 'memory-left', details: { expected: 0, found: 2 }, cause: { code: 'port-lost' } },
+    });
+  });
+});
+
+describe('the progress of several memories', () => {
+  it('is that of the whole way: it never falls, comes to its end, and says the memory and the time', async () => {
+    const { client, timer, run, clock } = bench();
+    const goals = all(timer).map((program) => edited(program, [[10, 40000]]));
+    const jobs: ((onProgress: (progress: Progress) => void) => Promise<unknown>)[] = [
+      (onProgress) => client.readMemories({ onProgress }),
+      (onProgress) => client.writeMemories(goals, { onProgress }),
+    ];
+    for (const job of jobs) {
+      const told: Progress[] = [];
+      await run(job((progress) => told.push(progress)));
+      const done = told.map((progress) => progress.done);
+      expect(done).toEqual([...done].sort((a, b) => a - b));
+      const last = told.at(-1) as Progress;
+      expect(last.done / last.total).toBeGreaterThan(0.8);
+      expect(last.done).toBeLessThanOrEqual(last.total);
+      expect(new Set(told.map(({ total }) => total)).size).toBe(1);
+      expect(new Set(told.map(({ endsBy }) => endsBy)).size).toBe(1);
+      expect(last.endsBy).toBeGreaterThan(clock.now());
+      expect([...new Set(told.map(({ memory }) => memory))]).toEqual([0, 1, 2, 3]);
+    }
+  });
+
+  it('ends later by the time that the caller takes for a backup', async () => {
+    const { client, timer, run, clock } = bench();
+    const told: Progress[] = [];
+    await run(
+      client.writeMemories([memoryOf(timer, 1)], {
+        onMemory: () => new Promise<void>((resolve) => void clock.after(90_000, resolve)),
+        onProgress: (progress) => told.push(progress),
+      }),
+    );
+    expect((told.at(-1) as Progress).endsBy - (told[0] as Progress).endsBy).toBe(90_000);
+  });
+});
+
+/** Whatever is said of memories must be so. */
+function expectTruth(
+  timer: VirtualTimer,
+  result: unknown,
+  goals: readonly TimerProgram[],
+  home: number,
+  text: string,
+): void {
+  const { stopped, isHome, memories } = result as Partial<MemoriesReport>;
+  const error = result instanceof TimerError ? result : stopped;
+  if (error?.code === 'memory-left') {
+    expect(error.details.expected, text).toBe(home);
+    const { found } = error.details as { found: number | null };
+    if (found !== null) expect(timer.core.memory, text).toBe(found);
+  } else {
+    expect(timer.core.memory, text).toBe(home);
+  }
+  if (isHome !== undefined) expect(isHome, text).toBe(error?.code !== 'memory-left');
+  const { programs } = result as Partial<MemoriesRead>;
+  for (const program of programs ?? []) expect(program, text).toEqual(memoryOf(timer, program.memory as number));
+  for (const { memory, report } of memories ?? []) {
+    const goal = goals.find((each) => each.memory === memory);
+    if (report.result === 'verified') expect(memoryOf(timer, memory), text).toEqual(goal);
+  }
+}
+
+describe('several memories on a bad line', () => {
+  const jobs: Record<'read' | 'write', (client: TimerClient, goals: readonly TimerProgram[]) => Promise<unknown>> = {
+    read: (client) => client.readMemories(),
+    write: (client, goals) => client.writeMemories(goals),
+  };
+
+  it.each([
+    ['read', 2007],
+    ['write', 5175],
+  ] as const)(
+    '%s: whatever befalls whichever byte, the first memory is current again or it is said that it is not: %i cases',
+    async (job, count) => {
+      const meet = async () => {
+        const { clock, timer, run } = bench({ identity: { functions: 2, memories: 2, servos: 1 }, baudRate: 9600 });
+        const line = new FieldLine(timer, clock);
+        const client = new TimerClient(line.open(), { clock });
+        await run(client.identify());
+        return { timer, run, line, client, goals: all(timer).map(everyValueChanged) };
+      };
+      const quiet = await meet();
+      const begin = quiet.line.counts;
+      await quiet.run(jobs[job](quiet.client, quiet.goals));
+      const end = quiet.line.counts;
+      let cases = 0;
+      for (const direction of ['out', 'in'] satisfies Direction[]) {
+        for (let index = 0; index < end[direction] - begin[direction]; index++) {
+          for (const [name, faultAt] of Object.entries(FAULTS)) {
+            const fault: Fault = faultAt(index);
+            if (fault.event === 'gone') continue;
+            const { timer, run, line, client, goals } = await meet();
+            line.arm(direction, index, fault);
+            const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
+            expectTruth(timer, result, goals, 0, `${job}, byte ${index} ${direction}, ${name}`);
+            if (!fault.event) expect(result, name).not.toBeInstanceOf(Error);
+            cases++;
+          }
+        }
+      }
+      expect(cases).toBe(count);
+    },
+  );
+
+  it('1 % of all bytes damaged: it always succeeds; 5 %: what is said is so', async () => {
+    await fc.assert(
+      fc.asyncProperty(
+        fc.integer({ min: 0, max: 2 ** 31 }),
+        fc.constantFrom(0.01, 0.05),
+        fc.constantFrom('read' as const, 'write' as const),
+        async (seed, share, job) => {
+          const hurt = damage(share, numbers(seed));
+          let noisy = false;
+          const line = { fault: (byte: number): number[] => (noisy ? hurt(byte) : [byte]) };
+          const { client, timer, run } = bench({ baudRate: 9600, toTimer: line, fromTimer: line });
+          await run(client.identify());
+          noisy = true;
+          const goals = all(timer).map(everyValueChanged);
+          const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
+          if (client.damageSeen) expectTruth(timer, result, goals, 0, job);
+          if (share > 0.01) return;
+          if (job === 'read') expect(result).not.toBeInstanceOf(Error);
+          else expect(result).toMatchObject({ isHome: true, stopped: null });
+        },
+      ),
+      { numRuns: 100 },
+    );
+  });
+});

@@ -1,0 +1,154 @@
+import { describe, expect, it } from 'vitest';
+import { bench, contentOf, edited, names } from './bench.js';
+import { everyValueChanged } from './matrix.js';
+
+describe('giving up', () => {
+  it('a timer that fell asleep is told of in seconds, and once more at once', async () => {
+    const { client, timer, run, clock, line } = bench();
+    await run(client.identify());
+    timer.core.sleep();
+    let begin = clock.now();
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'no-answer',
+      details: { request: 'GETMEMORY' },
+    });
+    expect(clock.now() - begin).toBeLessThan(8500);
+    begin = clock.now();
+    line.length = 0;
+    await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'no-answer' });
+    expect(line).toHaveLength(3);
+    expect(clock.now() - begin).toBeLessThan(5000);
+  });
+
+  it('a timer that falls asleep before the last question does not count as one that has no idle throttle', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    timer.core.onAnswer = ({ name }) => name !== 'GETSERVOPOS' || timer.core.sleep();
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'no-answer',
+      details: { request: 'GETLOWRPM' },
+    });
+    expect(client.quirksFound.size).toBe(0);
+  });
+
+  it('a question that this timer does not answer is asked six times, and twice from then on', async () => {
+    const { client, timer, run, line } = bench({ quirks: { idleThrottleOnQOnly: true } });
+    const asked = (): number => line.filter(({ frame }) => frame?.code === 0x75).length;
+    expect((await run(client.readProgram({ idleThrottle: true }))).idleThrottle).toBeNull();
+    expect(asked()).toBe(6);
+    expect(await run(client.readProgram({ idleThrottle: true }))).toEqual(contentOf(timer));
+    expect(asked()).toBe(8);
+  });
+
+  it('a request that this timer does not answer goes out ten times, each behind a fence', async () => {
+    const { client, run, timer } = bench({ quirks: { servoFirst: true } });
+    const baseline = await run(client.readProgram());
+    timer.core.answered.length = 0;
+    const report = await run(client.writeProgram(edited(baseline, [], [[1, 7, 99]]), { baseline }));
+    expect(report).toMatchObject({
+      result: 'differs',
+      // Nine repeats, and a fence behind each of the ten.
+      repeats: 19,
+      stopped: { code: 'no-answer', details: { request: 'SETSERVO', sent: 10 } },
+    });
+    expect(names(timer.core.answered)).toEqual([
+      'GETMEMORY',
+      ...Array(9).fill('GETSWVER'),
+      'GETSWVER',
+      'GETMEMORY',
+      'GETTIMERS',
+      'GETSERVOPOS',
+    ]);
+  });
+
+  it('a line on which nothing comes through whole is unstable, not a silent timer', async () => {
+    let broken = false;
+    const { client, run, clock } = bench({ fromTimer: { fault: (byte) => [broken && byte === 0x45 ? 0x44 : byte] } });
+    await run(client.identify());
+    broken = true;
+    const begin = clock.now();
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'unstable',
+      details: { request: 'GETMEMORY', sent: 3 },
+    });
+    expect(clock.now() - begin).toBeLessThan(20_000);
+  });
+
+  it('one kind of reply that never comes through whole is unstable too, after twenty times', async () => {
+    let count = 0;
+    const fault = (byte: number): number[] => {
+      if (byte === 0x68) count++;
+      return [byte === 0x68 ? 0x69 : byte];
+    };
+    const { client, run } = bench({ fromTimer: { fault } });
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'unstable',
+      details: { request: 'GETSERVOPOS', sent: 20 },
+    });
+    expect(count).toBe(20);
+  });
+
+  it('after a write that was given up for damage, what the timer holds is read back', async () => {
+    const { client, run, timer } = bench({ fromTimer: { fault: (byte) => [byte === 0x66 ? 0x67 : byte] } });
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [[10, 30000]]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    // The timer holds it all the same.
+    expect(report).toMatchObject({ result: 'verified', acknowledged: 0, stopped: null });
+    expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('a write whose time is up is read back all the same', async () => {
+    let bad = false;
+    const { client, run, timer, clock } = bench({ fromTimer: { fault: (byte) => [bad && byte === 0x45 ? 0 : byte] } });
+    let sets = 0;
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETSERVO') sets++;
+      bad = name === 'SETSERVO' && sets % 15 !== 0;
+    };
+    const baseline = await run(client.readProgram());
+    const goal = everyValueChanged(baseline);
+    const told: number[] = [];
+    const onProgress = ({ endsBy }: { endsBy: number }): void => void told.push(endsBy);
+    const report = await run(client.writeProgram(goal, { baseline, onProgress }));
+    expect(clock.now()).toBeLessThanOrEqual(told[0] as number);
+    expect(report).toMatchObject({ result: 'differs', stopped: { code: 'unstable' } });
+    expect(report.held).toEqual(contentOf(timer));
+  });
+
+  it('a dangerous request does not go out when three fences in a row find nobody', async () => {
+    const { client, run, timer, line } = bench({ identity: { timerClass: 'Q' } });
+    await run(client.identify());
+    timer.core.sleep();
+    await run(client.jump().catch(() => {}));
+    line.length = 0;
+    await expect(run(client.unlockMotor())).rejects.toMatchObject({ code: 'no-answer', details: { sent: 0 } });
+    expect(line.map(({ frame }) => frame?.code)).toEqual([0x6b, 0x71, 0x61]);
+  });
+});
+
+describe('the number of repeats', () => {
+  it('is told while they go on, and begins again with each job', async () => {
+    let lost = 0;
+    const fault = (byte: number): number[] => {
+      if (lost === 0 || byte !== 0x61) return [byte];
+      lost--;
+      return [];
+    };
+    const { client, run } = bench({ toTimer: { fault } });
+    await run(client.identify());
+    const told: string[] = [];
+    const onProgress = ({ done, repeats }: { done: number; repeats: number }): void => {
+      told.push(`${done}: ${repeats}`);
+    };
+    // Both letters of the request: it is lost whole, twice.
+    lost = 4;
+    await run(client.readProgram({ onProgress }));
+    expect(told).toEqual(['0: 0', '19: 0', '19: 1', '19: 2', '19: 3', '19: 4', '59: 4', '110: 4']);
+    expect(client.repeats).toBe(4);
+    told.length = 0;
+    lost = 2;
+    await run(client.readProgram({ onProgress }));
+    expect(told.at(-1)).toBe('110: 2');
+    expect(client.repeats).toBe(6);
+  });
+});
