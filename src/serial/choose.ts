@@ -5,42 +5,54 @@ import type { SerialLike, SerialPortLike } from './types.js';
 export interface Surroundings {
   readonly serial?: SerialLike | undefined;
   readonly isSecureContext: boolean;
+  /** Whether the Permissions-Policy of the page lets it use serial ports. Left out: not known, as in browsers that do not tell. */
+  readonly policyAllows?: boolean | undefined;
 }
 
 /**
  * Whether serial ports can be used here at all.
  * @returns null when they can, else why not.
  */
-export function availability({ serial, isSecureContext }: Surroundings): 'insecure' | 'unsupported' | null {
-  if (serial) return null;
-  return isSecureContext ? 'unsupported' : 'insecure';
+export function availability(surroundings: Surroundings): 'insecure' | 'unsupported' | 'policy' | null {
+  const { serial, isSecureContext, policyAllows } = surroundings;
+  if (!isSecureContext && !serial) return 'insecure';
+  if (policyAllows === false) return 'policy';
+  return serial ? null : 'unsupported';
 }
 
-/** The ports that the pilot has allowed before and that are plugged in now. Needs no click. */
-export async function rememberedPorts(serial: SerialLike): Promise<SerialPortLike[]> {
+/**
+ * The ports that the pilot has allowed before and that are plugged in now. Needs no click.
+ * @param policyAllows see {@link Surroundings}.
+ * @throws ConnectionError `policy` or `not-allowed`.
+ */
+export async function rememberedPorts(serial: SerialLike, policyAllows?: boolean): Promise<SerialPortLike[]> {
   try {
     return (await serial.getPorts()).filter(({ connected }) => connected !== false);
   } catch (error) {
-    throw refused(error);
+    throw refused(error, policyAllows);
   }
 }
 
 /**
  * Lets the pilot choose a port in the browser's own dialog. Must be called from a click. Asks without filters: a list of USB
  * vendors would hide Bluetooth ports and adapters that nobody has heard of.
- * @throws ConnectionError `nothing-chosen` or `not-allowed`.
+ * @param policyAllows see {@link Surroundings}.
+ * @throws ConnectionError `nothing-chosen`, `policy` or `not-allowed`.
  */
-export async function choosePort(serial: SerialLike): Promise<SerialPortLike> {
+export async function choosePort(serial: SerialLike, policyAllows?: boolean): Promise<SerialPortLike> {
   try {
     return await serial.requestPort();
   } catch (error) {
-    throw refused(error);
+    throw refused(error, policyAllows);
   }
 }
 
-function refused(error: unknown): ConnectionError {
-  if (error instanceof DOMException && error.name === 'NotFoundError') {
-    return new ConnectionError('nothing-chosen', 'no port was chosen', error);
+function refused(error: unknown, policyAllows: boolean | undefined): ConnectionError {
+  const name = error instanceof DOMException ? error.name : '';
+  if (name === 'NotFoundError') return new ConnectionError('nothing-chosen', 'no port was chosen', error);
+  // The same error tells that nobody clicked.
+  if (name === 'SecurityError' && policyAllows === false) {
+    return new ConnectionError('policy', 'the policy of the page forbids serial ports', error);
   }
   return new ConnectionError('not-allowed', 'the browser does not allow serial ports here', error);
 }

@@ -2,7 +2,11 @@ import { type LineEntry, TimerClient, TimerError } from '../client/index.js';
 import { type Clock, realClock } from '../line/index.js';
 import type { Identity } from '../protocol/index.js';
 import { ConnectionError } from './errors.js';
-import type { SerialPortLike } from './types.js';
+import type { TimerConnection } from './link-state.js';
+import { PortOpener } from './port-opener.js';
+import { type PortKind, portKey, portKind } from './ports.js';
+import { DEFAULT_SETTINGS, type OpenedSettings } from './settings.js';
+import type { PortInfo, SerialPortLike } from './types.js';
 
 export interface ConnectOptions {
   /** Bits a second. Default 9600, 8 data bits, no parity, 1 stop bit: see the protocol page on the speed of the line. */
@@ -14,37 +18,45 @@ export interface ConnectOptions {
   readonly onLine?: (entry: LineEntry) => void;
 }
 
-/** The browser's own default of 255 bytes overflows when the page is busy for a moment. */
-const BUFFER_SIZE = 16 * 1024;
-
-/** An open port with a timer behind it that has said what it is. */
-export class TimerConnection {
+/** An open port with a timer behind it that has said what it is, for whoever opens and closes it by hand. */
+export class DirectConnection implements TimerConnection {
   readonly client: TimerClient;
   readonly identity: Identity;
+  readonly settings: OpenedSettings;
+  readonly info: PortInfo;
+  readonly kind: PortKind;
+  readonly portKey: string;
   /** Settles when the port is unplugged or its stream fails, with ConnectionError `lost`; never after {@link close}. */
   readonly lost: Promise<ConnectionError>;
-  readonly #port: OpenPort;
+  readonly #opener: PortOpener;
+  readonly #watch: LossWatch;
 
   /** Use {@link connect}. */
-  constructor(client: TimerClient, identity: Identity, port: OpenPort) {
+  constructor(client: TimerClient, identity: Identity, opener: PortOpener, watch: LossWatch) {
     this.client = client;
     this.identity = identity;
-    this.lost = port.lost;
-    this.#port = port;
+    this.settings = opener.settings as OpenedSettings;
+    this.info = opener.port.getInfo();
+    this.kind = portKind(this.info);
+    this.portKey = portKey(this.info);
+    this.lost = watch.lost;
+    this.#opener = opener;
+    this.#watch = watch;
   }
 
   /** Lets the request under way end, releases the streams and closes the port. Never throws: a port that is gone is closed. */
   async close(): Promise<void> {
     await this.client.close();
-    await this.#port.close();
+    this.#watch.end();
+    await this.#opener.close();
   }
 }
 
-/** A port from opening to closing, and word of its loss. */
-class OpenPort {
+/** Word of the loss of an open port. */
+class LossWatch {
   readonly lost: Promise<ConnectionError>;
-  #tell: (error: ConnectionError) => void = () => {};
   readonly #port: SerialPortLike;
+  #tell: (error: ConnectionError) => void = () => {};
   readonly #onDisconnect = (): void => this.lose();
 
   constructor(port: SerialPortLike) {
@@ -59,33 +71,29 @@ class OpenPort {
     this.#tell(new ConnectionError('lost', 'the port was unplugged or its stream failed', cause));
   }
 
-  async close(): Promise<void> {
+  end(): void {
     this.#port.removeEventListener('disconnect', this.#onDisconnect);
-    // A port that is unplugged or half open may refuse; there is nothing left to close then.
-    await this.#port.close().catch(() => {});
   }
 }
 
 /**
- * Opens a port and asks the timer behind it what it is. When that fails the port is closed again.
- * @throws ConnectionError `busy`, `unplugged`, `no-answer`, `bad-reply`, `lost`; TimerError `aborted`.
+ * Opens a port and asks the timer behind it what it is, once, at one rate: the simple way in. {@link TimerLink} finds the rate, waits for
+ * timers that sleep and opens lost ports again. When it fails the port is closed again.
+ * @throws ConnectionError `busy`, `unplugged`, `bad-settings`, `no-answer`, `bad-reply`, `lost`; TimerError `aborted`.
  */
-export async function connect(port: SerialPortLike, options: ConnectOptions = {}): Promise<TimerConnection> {
+export async function connect(port: SerialPortLike, options: ConnectOptions = {}): Promise<DirectConnection> {
   const { baudRate = 9600, clock = realClock, signal, onLine } = options;
-  try {
-    await port.open({ baudRate, dataBits: 8, stopBits: 1, parity: 'none', bufferSize: BUFFER_SIZE });
-  } catch (error) {
-    if (port.connected === false) throw new ConnectionError('unplugged', 'the port is not plugged in', error);
-    throw new ConnectionError('busy', 'the port cannot be opened', error);
-  }
-  const open = new OpenPort(port);
-  const client = new TimerClient(port, { baudRate, clock, onLine, onLost: (error) => open.lose(error) });
+  const opener = new PortOpener(port, clock);
+  await opener.open({ ...DEFAULT_SETTINGS, baudRate });
+  const watch = new LossWatch(port);
+  const client = new TimerClient(port, { baudRate, clock, onLine, onLost: (error) => watch.lose(error) });
   try {
     const identity = await client.identify({ signal });
-    return new TimerConnection(client, identity, open);
+    return new DirectConnection(client, identity, opener, watch);
   } catch (error) {
     await client.close();
-    await open.close();
+    watch.end();
+    await opener.close();
     throw identifyFailure(error);
   }
 }

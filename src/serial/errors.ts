@@ -3,9 +3,12 @@
  *
  * - `unsupported`: this browser has no Web Serial.
  * - `insecure`: the page was not loaded over https (or from this machine), so the browser withholds Web Serial.
+ * - `policy`: the server of the page, or the page it is embedded in, forbids serial ports by its Permissions-Policy.
  * - `nothing-chosen`: the chooser was closed without a port.
  * - `not-allowed`: the browser or its administrator forbids serial ports here, or nobody clicked.
- * - `busy`: the port is there and cannot be opened. Mostly another program or tab holds it.
+ * - `busy`: the port is there and cannot be opened. Another program or tab holds it, or on Linux the user may not use it: the browser
+ *   does not tell which.
+ * - `bad-settings`: the port does not take these settings, such as a rate that the adapter does not know.
  * - `unplugged`: the port is gone.
  * - `no-answer`: the port opened, and nothing on it answered as a timer does.
  * - `bad-reply`: something answered, and what it said of itself cannot be.
@@ -14,9 +17,11 @@
 export type ConnectionErrorCode =
   | 'unsupported'
   | 'insecure'
+  | 'policy'
   | 'nothing-chosen'
   | 'not-allowed'
   | 'busy'
+  | 'bad-settings'
   | 'unplugged'
   | 'no-answer'
   | 'bad-reply'

@@ -1,30 +1,48 @@
 import { type Clock, VirtualClock } from '../../src/line/index.js';
 import { MockSerial, type MockSerialPort, type PlugOptions, type PortInfo } from '../../src/mock-serial/index.js';
+import type { SerialPortLike } from '../../src/serial/index.js';
 import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
 
 export interface TimerOptions extends Omit<VirtualTimerOptions, 'clock'> {
   readonly info?: PortInfo;
   readonly plug?: PlugOptions;
   readonly clock?: Clock;
+  /** The one rate at which timer and page understand each other. Default: every rate. */
+  readonly answersAt?: number;
+  /** At any other rate something comes back for each byte that the page sends, as where both ends take noise for bytes. */
+  readonly noise?: boolean;
 }
 
 /** An adapter at a port of the mock, with a virtual timer in front of its infra-red head. */
 export class Adapter {
-  readonly port: MockSerialPort;
   readonly timer: VirtualTimer;
+  answersAt: number | undefined;
   readonly #serial: MockSerial;
+  readonly #info: PortInfo;
+  readonly #plug: PlugOptions;
+  readonly #noise: boolean;
+  #port: MockSerialPort;
   readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
   /** What is to happen once the timer has sent so many more bytes. */
   #left = Number.POSITIVE_INFINITY;
   #then: () => void = () => {};
 
-  constructor(serial: MockSerial, { info = {}, plug = {}, ...timerOptions }: TimerOptions = {}) {
+  constructor(serial: MockSerial, options: TimerOptions = {}) {
+    const { info = {}, plug = {}, answersAt, noise = false, ...timerOptions } = options;
     this.#serial = serial;
-    this.port = serial.plug(info, { granted: true, ...plug });
+    this.#info = info;
+    this.#plug = { granted: true, ...plug };
+    this.#port = serial.plug(info, this.#plug);
+    this.answersAt = answersAt;
+    this.#noise = noise;
     this.timer = new VirtualTimer(timerOptions);
     this.#toTimer = this.timer.writable.getWriter();
     void this.#hear();
     void this.timer.readable.pipeTo(new WritableStream({ write: (bytes) => this.#say(bytes) }));
+  }
+
+  get port(): MockSerialPort {
+    return this.#port;
   }
 
   unplug(): void {
@@ -49,11 +67,20 @@ export class Adapter {
     void this.#hear();
   }
 
+  /** Plugged in again where the browser does not recognise it: at another port. */
+  returnAsNew(options: PlugOptions = {}): void {
+    this.#port = this.#serial.plug(this.#info, { ...this.#plug, ...options });
+    void this.#hear();
+  }
+
   async #hear(): Promise<void> {
+    const { device } = this.port;
     for (;;) {
-      const bytes = await this.port.device.read();
+      const bytes = await device.read();
       if (bytes.length === 0) return;
-      await this.#toTimer.write(bytes);
+      const isUnderstood = this.answersAt === undefined || device.opened?.baudRate === this.answersAt;
+      if (isUnderstood) await this.#toTimer.write(bytes);
+      else if (this.#noise) device.write(bytes.map((byte) => byte ^ 0x5a));
     }
   }
 
@@ -75,4 +102,29 @@ export function serialBench(options: TimerOptions = {}) {
   const serial = new MockSerial({ clock, userActivation: true });
   const adapter = new Adapter(serial, { clock, ...options });
   return { clock, serial, adapter, port: adapter.port, timer: adapter.timer };
+}
+
+/** What a promise rejects with. */
+export function failure(promise: Promise<unknown>): Promise<unknown> {
+  return promise.then(
+    () => 'none',
+    (error: unknown) => error,
+  );
+}
+
+/** Whether the port can be opened: it is closed, and plugged in. */
+export async function canBeOpened(port: SerialPortLike): Promise<boolean> {
+  try {
+    await port.open({ baudRate: 9600 });
+    await port.close();
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Lets all that answers on a port say what no timer can be: a version with a right checksum and no functions. */
+export async function answerNonsense({ device }: MockSerialPort): Promise<void> {
+  const impossible = [0, 0, 0, 0, 0, 0x0c, 0x6c, 0x42, 0x35, 0x33, 0x36, 0x20, 0, 4, 3, 0x20, 0x93, 0x45];
+  while ((await device.read()).length > 0) device.write(impossible);
 }

@@ -7,9 +7,16 @@ describe('availability', () => {
     { serial: new MockSerial(), isSecureContext: true, expected: null },
     { serial: undefined, isSecureContext: true, expected: 'unsupported' },
     { serial: undefined, isSecureContext: false, expected: 'insecure' },
-  ])('is $expected when the context is secure: $isSecureContext', ({ expected, ...surroundings }) => {
-    expect(availability(surroundings)).toBe(expected);
-  });
+    { serial: new MockSerial(), isSecureContext: true, policyAllows: true, expected: null },
+    { serial: new MockSerial(), isSecureContext: true, policyAllows: false, expected: 'policy' },
+    { serial: undefined, isSecureContext: true, policyAllows: false, expected: 'policy' },
+    { serial: undefined, isSecureContext: false, policyAllows: false, expected: 'insecure' },
+  ])(
+    'is $expected when the context is secure: $isSecureContext, and the policy allows: $policyAllows',
+    ({ expected, ...surroundings }) => {
+      expect(availability(surroundings)).toBe(expected);
+    },
+  );
 });
 
 describe('choosing a port', () => {
@@ -64,11 +71,16 @@ describe('remembered ports', () => {
     expect(await rememberedPorts(browser)).toEqual([old]);
   });
 
-  it('says that it is not allowed where a policy forbids even to ask', async () => {
+  it.each([
+    [undefined, 'not-allowed'],
+    [true, 'not-allowed'],
+    [false, 'policy'],
+  ] as const)('says why even asking is forbidden where the policy allows: %s', async (policyAllows, code) => {
     const forbidden = async () => {
       throw new DOMException('Blocked by permissions policy.', 'SecurityError');
     };
     const browser = { getPorts: forbidden, requestPort: forbidden };
-    await expect(rememberedPorts(browser)).rejects.toMatchObject({ code: 'not-allowed' });
+    await expect(rememberedPorts(browser, policyAllows)).rejects.toMatchObject({ code });
+    await expect(choosePort(browser, policyAllows)).rejects.toMatchObject({ code });
   });
 });

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { LineEntry } from '../../src/client/index.js';
 import { type ConnectOptions, connect, type SerialPortLike } from '../../src/serial/index.js';
 import { B536, CAPTURED_POSITIONS } from '../protocol/vectors.js';
-import { serialBench, type TimerOptions } from './bench.js';
+import { answerNonsense, canBeOpened, failure, serialBench, type TimerOptions } from './bench.js';
 
 /** Connects on a clock that is turned by hand. */
 async function connected(timer: TimerOptions = {}, options: ConnectOptions = {}) {
@@ -10,25 +10,6 @@ async function connected(timer: TimerOptions = {}, options: ConnectOptions = {})
   const { clock, port } = bench;
   const connection = await clock.run(connect(port, { clock, ...options }));
   return { ...bench, connection };
-}
-
-/** What a promise rejects with. */
-function failure(promise: Promise<unknown>): Promise<unknown> {
-  return promise.then(
-    () => 'none',
-    (error: unknown) => error,
-  );
-}
-
-/** Whether the port can be opened: it is closed, and plugged in. */
-async function canBeOpened(port: SerialPortLike): Promise<boolean> {
-  try {
-    await port.open({ baudRate: 9600 });
-    await port.close();
-    return true;
-  } catch {
-    return false;
-  }
 }
 
 describe('connect', () => {
@@ -104,11 +85,7 @@ describe('connect', () => {
   it('says that what answered is no timer, and closes the port again', async () => {
     const { clock, serial } = serialBench();
     const port = serial.plug();
-    // A version reply with a right checksum and no functions.
-    const impossible = [0, 0, 0, 0, 0, 0x0c, 0x6c, 0x42, 0x35, 0x33, 0x36, 0x20, 0, 4, 3, 0x20, 0x93, 0x45];
-    void (async () => {
-      while ((await port.device.read()).length > 0) port.device.write(impossible);
-    })();
+    void answerNonsense(port);
     expect(await failure(clock.run(connect(port, { clock })))).toMatchObject({ code: 'bad-reply' });
     expect(await canBeOpened(port)).toBe(true);
   });

@@ -1,0 +1,180 @@
+import type { AssumedQuirks, LineEntry } from '../client/index.js';
+import { type Clock, realClock } from '../line/index.js';
+import type { Identity } from '../protocol/index.js';
+import { choosePort, rememberedPorts } from './choose.js';
+import { ConnectionError } from './errors.js';
+import { Journey } from './journey.js';
+import type { LinkState } from './link-state.js';
+import { type LinkEvent, nextStatus } from './link-table.js';
+import { type KnownPort, known } from './ports.js';
+import { DEFAULT_SETTINGS, type SerialSettings } from './settings.js';
+import type { SerialLike, SerialPortLike } from './types.js';
+
+/** What an application remembers of a port, by its `portKey`. */
+export interface RememberedPort {
+  readonly settings?: SerialSettings | undefined;
+  /** The rate at which a timer answered there, bits a second: it is tried first. */
+  readonly knownRate?: number | undefined;
+}
+
+export interface TimerLinkOptions {
+  /** `navigator.serial`. Without it there is no chooser, and a port that was lost is found again only as the same object. */
+  readonly serial?: SerialLike | undefined;
+  /** See `Surroundings`. */
+  readonly policyAllows?: boolean | undefined;
+  /** Default: the real clock. */
+  readonly clock?: Clock | undefined;
+  /** Told of everything on the line, also of the questions at rates at which nothing answers. */
+  readonly onLine?: ((entry: LineEntry) => void) | undefined;
+  /** Told of every new state, one after the other, in the order that `LINK_TABLE` gives. */
+  readonly onState?: ((state: LinkState) => void) | undefined;
+  /** Gives what is remembered of a port, where `choose()` and `connect()` are not told. */
+  readonly remembered?: ((portKey: string) => RememberedPort | undefined) | undefined;
+  /** Gives what is remembered of such a timer at such a port, once the timer has said what it is. */
+  readonly assumed?: ((identity: Identity, portKey: string) => AssumedQuirks | undefined) | undefined;
+}
+
+/**
+ * A link to a timer that survives the field: it finds rate and timer, waits for one that sleeps, opens a port again that was
+ * lost, and stops at any time. It sends nothing but the question what is there (GETSWVER); all else is the business of
+ * whoever has the connection. Every method may be called at any time, and none rejects unless it says so.
+ */
+export class TimerLink {
+  readonly #options: TimerLinkOptions;
+  readonly #clock: Clock;
+  #state: LinkState = { status: 'off', error: null };
+  #journey: Journey | null = null;
+  /** Counts what the pilot wanted, and the choosers shown: only the last of each is followed. */
+  #wish = 0;
+  #chooser = 0;
+  /** Those who wait for the link to settle. */
+  #waiting: (() => void)[] = [];
+
+  constructor(options: TimerLinkOptions = {}) {
+    this.#options = options;
+    this.#clock = options.clock ?? realClock;
+  }
+
+  get state(): LinkState {
+    return this.#state;
+  }
+
+  /**
+   * The ports that the pilot has allowed before and that are plugged in now. Needs no click.
+   * @throws ConnectionError `policy` or `not-allowed`.
+   */
+  async ports(): Promise<KnownPort[]> {
+    const { serial, policyAllows } = this.#options;
+    return serial ? (await rememberedPorts(serial, policyAllows)).map(known) : [];
+  }
+
+  /**
+   * Lets the pilot choose a port and connects to it. Must be called from a click. What is open stays until a port is chosen, also if none is:
+   * only where nothing is, the state says why none was.
+   * @param settings default: those remembered of the port that is chosen, else `DEFAULT_SETTINGS`.
+   * @returns when nothing was chosen, or as {@link connect}.
+   */
+  async choose(settings?: SerialSettings): Promise<void> {
+    const { serial, policyAllows } = this.#options;
+    const chooser = ++this.#chooser;
+    let port: SerialPortLike;
+    try {
+      if (!serial) throw new ConnectionError('unsupported', 'this browser has no Web Serial');
+      if (this.#state.status === 'off') this.#enter('choose', { status: 'choosing' });
+      port = await choosePort(serial, policyAllows);
+    } catch (error) {
+      const { status } = this.#state;
+      const isShown = status === 'choosing' || status === 'off';
+      if (chooser === this.#chooser && isShown)
+        this.#enter('failed', { status: 'off', error: error as ConnectionError });
+      return;
+    }
+    if (chooser === this.#chooser) await this.connect(port, settings);
+  }
+
+  /**
+   * Connects to a port. Whatever is open or under way is ended first.
+   * @param settings default: those remembered of this port, else `DEFAULT_SETTINGS`.
+   * @param knownRate the rate at which a timer answered there; default: the one remembered of this port.
+   * @returns once the link has settled: it is `on`, `waiting`, `away` or `off`.
+   */
+  async connect(
+    port: SerialPortLike,
+    settings?: SerialSettings,
+    { knownRate }: { readonly knownRate?: number | undefined } = {},
+  ): Promise<void> {
+    const wish = this.#newWish();
+    if (this.#journey) await this.#end();
+    if (wish !== this.#wish) return;
+    const { serial, onLine, assumed, remembered } = this.#options;
+    const at = known(port);
+    const memory = remembered?.(at.key);
+    const journey = new Journey(at, {
+      clock: this.#clock,
+      serial,
+      settings: settings ?? memory?.settings ?? DEFAULT_SETTINGS,
+      knownRate: knownRate ?? memory?.knownRate,
+      onLine,
+      assumed,
+      tell: (event, state) => this.#enter(event, state),
+    });
+    const settled = new Promise<void>((resolve) => this.#waiting.push(resolve));
+    this.#journey = journey;
+    journey.start();
+    await settled;
+  }
+
+  /** Ends whatever is open or under way. Settles once the link is off and the port closed, within the time of one reply. */
+  async stop(): Promise<void> {
+    const wish = this.#newWish();
+    if (this.#state.status === 'choosing') this.#enter('stop', { status: 'off', error: null });
+    await this.#end();
+    if (wish === this.#wish && this.#state.status === 'closing') this.#enter('closed', { status: 'off', error: null });
+  }
+
+  /** A timer that is connected does not answer any more: asks quietly on the same port until it does. Where it is not `on`, nothing happens. */
+  wait(): void {
+    this.#journey?.askAgain();
+  }
+
+  /**
+   * Looks whether all is still as the link believes, as after the sleep of the computer. A timer that is `on` is asked what it is once
+   * it has nothing else to do: if it is the same kind as before nothing happens, if it is another it is identified anew, and if nothing
+   * answers it is waited for. While the port is `away` it is looked for at once.
+   */
+  async recheck(): Promise<void> {
+    await this.#journey?.recheck();
+  }
+
+  /** Gives the permission to use a port back to the browser, where the browser can take it. A link to it is ended first. */
+  async forget(port: SerialPortLike): Promise<void> {
+    if (this.#journey?.known.port === port) await this.stop();
+    await port.forget?.();
+  }
+
+  #newWish(): number {
+    this.#chooser++;
+    return ++this.#wish;
+  }
+
+  /** Ends the journey, if there is one. Whoever begins another one waits for that: it may be to the same port. */
+  async #end(): Promise<void> {
+    const journey = this.#journey;
+    if (!journey) return;
+    if (this.#state.status !== 'closing') this.#enter('stop', { status: 'closing' });
+    await journey.stop();
+    if (this.#journey === journey) this.#journey = null;
+  }
+
+  #enter(event: LinkEvent, state: LinkState): void {
+    const next = nextStatus(this.#state.status, event);
+    if (state.status !== next) throw new Error(`${event} leads to ${next}, not to ${state.status}`);
+    this.#state = state;
+    if (state.status === 'off') this.#journey = null;
+    this.#options.onState?.(state);
+    if (!SETTLED.includes(this.#state.status)) return;
+    for (const resolve of this.#waiting.splice(0)) resolve();
+  }
+}
+
+const SETTLED: readonly LinkState['status'][] = ['on', 'waiting', 'away', 'off'];

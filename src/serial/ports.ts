@@ -1,0 +1,56 @@
+import type { PortInfo, SerialPortLike } from './types.js';
+
+/** What a pilot would call the adapter behind a port: the maker of its chip, or how it is connected. */
+export type PortKind = 'ftdi' | 'cp210x' | 'ch340' | 'pl2303' | 'bluetooth' | 'usb' | 'other';
+
+/** A port that the pilot has allowed, with its name. */
+export interface KnownPort {
+  readonly port: SerialPortLike;
+  readonly kind: PortKind;
+  /** See {@link portKey}. */
+  readonly key: string;
+  readonly info: PortInfo;
+}
+
+const VENDORS: ReadonlyMap<number, PortKind> = new Map([
+  [0x0403, 'ftdi'],
+  [0x10c4, 'cp210x'],
+  [0x1a86, 'ch340'],
+  [0x067b, 'pl2303'],
+]);
+
+/**
+ * The kind of adapter, by the vendor of its USB chip: FTDI, Silicon Labs CP210x, WCH CH340, Prolific PL2303. `usb`: of another vendor;
+ * `bluetooth`: a Bluetooth serial port; `other`: a port that says nothing of itself, as those built into a computer.
+ */
+export function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): PortKind {
+  if (bluetoothServiceClassId !== undefined) return 'bluetooth';
+  if (usbVendorId === undefined) return 'other';
+  return VENDORS.get(usbVendorId) ?? 'usb';
+}
+
+/**
+ * The name under which settings of a port are remembered: `usb:0403:6001` (vendor and product, four hexadecimal digits each),
+ * `bluetooth:` and the service class, or `other`. Nothing in Web Serial tells two adapters of one kind apart, so they share a name.
+ */
+export function portKey({ usbVendorId, usbProductId, bluetoothServiceClassId }: PortInfo): string {
+  if (bluetoothServiceClassId !== undefined) return `bluetooth:${fullUuid(bluetoothServiceClassId)}`;
+  if (usbVendorId === undefined) return 'other';
+  return `usb:${hex(usbVendorId, 4)}:${hex(usbProductId ?? 0, 4)}`;
+}
+
+/** A port with all that can be said of it. */
+export function known(port: SerialPortLike): KnownPort {
+  const info = port.getInfo();
+  return { port, kind: portKind(info), key: portKey(info), info };
+}
+
+/** Browsers give a service class as it was asked for: as a short number, or as the UUID that it stands for. */
+function fullUuid(serviceClass: number | string): string {
+  if (typeof serviceClass === 'string') return serviceClass.toLowerCase();
+  return `${hex(serviceClass, 8)}-0000-1000-8000-00805f9b34fb`;
+}
+
+function hex(value: number, digits: number): string {
+  return value.toString(16).padStart(digits, '0');
+}

@@ -1,0 +1,89 @@
+import type { Clock } from '../line/index.js';
+import { pause } from './pause.js';
+import { portKey } from './ports.js';
+import type { SerialLike, SerialPortLike } from './types.js';
+
+/** Milliseconds between two looks for the port. They are needed only where an event was missed, as in the sleep of a computer. */
+const LOOK_EVERY = 3000;
+
+/**
+ * Waits for a lost port to be there again: the same object, or another one that says the same of itself and was not there when this one
+ * was lost. Make it at the loss, so that it misses nothing.
+ */
+export class ReturnWatch {
+  readonly #lost: SerialPortLike;
+  readonly #serial: SerialLike | undefined;
+  readonly #clock: Clock;
+  /** Ports that were there already. */
+  readonly #others: Promise<Set<SerialPortLike>>;
+  #returned: SerialPortLike | null = null;
+  #wake = new AbortController();
+
+  /** @param serial absent: only the port itself is watched. */
+  constructor(lost: SerialPortLike, serial: SerialLike | undefined, clock: Clock) {
+    this.#lost = lost;
+    this.#serial = serial;
+    this.#clock = clock;
+    this.#others = this.#ports().then((ports) => new Set(ports));
+    lost.addEventListener('connect', this.#onConnect);
+    serial?.addEventListener?.('connect', this.#onConnect);
+  }
+
+  /** Whether the port is there at this moment, so that not its plug was pulled. */
+  async isThere(): Promise<boolean> {
+    // Browsers that do not tell list the ports that are plugged in.
+    return this.#lost.connected ?? (await this.#ports()).includes(this.#lost);
+  }
+
+  /** @returns the port to open; null when the signal asked to stop before there was one. */
+  async returned(signal: AbortSignal): Promise<SerialPortLike | null> {
+    const wake = (): void => this.look();
+    signal.addEventListener('abort', wake);
+    try {
+      for (;;) {
+        this.#wake = new AbortController();
+        if (signal.aborted) return null;
+        const returned = this.#returned;
+        const found = returned && returned.connected !== false ? returned : await this.#find();
+        if (found) return signal.aborted ? null : found;
+        await pause(this.#clock, LOOK_EVERY, this.#wake.signal);
+      }
+    } finally {
+      signal.removeEventListener('abort', wake);
+    }
+  }
+
+  /** Looks at once. */
+  look(): void {
+    this.#wake.abort();
+  }
+
+  end(): void {
+    this.#lost.removeEventListener('connect', this.#onConnect);
+    this.#serial?.removeEventListener?.('connect', this.#onConnect);
+  }
+
+  readonly #onConnect = ({ target }: Event): void => {
+    const port = target as unknown as SerialPortLike;
+    if (!this.#isAlike(port)) return;
+    this.#returned = port;
+    this.look();
+  };
+
+  async #find(): Promise<SerialPortLike | undefined> {
+    if (await this.isThere()) return this.#lost;
+    const others = await this.#others;
+    const ports = await this.#ports();
+    // What is pulled out and plugged in again counts as returned.
+    for (const other of others) if (!ports.includes(other)) others.delete(other);
+    return ports.find((port) => port.connected !== false && !others.has(port) && this.#isAlike(port));
+  }
+
+  async #ports(): Promise<SerialPortLike[]> {
+    return (await this.#serial?.getPorts().catch(() => [])) ?? [];
+  }
+
+  #isAlike(port: SerialPortLike): boolean {
+    return port === this.#lost || portKey(port.getInfo()) === portKey(this.#lost.getInfo());
+  }
+}

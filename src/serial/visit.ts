@@ -1,0 +1,261 @@
+import { TimerError } from '../client/index.js';
+import { sameKind } from '../program/index.js';
+import { ask, type Found } from './ask.js';
+import { ConnectionError } from './errors.js';
+import type { LinkState, TimerConnection } from './link-state.js';
+import type { LinkEvent } from './link-table.js';
+import { pause } from './pause.js';
+import { PortOpener } from './port-opener.js';
+import type { KnownPort } from './ports.js';
+import { ReturnWatch } from './return-watch.js';
+import { quietRate, type Rates, ratesToTry } from './settings.js';
+import type { Trip } from './trip.js';
+
+/** Milliseconds between two tries to open a port that refuses, and until it is given up. */
+const OPEN_EVERY = 1000;
+const OPEN_FOR = 15_000;
+/** Milliseconds from one quiet question to the next. */
+const ASK_EVERY = 1000;
+
+/** Why a visit ended. The port is closed. */
+export type VisitEnd =
+  | { readonly why: 'stopped' }
+  | { readonly why: 'failed'; readonly error: ConnectionError }
+  | {
+      readonly why: 'lost';
+      readonly error: ConnectionError;
+      readonly watch: ReturnWatch;
+      /** Milliseconds from the first opening to the loss. */
+      readonly lasted: number;
+    };
+
+/** One stay at a port that is plugged in, from opening it until it is lost or left: `opening`, `searching`, `waiting`, `on`. */
+export class Visit {
+  readonly #trip: Trip;
+  readonly #known: KnownPort;
+  readonly #opener: PortOpener;
+  readonly #over = new AbortController();
+  #end: VisitEnd = { why: 'stopped' };
+  #openedAt: number | null = null;
+  /** The connection while it is on, and the way on from there. */
+  #on: { readonly connection: TimerConnection; readonly leave: (to: 'search' | 'wait') => void } | null = null;
+
+  constructor(trip: Trip, known: KnownPort) {
+    this.#trip = trip;
+    this.#known = known;
+    this.#opener = new PortOpener(known.port, trip.clock);
+  }
+
+  /** @param event what led here. */
+  async run(event: 'open' | 'returned'): Promise<VisitEnd> {
+    const { port } = this.#known;
+    const { stop } = this.#trip;
+    const onStop = (): void => this.#over.abort();
+    const onDisconnect = (): void => this.#lose();
+    stop.addEventListener('abort', onStop);
+    port.addEventListener('disconnect', onDisconnect);
+    try {
+      if (stop.aborted) onStop();
+      for (let next: 'open' | 'returned' | 'refused' = event; !this.#isOver; next = 'refused') {
+        await this.#open(next);
+        await this.#meet();
+      }
+    } catch (error) {
+      if (!(error instanceof ConnectionError)) throw error;
+      this.#finish({ why: 'failed', error });
+    } finally {
+      await this.#opener.close();
+      port.removeEventListener('disconnect', onDisconnect);
+      stop.removeEventListener('abort', onStop);
+    }
+    return this.#end;
+  }
+
+  /** Leaves a connection that is on: nothing answers any more, or another timer does. */
+  askAgain(why: 'silent' | 'another'): void {
+    const on = this.#on;
+    if (!on) return;
+    this.#on = null;
+    const [rate] = this.#rates;
+    this.#tell(why, why === 'silent' ? this.#waiting(rate, 0) : this.#searching(0));
+    on.leave(why === 'silent' ? 'wait' : 'search');
+  }
+
+  /** Asks a timer that was there whether it still is. */
+  async recheck(): Promise<void> {
+    const on = this.#on;
+    if (!on) return;
+    const { client, identity } = on.connection;
+    let why: 'silent' | 'another' | null;
+    try {
+      const found = await client.identify({ signal: this.#over.signal });
+      why = sameKind(found, identity) ? null : 'another';
+    } catch (error) {
+      if (!(error instanceof TimerError)) throw error;
+      // A line that damages too much, a lost port and a pilot who stops say nothing about the timer.
+      why = error.code === 'no-answer' || error.code === 'bad-reply' ? 'silent' : null;
+    }
+    if (why) this.askAgain(why);
+  }
+
+  get #isOver(): boolean {
+    return this.#over.signal.aborted;
+  }
+
+  get #rates(): Rates {
+    const { settings, knownRate } = this.#trip;
+    return ratesToTry(settings, this.#known.kind === 'bluetooth', knownRate);
+  }
+
+  /** Opens the port, again and again while it is there and refuses. @throws ConnectionError `busy` in the end, or `bad-settings`. */
+  async #open(event: 'open' | 'returned' | 'refused'): Promise<void> {
+    const { clock, settings } = this.#trip;
+    const [baudRate] = this.#rates;
+    let refusals = 0;
+    let until: number | null = null;
+    const refused = async (): Promise<void> => {
+      until ??= clock.now() + OPEN_FOR;
+      refusals++;
+      this.#tell('refused', this.#opening(refusals, until));
+      await pause(clock, OPEN_EVERY, this.#over.signal);
+    };
+    if (event === 'refused') await refused();
+    else this.#tell(event, this.#opening(0, null));
+    while (!this.#isOver) {
+      try {
+        await this.#opener.open({ ...settings, baudRate });
+        break;
+      } catch (error) {
+        if (!(error instanceof ConnectionError)) throw error;
+        if (error.code === 'unplugged') return this.#lose(error);
+        if (error.code !== 'busy' || (until !== null && clock.now() >= until)) throw error;
+        await refused();
+      }
+    }
+    if (!this.#opener.settings) return;
+    this.#openedAt ??= clock.now();
+    this.#trip.wasOpen = true;
+    this.#tell('opened', this.#searching(0));
+  }
+
+  /** Finds a timer and stays with it, until the port refuses to open at another rate, or all is over. */
+  async #meet(): Promise<void> {
+    let next: 'search' | 'wait' = 'search';
+    while (!this.#isOver) {
+      const found = next === 'search' ? await this.#search() : await this.#wait();
+      if (found === 'refused') return;
+      if (found === 'silent') next = 'wait';
+      else next = await this.#stayWith(found);
+    }
+  }
+
+  /** Tries each rate once, the likeliest twice. */
+  async #search(): Promise<Found | 'silent' | 'refused'> {
+    const rates = this.#rates;
+    for (const [index, baudRate] of rates.entries()) {
+      if (index > 0) this.#tell('asked', this.#searching(index));
+      // An adapter may not know a rate; another program may have taken the port meanwhile, which shows below.
+      if (!(await this.#setRate(baudRate))) continue;
+      const found = (await this.#ask()) ?? (index === 0 ? await this.#ask() : null);
+      if (found) return found;
+    }
+    if (!(await this.#setRate(rates[0]))) return 'refused';
+    this.#tell('silent', this.#waiting(rates[0], 0));
+    return 'silent';
+  }
+
+  /** Asks quietly until something answers. */
+  async #wait(): Promise<Found | 'refused'> {
+    const { clock } = this.#trip;
+    const rates = this.#rates;
+    for (let asked = 0; !this.#isOver; asked++) {
+      const begin = clock.now();
+      const baudRate = quietRate(rates, asked);
+      if (asked > 0) this.#tell('asked', this.#waiting(baudRate, asked));
+      const isOpen = await this.#setRate(baudRate);
+      if (!isOpen && baudRate === rates[0]) break;
+      const found = isOpen && (await this.#ask());
+      if (found) return found;
+      await pause(clock, begin + ASK_EVERY - clock.now(), this.#over.signal);
+    }
+    return 'refused';
+  }
+
+  /** Lets the pilot work with the timer until it is asked again what it is. */
+  async #stayWith({ client, identity, settings }: Found): Promise<'search' | 'wait'> {
+    const { port, info, kind, key } = this.#known;
+    this.#trip.knownRate = settings.baudRate;
+    const quirks = this.#trip.assumed?.(identity, key);
+    if (quirks) client.assume(quirks);
+    const connection = { client, identity, settings, info, kind, portKey: key };
+    const left = new Promise<'search' | 'wait'>((leave) => {
+      this.#on = { connection, leave };
+      this.#over.signal.addEventListener('abort', () => leave('wait'));
+      if (this.#isOver) leave('wait');
+    });
+    this.#tell('answered', { status: 'on', port, connection });
+    const next = await left;
+    this.#on = null;
+    await client.close();
+    return next;
+  }
+
+  #ask(): Promise<Found | null> {
+    return this.#isOver
+      ? Promise.resolve(null)
+      : ask(this.#opener, this.#trip, (error) => this.#lose(error), this.#over.signal);
+  }
+
+  /** @returns whether the port is open at this rate. */
+  async #setRate(baudRate: number): Promise<boolean> {
+    if (this.#isOver) return false;
+    try {
+      await this.#opener.open({ ...this.#trip.settings, baudRate });
+      return true;
+    } catch (error) {
+      if (!(error instanceof ConnectionError)) throw error;
+      return false;
+    }
+  }
+
+  /** The port is gone, or its stream has failed. */
+  #lose(cause?: unknown): void {
+    if (this.#isOver) return;
+    const { clock, serial, wasOpen } = this.#trip;
+    const { port, info } = this.#known;
+    if (!wasOpen) {
+      const error = new ConnectionError('unplugged', 'the port is not plugged in', cause);
+      this.#finish({ why: 'failed', error });
+      return;
+    }
+    const error = new ConnectionError('lost', 'the port was unplugged or its stream failed', cause);
+    const lasted = clock.now() - (this.#openedAt ?? clock.now());
+    this.#finish({ why: 'lost', error, watch: new ReturnWatch(port, serial, clock), lasted });
+    // Told at once, so that it is known before any request that was under way fails.
+    this.#trip.tell('lost', { status: 'away', port, info, error });
+  }
+
+  #finish(end: VisitEnd): void {
+    if (this.#isOver) return;
+    this.#end = end;
+    this.#over.abort();
+  }
+
+  #tell(event: LinkEvent, state: LinkState): void {
+    if (!this.#isOver) this.#trip.tell(event, state);
+  }
+
+  #opening(refusals: number, until: number | null): LinkState {
+    return { status: 'opening', port: this.#known.port, refusals, until };
+  }
+
+  #searching(index: number): LinkState {
+    const rates = this.#rates;
+    const baudRate = rates[index] as number;
+    return { status: 'searching', port: this.#known.port, baudRate, step: index + 1, steps: rates.length };
+  }
+
+  #waiting(baudRate: number, asked: number): LinkState {
+    return { status: 'waiting', port: this.#known.port, baudRate, asked };
+  }
+}

@@ -1,0 +1,279 @@
+import { describe, expect, it } from 'vitest';
+import { type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
+import { B536 } from '../protocol/vectors.js';
+import { failure } from './bench.js';
+import { connectionOf, type LinkBench, linkBench, on, portOf, way } from './link-bench.js';
+
+describe('a loss', () => {
+  const ways: readonly [string, (bench: LinkBench) => void][] = [
+    ['the plug is pulled', ({ adapter }) => adapter.unplug()],
+    ['the stream fails', ({ port }) => port.device.error('lost')],
+    ['the browser says so', ({ port }) => port.dispatchEvent(new Event('disconnect', { bubbles: true }))],
+    ['the site gives up its permission', ({ port }) => void port.forget()],
+  ];
+
+  it.each(ways)('is told once when %s', async (_, lose) => {
+    const bench = await on();
+    lose(bench);
+    await bench.clock.advance(100);
+    expect(bench.states).toEqual([
+      {
+        status: 'away',
+        port: bench.port,
+        info: bench.port.getInfo(),
+        error: expect.objectContaining({ name: 'ConnectionError', code: 'lost' }),
+      },
+    ]);
+    expect(bench.port.device.opened, 'the port is closed').toBeNull();
+  });
+
+  it.each(ways)('is told before the request under way fails when %s', async (_, lose) => {
+    const bench = await on({ plug: { timing: true } });
+    const { link, clock } = bench;
+    const told = failure(connectionOf(link).client.readProgram()).then((error) => ({ error, at: link.state.status }));
+    await clock.advance(5);
+    lose(bench);
+    expect(await clock.run(told)).toMatchObject({ error: { name: 'TimerError' }, at: 'away' });
+  });
+
+  it.each([0, 1, 8, 30, 60, 80])(
+    'settles all that waits when the plug is pulled %i bytes into a read',
+    async (bytes) => {
+      const { link, clock, adapter } = await on();
+      const { client } = connectionOf(link);
+      adapter.unplugAfter(bytes);
+      const asked = [client.readProgram(), client.identify(), client.selectMemory(1)].map(failure);
+      for (const error of await clock.run(Promise.all(asked))) expect(error).toMatchObject({ name: 'TimerError' });
+    },
+  );
+
+  it('in the middle of a job is not told again when the job fails', async () => {
+    const { link, clock, adapter, states } = await on();
+    adapter.unplugAfter(20);
+    await clock.run(failure(connectionOf(link).client.readProgram()));
+    await clock.advance(60_000);
+    expect(way(states)).toBe('away');
+    expect(states).toHaveLength(1);
+  });
+});
+
+describe('a port that returns', () => {
+  it('is on again in less than a second, at the rate that worked, with a connection of its own', async () => {
+    const { link, clock, adapter, states, port } = await on({ answersAt: 38400, plug: { timing: true, latency: 20 } });
+    const before = connectionOf(link);
+    adapter.unplug();
+    await clock.advance(300_000);
+    adapter.replug();
+    await clock.advance(500);
+    const after = connectionOf(link);
+    expect(after).not.toBe(before);
+    expect(after.client).not.toBe(before.client);
+    expect(after.settings.baudRate).toBe(38400);
+    expect(states.filter(({ status }) => status === 'searching')).toMatchObject([{ baudRate: 38400, step: 1 }]);
+    expect((await clock.run(after.client.readProgram())).identity).toEqual(B536);
+    expect(port.device.opened).not.toBeNull();
+  });
+
+  it('is on again as a new object of the same kind', async () => {
+    const { link, clock, adapter } = await on();
+    adapter.unplug();
+    await clock.advance(1000);
+    adapter.returnAsNew();
+    await clock.advance(500);
+    expect(portOf(link)).toBe(adapter.port);
+  });
+
+  it.each(['the same', 'a new'])('is noticed when it is out for no time, as %s object', async (as) => {
+    const { link, clock, adapter, states } = await on();
+    adapter.unplug();
+    if (as === 'a new') adapter.returnAsNew();
+    else adapter.replug();
+    await clock.advance(1000);
+    expect(way(states)).toBe('away > opening > searching > on');
+    expect(portOf(link)).toBe(adapter.port);
+  });
+
+  it('is not taken for another kind of adapter', async () => {
+    const { link, clock, adapter, serial } = await on();
+    adapter.unplug();
+    await clock.advance(1000);
+    serial.plug({ usbVendorId: 0x1a86, usbProductId: 0x7523 }, { granted: true });
+    await clock.advance(10_000);
+    expect(link.state.status).toBe('away');
+  });
+
+  it('is not taken for an adapter of the same kind that was there all the time', async () => {
+    const { link, clock, adapter, serial } = linkBench();
+    const twin = serial.plug(adapter.port.getInfo(), { granted: true });
+    await clock.run(link.connect(adapter.port));
+    adapter.unplug();
+    await clock.advance(30_000);
+    expect(link.state.status).toBe('away');
+    serial.unplug(twin);
+    await clock.advance(10_000);
+    serial.replug(twin);
+    await clock.advance(1000);
+    expect(portOf(link), 'that one was plugged in again').toBe(twin);
+  });
+
+  it('is noticed where there is no browser but only a port', async () => {
+    const { link, clock, adapter } = await on({ link: { serial: undefined } });
+    adapter.unplug();
+    await clock.advance(3100);
+    adapter.replug();
+    await clock.advance(100);
+    expect(link.state.status).toBe('on');
+  });
+
+  it('is not opened when it is gone again by then', async () => {
+    const { link, clock, adapter, states } = await on();
+    adapter.unplug();
+    adapter.replug();
+    await clock.advance(100);
+    adapter.unplug();
+    await clock.advance(5000);
+    expect(way(states)).toBe('away');
+    adapter.replug();
+    await clock.advance(100);
+    expect(link.state.status).toBe('on');
+  });
+
+  it('is waited for again when it goes without a word while it is opened', async () => {
+    const { clock, adapter, port, states } = await on();
+    adapter.unplug();
+    await clock.advance(1000);
+    port.device.busy = true;
+    adapter.replug();
+    await clock.advance(1000);
+    port.dispatchEvent = () => true;
+    adapter.unplug();
+    await clock.advance(2000);
+    expect(way(states)).toBe('away > opening > away');
+  });
+
+  it.each(['the same', 'a new'])('is found within four seconds where there are no events, as %s object', async (as) => {
+    const bench = linkBench();
+    const deaf: SerialLike = { getPorts: () => bench.serial.getPorts(), requestPort: () => bench.serial.requestPort() };
+    const states: LinkState[] = [];
+    const link = new TimerLink({ serial: deaf, clock: bench.clock, onState: (state) => states.push(state) });
+    Object.assign(bench.port, { addEventListener: () => {} });
+    await bench.clock.run(link.connect(bench.port));
+    bench.adapter.unplug();
+    await bench.clock.advance(9000);
+    expect(link.state.status).toBe('away');
+    if (as === 'a new') bench.adapter.returnAsNew();
+    else bench.adapter.replug();
+    await bench.clock.advance(4000);
+    expect(way(states)).toBe('opening > searching > on > away > opening > searching > on');
+    await bench.clock.run(link.stop());
+  });
+
+  it('is found where there are no events and an adapter of the same kind was there all the time', async () => {
+    const { clock, adapter, serial } = linkBench();
+    const twin = serial.plug(adapter.port.getInfo(), { granted: true });
+    const gone = serial.plug(adapter.port.getInfo(), { granted: true });
+    const listed = [adapter.port, twin];
+    const deaf: SerialLike = { getPorts: async () => [...listed], requestPort: () => serial.requestPort() };
+    const states: LinkState[] = [];
+    const link = new TimerLink({ serial: deaf, clock, onState: (state) => states.push(state) });
+    await clock.run(link.connect(adapter.port));
+    adapter.unplug();
+    await clock.advance(4000);
+    // Some browsers list what is not plugged in too.
+    serial.unplug(gone);
+    listed.splice(0, 2, gone);
+    await clock.advance(4000);
+    expect(link.state.status).toBe('away');
+    listed.push(twin);
+    await clock.advance(4000);
+    expect(portOf(link)).toBe(twin);
+    expect(way(states)).toBe('opening > searching > on > away > opening > searching');
+    await clock.run(link.stop());
+  });
+
+  it('is found in a browser that does not say whether a port is connected', async () => {
+    const { link, clock, adapter, port, connect, states } = linkBench();
+    Object.defineProperty(port, 'connected', { value: undefined });
+    await connect();
+    adapter.unplug();
+    await clock.advance(20_000);
+    expect(way(states)).toBe('opening > searching > on > away');
+    adapter.replug();
+    await clock.advance(1000);
+    expect(link.state.status).toBe('on');
+  });
+
+  it('is opened as soon as another program lets go of it', async () => {
+    const { link, clock, adapter, port, states } = await on();
+    adapter.unplug();
+    await clock.advance(1000);
+    port.device.busy = true;
+    adapter.replug();
+    await clock.advance(5000);
+    expect(link.state).toMatchObject({ status: 'opening', refusals: 6 });
+    port.device.busy = false;
+    await clock.advance(1500);
+    expect(way(states)).toBe('away > opening > searching > on');
+  });
+
+  it('asks which timer it is once more, and gives another one as another', async () => {
+    const { link, clock, adapter, timer } = await on();
+    adapter.unplug();
+    Object.assign(timer.core.identity, { firmware: '600' });
+    adapter.replug();
+    await clock.advance(1000);
+    expect(connectionOf(link).identity.firmware).toBe('600');
+  });
+});
+
+describe('a stream that fails with its plug in', () => {
+  it('is opened again within half a second', async () => {
+    const { link, clock, port } = await on();
+    port.device.error('lost');
+    await clock.advance(500);
+    expect(link.state.status).toBe('on');
+  });
+
+  it('is tried for 15 seconds when the port does not open again', async () => {
+    const { clock, port, states } = await on();
+    port.device.error('lost');
+    port.device.busy = true;
+    await clock.advance(20_000);
+    expect(way(states)).toBe('away > opening > off (busy)');
+  });
+
+  it('is opened more and more rarely when it fails each time, and given up', async () => {
+    const { clock, link, port, connect } = linkBench();
+    const opened: number[] = [];
+    const begin = clock.now();
+    port.device.onopenchange = (options) => {
+      if (!options) return;
+      opened.push(clock.now() - begin);
+      port.device.error('lost');
+    };
+    await connect();
+    await clock.advance(60_000);
+    expect(opened).toEqual([0, 200, 1200, 3200, 7200, 15_200]);
+    expect(link.state).toMatchObject({ status: 'off', error: { code: 'lost' } });
+  });
+
+  it('is never given up when it fails now and then', async () => {
+    const { clock, link, port } = await on();
+    for (let i = 0; i < 20; i++) {
+      port.device.error('lost');
+      await clock.advance(11_000);
+      expect(link.state.status).toBe('on');
+    }
+  });
+});
+
+describe('a line that is disturbed', () => {
+  it.each(['framing', 'parity', 'break', 'overrun', 'system'] as const)('stays on through a %s error', async (kind) => {
+    const { clock, link, port, states } = await on();
+    port.device.error(kind);
+    await clock.advance(100);
+    await clock.run(link.recheck());
+    expect(states).toEqual([]);
+    expect(connectionOf(link).client.identity).toEqual(B536);
+  });
+});

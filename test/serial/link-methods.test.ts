@@ -1,0 +1,340 @@
+import { describe, expect, it, vi } from 'vitest';
+import { type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
+import { B536 } from '../protocol/vectors.js';
+import { canBeOpened, failure } from './bench.js';
+import { connectionOf, linkBench, on, portOf, sent, slowChooser, way } from './link-bench.js';
+
+describe('wait()', () => {
+  it('asks quietly on the open port until the timer answers, as a new connection', async () => {
+    const { clock, link, timer, port, states } = await on();
+    const before = connectionOf(link);
+    let opened = 0;
+    port.device.onopenchange = () => opened++;
+    timer.core.sleep();
+    link.wait();
+    expect(link.state).toEqual({ status: 'waiting', port, baudRate: 9600, asked: 0 });
+    await clock.advance(2500);
+    expect(opened, 'the port stays open').toBe(0);
+    timer.core.press();
+    await clock.advance(2000);
+    expect(way(states)).toBe('waiting > on');
+    expect(connectionOf(link).client).not.toBe(before.client);
+    expect(await failure(before.client.identify())).toMatchObject({ code: 'closed' });
+  });
+
+  it('does nothing where no connection is on', async () => {
+    const { clock, link, adapter, states } = await on();
+    adapter.unplug();
+    await clock.advance(100);
+    states.length = 0;
+    link.wait();
+    await clock.run(link.stop());
+    link.wait();
+    expect(way(states)).toBe('closing > off');
+  });
+});
+
+describe('recheck()', () => {
+  it('tells nothing when the timer is there', async () => {
+    const { clock, link, states, line } = await on();
+    const before = connectionOf(link);
+    await clock.run(link.recheck());
+    expect(states).toEqual([]);
+    expect(connectionOf(link)).toBe(before);
+    expect(sent(line)).toEqual(['GETSWVER']);
+  });
+
+  it('waits for the job under way', async () => {
+    const { clock, link, states, line } = await on({ plug: { timing: true } });
+    const reading = connectionOf(link).client.readProgram();
+    await clock.advance(5);
+    await clock.run(link.recheck());
+    expect((await clock.run(reading)).identity).toEqual(B536);
+    expect(states).toEqual([]);
+    expect(sent(line).at(-1)).toBe('GETSWVER');
+  });
+
+  it('waits for a timer that has fallen asleep', async () => {
+    const { clock, link, timer, states } = await on();
+    timer.core.sleep();
+    await clock.run(link.recheck());
+    timer.core.press();
+    await clock.advance(2000);
+    expect(way(states)).toBe('waiting > on');
+  });
+
+  it('stays on behind a line that damages everything: somebody is there', async () => {
+    let damage = 0;
+    const toPage = (byte: number) => [byte ^ damage];
+    const { clock, link, states } = await on({ plug: { fault: { toPage } } });
+    damage = 0x11;
+    await clock.run(link.recheck());
+    expect(states).toEqual([]);
+  });
+
+  it('gives another timer a connection of its own', async () => {
+    const { clock, link, timer, states } = await on();
+    const before = connectionOf(link);
+    Object.assign(timer.core.identity, { firmware: '600' });
+    await clock.run(link.recheck());
+    await clock.advance(0);
+    expect(way(states)).toBe('searching > on');
+    expect(connectionOf(link).identity.firmware).toBe('600');
+    expect(connectionOf(link).client).not.toBe(before.client);
+  });
+
+  it('notices a port that failed while nobody looked', async () => {
+    const { clock, link, port, states } = await on();
+    port.device.failNextWrite('lost');
+    await clock.run(link.recheck());
+    await clock.advance(1000);
+    expect(way(states)).toBe('away > opening > searching > on');
+  });
+
+  it('looks at once for a port that is away', async () => {
+    const { clock, link, adapter } = await on();
+    adapter.unplug();
+    await clock.advance(3500);
+    // The computer slept, and nobody heard of it.
+    adapter.port.dispatchEvent = () => true;
+    adapter.replug();
+    await clock.advance(100);
+    expect(link.state.status).toBe('away');
+    await clock.run(link.recheck());
+    await clock.advance(100);
+    expect(link.state.status).toBe('on');
+  });
+
+  it('does nothing while nothing is connected', async () => {
+    const { link, states } = linkBench();
+    await link.recheck();
+    expect(states).toEqual([]);
+  });
+});
+
+describe('stop()', () => {
+  it('lets the request under way end, and leaves a port that can be opened at once', async () => {
+    const { clock, link, port, timer } = await on({ plug: { timing: true } });
+    const reading = failure(connectionOf(link).client.readProgram());
+    await clock.advance(5);
+    await clock.run(link.stop());
+    expect(await reading).toMatchObject({ code: 'closed' });
+    expect(timer.core.answered.map(({ name }) => name)).toEqual(['GETSWVER', 'GETMEMORY']);
+    expect(await canBeOpened(port)).toBe(true);
+  });
+
+  it('may be called at any time, and again', async () => {
+    const { clock, link, states } = await on();
+    await clock.run(Promise.all([link.stop(), link.stop()]));
+    await link.stop();
+    expect(way(states)).toBe('closing > off');
+    expect(states.at(-1)).toEqual({ status: 'off', error: null });
+  });
+
+  it('ends what was begun in the same moment', async () => {
+    const { clock, link, port, states } = linkBench();
+    const connecting = link.connect(port);
+    await clock.run(link.stop());
+    await connecting;
+    expect(way(states)).toBe('opening > closing > off');
+    expect(port.device.opened).toBeNull();
+  });
+
+  it('takes no time while the port is away', async () => {
+    const { clock, link, adapter } = await on();
+    adapter.unplug();
+    await clock.advance(1000);
+    const begin = clock.now();
+    await clock.run(link.stop());
+    expect(clock.now()).toBe(begin);
+  });
+
+  it('leaves nothing behind: no appointment, no listener', async () => {
+    const { clock, link, adapter, serial, port } = linkBench();
+    const added = [serial, port].map((target) => vi.spyOn(target, 'addEventListener'));
+    const removed = [serial, port].map((target) => vi.spyOn(target, 'removeEventListener'));
+    const calls = (spies: readonly { mock: { calls: unknown[] } }[]) => spies.flatMap(({ mock }) => mock.calls).length;
+    await clock.run(link.connect(port));
+    adapter.unplug();
+    await clock.advance(1000);
+    adapter.replug();
+    await clock.advance(1000);
+    expect(link.state.status).toBe('on');
+    expect(calls(added) - calls(removed), 'one hears of the loss').toBe(1);
+    await clock.run(link.stop());
+    expect(calls(added)).toBe(calls(removed));
+    const end = clock.now();
+    await expect(clock.run(new Promise(() => {}))).rejects.toThrow('Nothing is due');
+    expect(clock.now()).toBe(end);
+  });
+
+  it('gives way to a wish that comes later', async () => {
+    const { clock, link, port, states } = await on();
+    const stopping = link.stop();
+    await clock.run(link.connect(port));
+    await stopping;
+    expect(way(states)).toBe('closing > opening > searching > on');
+  });
+
+  it('settles although a port never closes', async () => {
+    const { clock, link, port } = await on();
+    port.close = () => new Promise(() => {});
+    const begin = clock.now();
+    await clock.run(link.stop());
+    expect(clock.now() - begin).toBe(3000);
+    expect(link.state.status).toBe('off');
+  });
+
+  it('may be called from within the telling of any state', async () => {
+    for (const at of ['opening', 'searching', 'waiting', 'on', 'away'] as const) {
+      const { clock, port, adapter, timer } = linkBench();
+      if (at === 'waiting') timer.core.sleep();
+      const states: LinkState[] = [];
+      const link: TimerLink = new TimerLink({
+        clock,
+        onState: (state) => {
+          states.push(state);
+          if (state.status === at) void link.stop();
+        },
+      });
+      void link.connect(port);
+      await clock.advance(10_000);
+      adapter.unplug();
+      await clock.advance(10_000);
+      expect(way(states).endsWith(`${at} > closing > off`), way(states)).toBe(true);
+      adapter.replug();
+      expect(await canBeOpened(port)).toBe(true);
+    }
+  });
+});
+
+describe('connect()', () => {
+  it('follows the last of several wishes', async () => {
+    const { clock, link, port, serial, states } = linkBench();
+    const other = serial.plug({}, { granted: true });
+    await clock.run(Promise.all([link.connect(other), link.connect(other), link.connect(port)]));
+    expect(portOf(link)).toBe(port);
+    expect(way(states)).toBe('opening > closing > opening > searching > on');
+    expect(other.device.opened).toBeNull();
+  });
+
+  it('closes what is open before it opens another port', async () => {
+    const { clock, link, port, serial } = await on();
+    const other = serial.plug({}, { granted: true });
+    other.device.onopenchange = (opened) => expect([opened && port.device.opened]).toEqual([null]);
+    void link.connect(other);
+    await clock.advance(1000);
+    expect(link.state.status).toBe('searching');
+    expect(portOf(link)).toBe(other);
+    expect(port.device.opened).toBeNull();
+  });
+});
+
+describe('choose()', () => {
+  it('leaves what is on when nothing is chosen', async () => {
+    const { serial, link, states } = await on();
+    serial.choose(null);
+    await link.choose();
+    expect(states).toEqual([]);
+    expect(link.state.status).toBe('on');
+  });
+
+  it('connects to another port that is chosen', async () => {
+    const { serial, link, clock, port, states } = await on();
+    serial.choose(port);
+    await clock.run(link.choose());
+    expect(way(states)).toBe('closing > opening > searching > on');
+  });
+
+  it('follows only the last of two choosers', async () => {
+    const chooser = slowChooser();
+    const { link, clock, port, states } = linkBench({ link: { serial: chooser } });
+    const first = link.choose();
+    const { answer } = chooser;
+    void link.choose();
+    answer(null);
+    await first;
+    expect(way(states)).toBe('choosing');
+    chooser.answer(port);
+    await clock.advance(1000);
+    expect(way(states)).toBe('choosing > opening > searching > on');
+  });
+
+  it('forgets the chooser when the link is stopped or connected otherwise', async () => {
+    for (const wish of ['stop', 'connect'] as const) {
+      const chooser = slowChooser();
+      const { link, clock, port, states } = linkBench({ link: { serial: chooser } });
+      void link.choose();
+      await clock.run(link[wish](port));
+      const { length } = states;
+      chooser.answer(port);
+      await clock.advance(1000);
+      expect(states).toHaveLength(length);
+    }
+  });
+
+  it('while the link is closing waits for neither', async () => {
+    const chooser = slowChooser();
+    const { link, clock, port, states } = await on({ link: { serial: chooser } });
+    const stopping = link.stop();
+    void link.choose();
+    await clock.run(stopping);
+    expect(way(states)).toBe('closing > off');
+    chooser.answer(port);
+    await clock.advance(1000);
+    expect(way(states)).toBe('closing > off > opening > searching > on');
+  });
+
+  it.each([
+    [undefined, 'not-allowed'],
+    [true, 'not-allowed'],
+    [false, 'policy'],
+  ] as const)('says why the browser refuses where the policy allows: %s', async (policyAllows, code) => {
+    const { serial } = linkBench();
+    serial.userActivation = false;
+    const states: LinkState[] = [];
+    const link = new TimerLink({ serial, policyAllows, onState: (state) => states.push(state) });
+    await link.choose();
+    expect(way(states)).toBe(`choosing > off (${code})`);
+  });
+});
+
+describe('the ports', () => {
+  it('are those that were allowed and are plugged in, with their names', async () => {
+    const { link, serial, port } = linkBench();
+    serial.plug();
+    serial.unplug(serial.plug({}, { granted: true }));
+    const ports = await link.ports();
+    expect(ports).toEqual([{ port, kind: 'ftdi', key: 'usb:0403:6001', info: port.getInfo() }]);
+    expect(ports[0]?.port).toBe(port);
+  });
+
+  it('are refused where the policy forbids them', async () => {
+    const serial: SerialLike = {
+      getPorts: () => Promise.reject(new DOMException('Blocked.', 'SecurityError')),
+      requestPort: () => Promise.reject(new DOMException('Blocked.', 'SecurityError')),
+    };
+    await expect(new TimerLink({ serial, policyAllows: false }).ports()).rejects.toMatchObject({ code: 'policy' });
+  });
+
+  it('can be forgotten, which ends a link to them', async () => {
+    const { link, clock, port, states } = await on();
+    await clock.run(link.forget(port));
+    expect(way(states)).toBe('closing > off');
+    expect(await link.ports()).toEqual([]);
+  });
+
+  it('can be forgotten without ending a link to another', async () => {
+    const { link, clock, serial, states } = await on();
+    await clock.run(link.forget(serial.plug({}, { granted: true })));
+    expect(states).toEqual([]);
+    expect(await link.ports()).toHaveLength(1);
+  });
+
+  it('stay where the browser cannot forget', async () => {
+    const { link, clock, port } = await on();
+    Object.assign(port, { forget: undefined });
+    await clock.run(link.forget(port));
+    expect(link.state.status).toBe('off');
+  });
+});
