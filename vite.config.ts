@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
@@ -61,12 +62,16 @@ const offline = VitePWA({
   },
 });
 
+/** Which version the page says it is. */
+const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
+
 export default defineConfig({
   root: 'src/app',
   publicDir: '../../public',
   // Relative addresses: the same build works at the root of a host and under any sub-path.
   base: './',
   appType: 'mpa',
+  define: { 'import.meta.env.VITE_VERSION': JSON.stringify(version) },
   plugins: [preact({ include: [/\.tsx$/] }), securityPolicy, offline],
   build: {
     outDir: '../../dist/site',

@@ -1,6 +1,8 @@
 import { type AppModels, Models } from './models.js';
 import { Header } from './parts/header.js';
+import { RecoveryPanel } from './parts/recovery-panel.js';
 import { LinePanel } from './screens/line-panel.js';
+import { MemoriesDialog } from './screens/memories-dialog.js';
 import { ProgramScreen } from './screens/program-screen.js';
 import { StartScreen } from './screens/start-screen.js';
 import { WriteDialog } from './screens/write-dialog.js';
@@ -8,15 +10,17 @@ import { WriteDialog } from './screens/write-dialog.js';
 export function App({ models }: { models: AppModels }) {
   const { session } = models;
   const hasProgram = session.editor.working.value !== null;
-  const hasLine = session.log.entries.value.length > 0;
+  const hasLine = session.log.used.value;
   return (
     <Models.Provider value={models}>
       <Header />
       <main>
+        <RecoveryPanel />
         {hasProgram ? <ProgramScreen /> : <StartScreen />}
         {hasLine && <LinePanel />}
       </main>
       <WriteDialog />
+      <MemoriesDialog />
     </Models.Provider>
   );
 }

@@ -1,32 +1,45 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
-import type { AppModels } from './models.js';
+import { createModels } from './models.js';
 import { registerOffline } from './offline.js';
-import { plugSimulatedTimer } from './simulated-timer.js';
-import { Session } from './state/session.js';
-import { UpdateOffer } from './state/update-offer.js';
-import { WriteFlow } from './state/write-flow.js';
-import { DraftStore } from './storage/drafts.js';
+import { platformOf } from './platform.js';
+import { plugRecording, plugSimulatedTimer } from './simulated-timer.js';
+import { openTabChannel } from './state/other-tabs.js';
+import { browserStorage } from './storage/index.js';
 import './styles/base.css';
 import './styles/frame.css';
+import './styles/help.css';
+import './styles/line.css';
+import './styles/link.css';
 import './styles/program.css';
 import './styles/write.css';
+import { onWake } from './wake.js';
 
-const session = new Session({
-  surroundings: { serial: navigator.serial as Serial | undefined, isSecureContext },
-  store: new DraftStore(),
+const { featurePolicy } = document as { featurePolicy?: { allowsFeature(name: string): boolean } };
+const models = createModels({
+  surroundings: {
+    serial: navigator.serial as Serial | undefined,
+    isSecureContext,
+    policyAllows: featurePolicy?.allowsFeature('serial'),
+  },
+  storage: browserStorage(),
   plugSimulated: plugSimulatedTimer,
+  plugRecording,
+  platform: platformOf(navigator),
+  channel: openTabChannel(),
 });
-const models: AppModels = { session, write: new WriteFlow(session), update: new UpdateOffer(session) };
+const { session } = models;
 
 const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
 effect(() => {
   // Leaving in the middle of a write is the one thing that a reload cannot mend by itself.
-  if (models.write.current.value?.step === 'running') addEventListener('beforeunload', warn);
+  const isRunning = models.write.current.value?.step === 'running' || models.memories.current.value?.step === 'running';
+  if (isRunning) addEventListener('beforeunload', warn);
   else removeEventListener('beforeunload', warn);
 });
 
 registerOffline({ onUpdateReady: models.update.offer, whenFree: models.update.whenFree });
+onWake(() => session.link.recheck());
 await session.start();
 render(<App models={models} />, document.getElementById('app') as HTMLElement);

@@ -1,14 +1,24 @@
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import type { Session } from './state/session.js';
-import type { UpdateOffer } from './state/update-offer.js';
-import type { WriteFlow } from './state/write-flow.js';
+import type { Platform } from './platform.js';
+import { Memories } from './state/memories.js';
+import type { TabChannel } from './state/other-tabs.js';
+import { Recover } from './state/recover.js';
+import { Session, type SessionOptions } from './state/session.js';
+import { Tabs } from './state/tabs.js';
+import { UpdateOffer } from './state/update-offer.js';
+import { WriteFlow } from './state/write-flow.js';
 
 /** The models that the screens read and call. */
 export interface AppModels {
   readonly session: Session;
   readonly write: WriteFlow;
+  readonly recover: Recover;
+  readonly memories: Memories;
   readonly update: UpdateOffer;
+  readonly tabs: Tabs;
+  /** What the pilot sits at: it chooses sentences, nothing else. */
+  readonly platform: Platform;
 }
 
 export const Models = createContext<AppModels | null>(null);
@@ -18,4 +28,28 @@ export function useModels(): AppModels {
   const models = useContext(Models);
   if (!models) throw new Error('outside of the app');
   return models;
+}
+
+export interface ModelOptions extends SessionOptions {
+  readonly platform: Platform;
+  /** Between the tabs of this program; null where there is none. */
+  readonly channel: TabChannel | null;
+}
+
+/** All models of the program, before anything is brought back or connected. */
+export function createModels({ platform, channel, ...options }: ModelOptions): AppModels {
+  const session = new Session(options);
+  const write = new WriteFlow(session);
+  const memories = new Memories(session);
+  const isWriting = (): boolean =>
+    write.current.value?.step === 'running' || memories.current.value?.step === 'running';
+  return {
+    session,
+    write,
+    memories,
+    recover: new Recover(session, write),
+    update: new UpdateOffer(session),
+    tabs: new Tabs(session, isWriting, channel),
+    platform,
+  };
 }

@@ -1,6 +1,7 @@
-import { MockSerial } from '../mock-serial/index.js';
+import { MockSerial, type PlugOptions } from '../mock-serial/index.js';
+import type { CaptureEntry } from '../protocol/index.js';
 import type { SerialPortLike } from '../serial/index.js';
-import { VirtualTimer } from '../simulator/index.js';
+import { ReplayTimer, VirtualTimer } from '../simulator/index.js';
 
 /** Milliseconds that an adapter and a timer take to answer, about as long as over infra-red. */
 const LATENCY = 40;
@@ -10,9 +11,16 @@ const LATENCY = 40;
  * place in the program where simulator and mock port meet.
  */
 export function plugSimulatedTimer(timerClass: 'Q' | 'B'): SerialPortLike {
-  const serial = new MockSerial();
-  const port = serial.plug({}, { granted: true, timing: true, latency: LATENCY / 2 });
-  const timer = new VirtualTimer({ identity: { timerClass } });
+  return plug(new VirtualTimer({ identity: { timerClass } }), { timing: true, latency: LATENCY / 2 });
+}
+
+/** A recorded timer behind a mock port, which takes no time of its own: the recording has that of its line. */
+export function plugRecording(entries: readonly CaptureEntry[]): SerialPortLike {
+  return plug(new ReplayTimer(entries), {});
+}
+
+function plug(timer: VirtualTimer | ReplayTimer, options: PlugOptions): SerialPortLike {
+  const port = new MockSerial().plug({}, { granted: true, ...options });
   const { device } = port;
   void (async () => {
     const writer = timer.writable.getWriter();

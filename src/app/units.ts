@@ -41,3 +41,15 @@ export function formatTime(hundredths: number): string {
   const clock = `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`;
   return fraction === '00' ? clock : `${clock}.${fraction}`;
 }
+
+/** Like {@link parseTime}, with a minus sign before it where times fall. */
+export function parseInterval(text: string): Parsed {
+  const [, sign, digits = text] = /^([-−])(?=[\d.,])(.*)$/.exec(text.trim()) ?? [];
+  const parsed = parseTime(digits);
+  return sign && 'value' in parsed ? { value: 0 - parsed.value } : parsed;
+}
+
+/** Like {@link formatTime}, with a minus sign before it where times fall. */
+export function formatInterval(hundredths: number): string {
+  return hundredths < 0 ? `-${formatTime(-hundredths)}` : formatTime(hundredths);
+}

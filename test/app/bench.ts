@@ -1,37 +1,52 @@
 import { onTestFinished, vi } from 'vitest';
-import { Session } from '../../src/app/state/session.js';
-import { WriteFlow } from '../../src/app/state/write-flow.js';
-import type { Draft, DraftStore } from '../../src/app/storage/drafts.js';
+import { createModels } from '../../src/app/models.js';
+import { platformOf } from '../../src/app/platform.js';
+import { plugRecording } from '../../src/app/simulated-timer.js';
+import type { TabChannel } from '../../src/app/state/other-tabs.js';
+import type { Backup, Draft, Keeper, PortRecord, Storage, Unfinished } from '../../src/app/storage/index.js';
 import { MockSerial } from '../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../serial/bench.js';
 
-/** Keeps drafts as long as the test lasts, in the place of the browser's storage. */
-export class MemoryStore {
-  readonly drafts = new Map<string, Draft>();
-  /** As in a browser whose storage is full or switched off. */
-  broken = false;
+/** Keeps records as long as the test lasts, in the place of a shelf of the browser's storage. */
+class MemoryShelf<T extends { readonly key: string }> implements Keeper<T> {
+  readonly records = new Map<string, T>();
+  readonly #store: MemoryStore;
 
-  async save(draft: Draft): Promise<void> {
-    this.#touch();
-    this.drafts.set(draft.key, structuredClone(draft));
+  constructor(store: MemoryStore) {
+    this.#store = store;
+  }
+
+  async save(record: T): Promise<void> {
+    this.#store.touch();
+    this.records.set(record.key, structuredClone(record));
   }
 
   async remove(key: string): Promise<void> {
-    this.#touch();
-    this.drafts.delete(key);
+    this.#store.touch();
+    this.records.delete(key);
   }
 
-  async load(key: string): Promise<Draft | undefined> {
-    this.#touch();
-    return this.drafts.get(key);
+  async load(key: string): Promise<T | undefined> {
+    this.#store.touch();
+    return this.records.get(key);
   }
 
-  async newest(): Promise<Draft | undefined> {
-    this.#touch();
-    return [...this.drafts.values()].at(-1);
+  async all(): Promise<T[]> {
+    this.#store.touch();
+    return [...this.records.values()];
   }
+}
 
-  #touch(): void {
+/** The browser's storage. The same one again stands for a reload. */
+export class MemoryStore implements Storage {
+  readonly drafts = new MemoryShelf<Draft>(this);
+  readonly unfinished = new MemoryShelf<Unfinished>(this);
+  readonly backups = new MemoryShelf<Backup>(this);
+  readonly ports = new MemoryShelf<PortRecord>(this);
+  /** As in a browser whose storage is full or switched off. */
+  broken = false;
+
+  touch(): void {
     if (this.broken) throw new DOMException('The storage is full.', 'QuotaExceededError');
   }
 }
@@ -41,25 +56,38 @@ export interface BenchOptions extends TimerOptions {
   readonly store?: MemoryStore;
   /** Whether this browser has Web Serial. Default true. */
   readonly webSerial?: boolean;
+  /** Between this page and other tabs of it. Default: none. */
+  readonly channel?: TabChannel;
 }
 
 /** Everything of the app but its screen, before a timer that is not there. Time is turned by {@link run} alone. */
-export async function appBench({ store = new MemoryStore(), webSerial = true, ...timer }: BenchOptions = {}) {
+export async function appBench({ store = new MemoryStore(), webSerial = true, channel, ...timer }: BenchOptions = {}) {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
   onTestFinished(() => void vi.useRealTimers());
   const serial = new MockSerial({ userActivation: true });
   const options: TimerOptions = { identity: { timerClass: 'Q' }, ...timer };
   const adapter = new Adapter(serial, { ...options, plug: { granted: false, ...timer.plug } });
   serial.choose(adapter.port);
-  const session = new Session({
+  const models = createModels({
     surroundings: { serial: webSerial ? serial : undefined, isSecureContext: true },
-    // A class with private fields: nothing else has its type, though nothing else of it is used.
-    store: store as unknown as DraftStore,
+    storage: store,
     plugSimulated: (timerClass) => new Adapter(new MockSerial(), { identity: { timerClass } }).port,
+    plugRecording,
+    platform: platformOf({ userAgent: '' }),
+    channel: channel ?? null,
   });
-  const write = new WriteFlow(session);
+  const { session } = models;
   await session.start();
-  return { serial, adapter, port: adapter.port, timer: adapter.timer, store, session, editor: session.editor, write };
+  return {
+    ...models,
+    models,
+    serial,
+    adapter,
+    port: adapter.port,
+    timer: adapter.timer,
+    store,
+    editor: session.editor,
+  };
 }
 
 export type AppBench = Awaited<ReturnType<typeof appBench>>;
@@ -86,7 +114,7 @@ export async function run<T>(promise: Promise<T>): Promise<T> {
   return promise;
 }
 
-/** Lets everything happen that is under way. */
-export async function idle(): Promise<void> {
-  await vi.runAllTimersAsync();
+/** Lets everything happen that is under way: more time than any job takes, while what waits for ever goes on waiting. */
+export async function idle(ms = 20_000): Promise<void> {
+  await vi.advanceTimersByTimeAsync(ms);
 }

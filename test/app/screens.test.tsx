@@ -1,15 +1,13 @@
 import { fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { UpdateOffer } from '../../src/app/state/update-offer.js';
 import { CAPTURED_POSITIONS } from '../protocol/vectors.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from './bench.js';
 
 /** The whole screen, as the page starts. */
 async function opened(options: BenchOptions = {}): Promise<AppBench> {
   const bench = await appBench(options);
-  const { session, write } = bench;
-  render(<App models={{ session, write, update: new UpdateOffer(session) }} />);
+  render(<App models={bench.models} />);
   return bench;
 }
 
@@ -81,13 +79,38 @@ describe('the start', () => {
     expect(screen.queryByText('No port was chosen.')).toBeNull();
   });
 
-  it('offers another port when the one of the last time does not answer', async () => {
+  it('says that it waits for a timer that does not answer, and shows it once its switch is pressed', async () => {
     const { timer } = await opened({ plug: { granted: true } });
     timer.core.sleep();
     await press('Connect');
-    expect(screen.getByText('The timer did not answer.')).toBeTruthy();
+    expect(screen.getByText('No answer yet.')).toBeTruthy();
+    expect(screen.queryByText('The timer did not answer.')).toBeNull();
     timer.core.press();
+    await idle();
+    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('stops waiting when asked to, and offers another adapter', async () => {
+    const { timer, port } = await opened({ plug: { granted: true } });
+    timer.core.sleep();
+    await press('Connect');
+    await press('Stop');
+    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(port.device.opened).toBeNull();
+    timer.core.press();
+    await press('Another adapter…');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('says that a port is in use, with what helps, and offers another', async () => {
+    const { port } = await opened();
+    port.device.busy = true;
+    await press('Connect');
+    expect(screen.getByText('The port is in use.')).toBeTruthy();
+    port.device.busy = false;
     await press('Choose a port');
+    expect(screen.queryByText('The port is in use.')).toBeNull();
     expect(field('DT time').value).toBe('3:00');
   });
 });
@@ -287,7 +310,11 @@ describe('the memories', () => {
     fireEvent.click(screen.getByRole('button', { name: 'M3' }));
     await idle();
     expect(pressed()).toEqual(['M1']);
-    expect(screen.getByText('The timer did not answer.')).toBeTruthy();
+    expect(screen.getByText('No answer yet.')).toBeTruthy();
+    timer.core.press();
+    await idle();
+    expect([timer.core.memory, pressed()]).toEqual([0, ['M1']]);
+    expect(screen.getByText('The timer is back.')).toBeTruthy();
   });
 
   it('say when the timer does not tell which it is', async () => {
@@ -375,18 +402,20 @@ describe('the line', () => {
 });
 
 describe('after a loss', () => {
-  it('the sentence stands there, the edits stay, and Connect goes on', async () => {
+  it('says that it is unplugged, the edits stay, and it comes back by itself', async () => {
     const { adapter } = await connected();
     await type('DT time', '4:00');
     adapter.unplug();
     await idle();
-    expect(screen.getByText('The connection is gone.')).toBeTruthy();
+    expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
     expect([button('Write…').disabled, button('Read again').disabled]).toEqual([true, true]);
     expect(field('DT time').value).toBe('4:00');
     adapter.replug();
-    await press('Connect');
-    expect(screen.queryByText('The connection is gone.')).toBeNull();
+    await idle();
+    expect(screen.queryByText('The adapter is unplugged.')).toBeNull();
+    expect(screen.getByText('The timer is back.')).toBeTruthy();
     expect(button('Write…').disabled).toBe(false);
+    expect(field('DT time').value).toBe('4:00');
   });
 });
 

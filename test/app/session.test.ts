@@ -7,7 +7,7 @@ const DT: ProgramField = { kind: 'time', column: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
 
 function status({ session }: AppBench): string {
-  return session.link.value.status;
+  return session.link.state.value.status;
 }
 
 function notice({ session }: AppBench): string | undefined {
@@ -59,9 +59,7 @@ describe('connect', () => {
   const troubles: [code: string, set: (bench: AppBench, trouble: boolean) => void][] = [
     ['nothing-chosen', ({ serial, port }, trouble) => serial.choose(trouble ? null : port)],
     ['busy', ({ port }, trouble) => Object.assign(port.device, { busy: trouble })],
-    ['no-answer', ({ timer: { core } }, trouble) => (trouble ? core.sleep() : core.press())],
     ['not-allowed', ({ serial }, trouble) => Object.assign(serial, { userActivation: !trouble })],
-    ['lost', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
   ];
 
   it.each(troubles)('says %s, and works when that is mended', async (code, set) => {
@@ -73,6 +71,52 @@ describe('connect', () => {
     set(bench, false);
     await run(bench.session.connect());
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+
+  it('tries a port that is in use again for 15 s', async () => {
+    const bench = await appBench();
+    bench.port.device.busy = true;
+    const connecting = bench.session.connect();
+    await idle(14_000);
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['opening', undefined, true]);
+    bench.port.device.busy = false;
+    await run(connecting);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+
+  const waits: [why: string, wanted: string, set: (bench: AppBench, trouble: boolean) => void][] = [
+    ['does not answer', 'waiting', ({ timer: { core } }, trouble) => (trouble ? core.sleep() : core.press())],
+    ['is unplugged', 'away', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
+  ];
+
+  it.each(waits)('waits for a timer that %s, and reads it by itself when that is mended', async (_, wanted, set) => {
+    const bench = await appBench();
+    set(bench, true);
+    await run(bench.session.connect());
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual([wanted, undefined, false]);
+    expect(bench.editor.working.value).toBeNull();
+    set(bench, false);
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', undefined, false]);
+    expect(answered(bench).filter((name) => name !== 'GETSWVER')).toEqual([
+      'GETMEMORY',
+      'GETTIMERS',
+      'GETSERVOPOS',
+      'GETLOWRPM',
+    ]);
+  });
+
+  it.each(waits)('stops waiting for a timer that %s, and leaves the port free', async (_, wanted, set) => {
+    const bench = await appBench();
+    set(bench, true);
+    await run(bench.session.connect());
+    expect(status(bench)).toBe(wanted);
+    await run(bench.session.disconnect());
+    expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
+    set(bench, false);
+    await idle();
+    expect([status(bench), bench.port.device.opened, answered(bench).slice(1)]).toEqual(['off', null, []]);
   });
 
   it('stops when asked to, and leaves the port free', async () => {
@@ -102,7 +146,7 @@ describe('connect', () => {
 
   it('knows when there can be no wire here', async () => {
     const bench = await appBench({ webSerial: false });
-    expect(bench.session.unavailable).toBe('unsupported');
+    expect(bench.session.link.unavailable).toBe('unsupported');
     await run(bench.session.connect());
     expect(status(bench)).toBe('off');
     await run(bench.session.trySimulated('B'));
@@ -139,37 +183,92 @@ describe('when the first read does not come to its end', () => {
 });
 
 describe('a lost port', () => {
-  it('is said, and what was typed is kept', async () => {
+  it('is waited for without a word, comes back by itself, and is read', async () => {
     const bench = await connectedBench();
-    bench.editor.type(S1, '7');
     bench.adapter.unplug();
     await idle();
-    expect([status(bench), notice(bench)]).toEqual(['off', 'lost']);
-    expect(bench.editor.textOf(S1)).toBe('7');
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['away', undefined, false]);
+    expect(bench.editor.working.value, 'the program stays on the screen').not.toBeNull();
+    bench.timer.core.answered.length = 0;
     bench.adapter.replug();
-    await run(bench.session.connect());
-    expect([status(bench), notice(bench), bench.editor.textOf(S1)]).toEqual(['on', undefined, '7']);
-    expect(bench.editor.changes.value).toHaveLength(1);
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect(answered(bench)).toEqual(['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM']);
   });
 
-  it.each([3, 20, 60])('is said when it goes %i bytes into a read', async (bytes) => {
+  it('keeps what was typed', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.editor.type(DT, 'x');
+    bench.adapter.unplug();
+    await idle();
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT)]).toEqual(['7', 'x']);
+    bench.adapter.replug();
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT)]).toEqual(['7', 'x']);
+    expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
+  });
+
+  it('says what has changed meanwhile: below the edits, and without any', async () => {
+    const bench = await connectedBench();
+    const elsewhere = async (position: number): Promise<void> => {
+      bench.adapter.unplug();
+      await idle();
+      (bench.timer.core.content.positions[2] as number[])[4] = position;
+      bench.adapter.replug();
+      await idle();
+    };
+    await elsewhere(98);
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-changed']);
+    bench.editor.type(S1, '7');
+    await elsewhere(99);
+    expect([status(bench), notice(bench)]).toEqual(['on', 'edits-moved']);
+    expect([bench.editor.textOf(S1), bench.editor.working.value?.positions[2]?.[4]]).toEqual(['7', 99]);
+  });
+
+  it('wants the safety again: it may be another timer', async () => {
+    const bench = await connectedBench();
+    bench.session.safe.value = true;
+    bench.adapter.unplug();
+    await idle();
+    bench.adapter.replug();
+    await idle();
+    expect(bench.session.safe.value).toBe(false);
+  });
+
+  it.each([3, 20, 60])('is waited for when it goes %i bytes into a read', async (bytes) => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.adapter.unplugAfter(bytes);
-    await run(bench.session.read());
+    expect(await run(bench.session.read())).toBe(false);
     await idle();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['off', 'lost', false]);
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['away', undefined, false]);
+    expect(bench.editor.textOf(S1)).toBe('7');
+    bench.adapter.replug();
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', 'back-same', false]);
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
-  it('can be opened again at once, also while the old connection is still being closed', async () => {
+  it('can be back at once, also while the old connection is still being closed', async () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await Promise.resolve();
     bench.adapter.replug();
-    await until(bench, 'off');
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+  });
+
+  it('can be opened by hand at once, also while the old connection is still being closed', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await Promise.resolve();
+    bench.adapter.replug();
+    await until(bench, 'away');
     await run(bench.session.connect());
-    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+    expect([status(bench), bench.session.busy.value]).toEqual(['on', false]);
+    expect(bench.editor.baseline.value?.timers[10]).toBe(18000);
   });
 });
 
@@ -263,14 +362,19 @@ describe('read again', () => {
     expect(bench.editor.working.value?.positions[2]?.[4]).toBe(99);
   });
 
-  it('says that nobody answers, and can be tried again', async () => {
+  it('waits when nobody answers, and reads by itself when the switch is pressed', async () => {
     const bench = await connectedBench();
+    bench.editor.type(S1, '7');
     bench.timer.core.sleep();
-    await run(bench.session.read());
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', 'no-answer', false]);
+    expect(await run(bench.session.read())).toBe(false);
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['waiting', undefined, false]);
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['waiting', undefined]);
+    bench.timer.core.answered.length = 0;
     bench.timer.core.press();
-    await run(bench.session.read());
-    expect(notice(bench)).toBeUndefined();
+    await idle();
+    expect([status(bench), notice(bench), bench.editor.textOf(S1)]).toEqual(['on', 'back-same', '7']);
+    expect(answered(bench)).toEqual(['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM']);
   });
 
   it('twice in a row reads once', async () => {
@@ -311,17 +415,17 @@ describe('after a reload', () => {
     const bench = await connectedBench({ store });
     bench.editor.type(S1, '7');
     await idle();
-    expect(store.drafts.size).toBe(1);
+    expect(store.drafts.records.size).toBe(1);
     bench.editor.revertAll();
     await idle();
-    expect(store.drafts.size).toBe(0);
+    expect(store.drafts.records.size).toBe(0);
 
     bench.editor.type(S1, '8');
     bench.session.safe.value = true;
     await run(bench.write.open());
     await run(bench.write.start());
     await idle();
-    expect(store.drafts.size).toBe(0);
+    expect(store.drafts.records.size).toBe(0);
   });
 
   it('edits of the simulated timer are not put onto a real one', async () => {
@@ -358,12 +462,12 @@ describe('after a reload', () => {
     const bench = await connectedBench({ store });
     bench.editor.type(S1, '7');
     await idle();
-    const [draft] = [...store.drafts.values()];
+    const [draft] = [...store.drafts.records.values()];
     if (!draft) throw new Error('nothing was kept');
     const { working } = draft;
     const fewer = { ...working, identity: { ...working.identity, functions: 9 }, timers: working.timers.slice(1) };
     const small = { ...fewer, positions: working.positions.map((row) => row.slice(1)) };
-    store.drafts.set(draft.key, { ...draft, working: small });
+    store.drafts.records.set(draft.key, { ...draft, working: small });
     const after = await appBench({ store });
     await run(after.session.connect());
     expect(status(after)).toBe('on');

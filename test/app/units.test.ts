@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { formatTime, type Parsed, parseSteps, parseTime } from '../../src/app/units.js';
+import { formatInterval, formatTime, type Parsed, parseInterval, parseSteps, parseTime } from '../../src/app/units.js';
 
 const times: [text: string, parsed: number | string][] = [
   ['0', 0],
@@ -114,13 +114,39 @@ describe('typed steps', () => {
   });
 });
 
+describe('typed intervals', () => {
+  it.each([
+    ['12,5', 1250],
+    ['-1.5', -150],
+    ['−0:02', -200],
+    [' -.5 ', -50],
+    ['-0', 0],
+    ['', 'empty'],
+    ['-', 'not-a-time'],
+    ['--1', 'not-a-time'],
+    ['- 1', 'not-a-time'],
+    ['1-', 'not-a-time'],
+    ['-1e3', 'not-a-time'],
+    ['-1.001', 'too-fine'],
+  ])('%j is %j', (text, expected) => {
+    expect(plain(parseInterval(text))).toBe(expected);
+  });
+
+  it('come back from their usual form', () => {
+    for (let interval = -65535; interval <= 65535; interval += 7) {
+      expect(plain(parseInterval(formatInterval(interval)))).toBe(interval);
+    }
+    expect([formatInterval(-150), formatInterval(0), formatInterval(12500)]).toEqual(['-1.50', '0.00', '2:05']);
+  });
+});
+
 describe('hostile texts', () => {
   it('are a whole number of units or have a reason, however long they are', () => {
     const pieces = fc.constantFrom('0', '9', '.', ',', ':', '-', ' ', 'e', '٣', '\n');
     const hostile = fc.oneof(fc.string({ unit: 'binary' }), fc.string({ unit: pieces, maxLength: 12 }));
     fc.assert(
       fc.property(hostile, (text) => {
-        for (const parsed of [parseTime(text), parseSteps(text)]) {
+        for (const parsed of [parseTime(text), parseInterval(text), parseSteps(text)]) {
           if ('value' in parsed) expect(Number.isSafeInteger(parsed.value)).toBe(true);
           else expect(parsed.unreadable).toMatch(/^[a-z-]+$/);
         }

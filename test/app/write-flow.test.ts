@@ -129,30 +129,47 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
   });
 
-  it.each(['SETTIMERS', 'SETSERVO'] as const)(
-    'whose plug is pulled at %s keeps the edits for the next',
-    async (name) => {
-      const bench = await reviewed();
-      bench.timer.core.onAnswer = (request) => request.name === name && bench.adapter.unplug();
-      await run(bench.write.start());
-      await idle();
+  it.each([
+    ['SETTIMERS', 1, 'part'],
+    ['SETSERVO', 2, 'part'],
+    // Pulled before the first request arrived: its reply never came, and nothing is written.
+    ['GETMEMORY', 0, 'nothing'],
+  ] as const)('whose plug is pulled at %s keeps the edits for the next', async (name, written, extent) => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = (request) => request.name === name && bench.adapter.unplug();
+    await run(bench.write.start());
+    await idle();
+    expect(bench.session.link.state.value.status).toBe('away');
+    expect(bench.session.notice.value).toBeNull();
+    expect(sets(bench)).toHaveLength(written);
+    if (extent === 'part') {
       expect(bench.write.current.value).toMatchObject({
         step: 'done',
+        stays: true,
         report: { result: 'unknown', stopped: { code: 'port-lost' } },
       });
-      expect(bench.session.notice.value).toEqual({ kind: 'connection', code: 'lost' });
-      expect([bench.editor.textOf(S1), bench.editor.textOf(S3)]).toEqual(['7', '8']);
-      bench.write.dismiss();
-      bench.timer.core.onAnswer = undefined;
-      bench.adapter.replug();
-      await run(bench.session.connect());
-      bench.session.safe.value = true;
-      await run(bench.write.open());
-      await run(bench.write.start());
-      expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
-      expect(bench.timer.core.content.positions[2]?.[4]).toBe(8);
-    },
-  );
+    }
+    expect([bench.editor.textOf(S1), bench.editor.textOf(S3)]).toEqual(['7', '8']);
+
+    bench.timer.core.onAnswer = undefined;
+    bench.adapter.replug();
+    await idle();
+    expect(bench.session.link.state.value.status, 'it comes back by itself').toBe('on');
+    if (extent === 'part') {
+      expect(bench.write.current.value, 'what became of it stays in sight').toMatchObject({ step: 'done' });
+      expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent } });
+    } else {
+      expect(bench.session.recovery.offer.value, 'nothing was begun').toBeNull();
+    }
+    expect(bench.editor.changes.value).toHaveLength(3 - written);
+    bench.write.dismiss();
+    await run(bench.write.open());
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    expect(bench.session.recovery.offer.value).toBeNull();
+    expect(bench.timer.core.content.positions[2]?.[4]).toBe(8);
+  });
 
   it('says so when the plug is pulled before it begins', async () => {
     const bench = await reviewed();

@@ -1,8 +1,12 @@
 import type { TimerErrorCode } from '../../client/index.js';
 import type { FindingCode } from '../../program/index.js';
-import type { CommandName, RejectionReason } from '../../protocol/index.js';
 import type { ConnectionErrorCode } from '../../serial/index.js';
 import type { UnreadableReason } from '../units.js';
+import { edits } from './en-edits.js';
+import { help } from './en-help.js';
+import { line, report } from './en-line.js';
+import { about as aboutTimer, link, ports } from './en-link.js';
+import { backups, memories, recovery } from './en-recovery.js';
 
 /** A sentence that says what happened, and one that says what to do. */
 export interface Said {
@@ -19,16 +23,19 @@ const connection: Record<ConnectionErrorCode, Said> = {
   unsupported: {
     title: 'This browser cannot reach a timer.',
     advice:
-      'Web Serial works in Chrome, Edge and Opera (version 89 or later) and in Firefox (151 or later) on a computer, and in Chrome on Android over Bluetooth. Everything but the connection works here too.',
+      'Web Serial works in Chrome and Edge (version 89 or later), Opera (76) and Firefox (151) on a computer, and in Chrome on Android (138) over Bluetooth. Everything but the connection works here too.',
   },
   insecure: {
     title: 'The browser withholds serial ports from this page.',
-    advice: 'Open the page by its https address, or from this computer itself.',
+    advice: 'Open it by its https address. Everything but the connection works here too.',
+  },
+  policy: {
+    title: 'The server of this page forbids serial ports.',
+    advice: 'Open its own address in a tab of its own. Everything but the connection works here too.',
   },
   'nothing-chosen': {
     title: 'No port was chosen.',
-    advice:
-      'Click Connect again and pick the adapter of the timer. Is it not in the list: check the cable, the driver of the adapter, or pair the Bluetooth adapter first.',
+    advice: 'Click Connect again and pick the adapter of the timer; if it is not in the list, the steps below help.',
   },
   'not-allowed': {
     title: 'The browser does not allow serial ports here.',
@@ -38,14 +45,17 @@ const connection: Record<ConnectionErrorCode, Said> = {
     title: 'The port is in use.',
     advice: 'Close other programs and tabs that talk to the timer, then click Connect again.',
   },
+  'bad-settings': {
+    title: 'The adapter does not take these settings.',
+    advice: 'Choose another rate, or leave the rate to be found, then connect again.',
+  },
   unplugged: {
     title: 'The adapter is not plugged in.',
     advice: 'Plug it in, then click Connect again.',
   },
   'no-answer': {
     title: 'The timer did not answer.',
-    advice:
-      'Is it awake? Press its switch shortly. Is the infra-red head closer than 20 cm? Then click Connect again. Is another adapter plugged in as well: choose the other port.',
+    advice: 'Press its switch shortly, hold the infra-red head closer than 20 cm, and click Connect again.',
   },
   'bad-reply': {
     title: 'Something answered, but not as a timer does.',
@@ -53,7 +63,7 @@ const connection: Record<ConnectionErrorCode, Said> = {
   },
   lost: {
     title: 'The connection is gone.',
-    advice: 'The adapter was unplugged. Plug it in and click Connect. What you typed is kept.',
+    advice: 'Plug the adapter in again and click Connect: what you typed is kept.',
   },
 };
 
@@ -68,11 +78,21 @@ const timer: Record<TimerErrorCode, Said> = {
   },
   unstable: {
     title: 'The line is too noisy to be believed.',
-    advice: 'No two readings were the same. Move the infra-red head closer, shade it from the sun, and read again.',
+    advice: 'Too much came damaged. Move the infra-red head closer, shade it from the sun, and try again.',
   },
   'other-memory': {
     title: 'Another memory is current than the one on the screen.',
     advice: 'Nothing was written there. Read again before you write.',
+  },
+  'memory-unknown': {
+    title: 'This timer does not say which memory is current.',
+    advice:
+      'Other memories are not selected: nobody could tell which one to come back to. The current one can be read and written.',
+  },
+  'memory-left': {
+    title: 'Another memory may be current now than before.',
+    advice:
+      'The timer could not be set back to it, and would fly with the other one. Connect again and select the right memory before you fly.',
   },
   'other-timer': {
     title: 'Another timer answers than before.',
@@ -107,6 +127,26 @@ const notes = {
   'edits-set-aside': {
     title: 'Your edits of the other memory are kept.',
     advice: 'They come back when you read that memory again.',
+  },
+  'back-same': {
+    title: 'The timer is back.',
+    advice: 'It holds what it held before. Your edits are as they were.',
+  },
+  'back-changed': {
+    title: 'The timer is back, and holds other values than before.',
+    advice: 'The screen shows what it holds now. Something else changed it, or this is another timer.',
+  },
+  'other-kind': {
+    title: 'Another kind of timer is at this port now.',
+    advice: 'The screen shows what it holds. Edits for the other one are kept until it is read again.',
+  },
+  'write-completed': {
+    title: 'The interrupted write is complete.',
+    advice: 'The timer was read afresh and holds all that was to be written.',
+  },
+  'taken-over': {
+    title: 'Another tab of this program has taken the port over.',
+    advice: 'What you typed here is kept.',
   },
   'not-kept': {
     title: 'This browser does not keep what you type.',
@@ -147,30 +187,15 @@ const unreadable: Record<UnreadableReason, string> = {
   'not-a-whole-number': 'Not a whole number of steps.',
 };
 
-const lineNames: Record<CommandName, string> = {
-  GETTIMERS: 'Read times',
-  SETTIMERS: 'Write times',
-  GETSERVOPOS: 'Read positions',
-  SETSERVO: 'Write a position',
-  MOVETOFUNC: 'Move servos',
-  GETSWVER: 'Identify',
-  UNLOCK: 'Unlock motor',
-  JUMP2: 'Jump',
-  GETMEMORY: 'Which memory',
-  SETMEMORY: 'Select memory',
-  GETLOWRPM: 'Read idle throttle',
-  SETLOWRPM: 'Write idle throttle',
-};
-
-const rejected: Record<RejectionReason, string> = {
-  noise: 'Noise',
-  length: 'Damaged: length',
-  terminator: 'Damaged: end',
-  checksum: 'Damaged: checksum',
-  silence: 'Cut off',
-};
-
 const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+
+/** What a timeline shows, in the words of one sentence. */
+export interface TimelineFacts {
+  readonly servos: number;
+  readonly functions: number;
+  readonly dt: string;
+  readonly motorStop: string | null;
+}
 
 /** Everything that a person reads. Its type is what every language must give. */
 export const en = {
@@ -187,13 +212,10 @@ export const en = {
   header: {
     firmware: (firmware: string) => `firmware ${firmware}`,
     simulated: 'simulated',
-    notConnected: 'Not connected',
     connect: 'Connect',
     choosePort: 'Choose a port',
     simulatedTimer: 'Simulated',
     disconnect: 'Disconnect',
-    opening: 'Connecting',
-    choosing: 'Choose the port of the timer',
     stop: 'Stop',
   },
   start: {
@@ -244,6 +266,7 @@ export const en = {
     field: 'Value',
     from: 'Timer holds',
     to: 'Will hold',
+    wasRead: 'Was read',
     safety: 'The propeller is off or the model is held, and the timer is not armed.',
     acknowledge: 'I have read this and want to write it all the same.',
     start: (count: number) => (count === 0 ? 'Read back and compare' : `Write ${plural(count, 'change', 'changes')}`),
@@ -273,21 +296,8 @@ export const en = {
     putBack: 'changed by itself, put back',
     repeats: (count: number) => `The line was disturbed: ${plural(count, 'request was', 'requests were')} repeated.`,
   },
-  line: {
-    title: 'Line',
-    empty: 'Nothing was sent yet.',
-    time: 'Time',
-    direction: 'Direction',
-    message: 'Message',
-    bytes: 'Bytes',
-    out: 'to the timer',
-    in: 'from the timer',
-    request: (name: string, letters: string) => `${name} · ${letters}`,
-    reply: (name: string, letters: string) => `${name}, reply · ${letters}`,
-    unknown: 'Unknown',
-    names: lineNames,
-    rejected,
-  },
+  line,
+  report,
   byteOrder: {
     title: 'The times of this timer fall.',
     advice:
@@ -296,6 +306,85 @@ export const en = {
     exchange: 'Exchange and read again',
   },
   update: { ready: 'A new version is ready.', take: 'Use it now', later: 'It starts when you disconnect.' },
+  help,
+  otherTab: {
+    /** @param what empty while that tab has not read a timer. */
+    holds: (what: string, since: string) =>
+      `Another tab of this program holds the port${what === '' ? '' : `: ${what}`}, since ${since}.`,
+    takeOver: 'Take over',
+    asking: 'Asking the other tab',
+    writing: 'It is writing just now. Wait until it has finished.',
+    gone: 'It does not answer. Close it, then click Connect again.',
+  },
+  link,
+  ports,
+  aboutTimer,
+  recovery,
+  memories,
+  backups,
+  dateTime: { dateStyle: 'medium', timeStyle: 'short' } as const,
+  locale: 'en-GB',
+  edits,
+  timeline: {
+    title: 'Timeline',
+    picture: 'Servo positions over time',
+    description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
+      `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,
+    keys: 'Left and right go from mark to mark, plus and minus zoom, 0 shows all, Shift with an arrow moves along.',
+    keysToEdit:
+      'Left and right go from mark to mark, plus and minus zoom, 0 shows all, Shift with an arrow moves along. Enter goes to the handles, which the arrows move; Escape comes back.',
+    ask: 'Point or tap to read',
+    front: 'Servo with handles',
+    stands: (servo: string, position: number | string) => `${servo} ${position}`.trim(),
+    steps: (position: number) => plural(position, 'step', 'steps'),
+    unknownValue: '?',
+    notKnown: 'Not known: the times fall',
+    zero: '0 s',
+    tools: 'View',
+    even: 'Even seconds',
+    zoomIn: 'Closer',
+    zoomOut: 'Further',
+    fit: 'Show all',
+    asTable: 'As a table',
+    tableCaption: 'When each function begins and ends, and where the servos stand',
+    from: 'From',
+    until: 'Until',
+    motorRuns: 'Motor runs',
+    passing: { passed: 'passed over', back: 'not known' },
+    passedOver: (column: string, next: string) => `${column} is passed over: ${next} comes at the same time.`,
+    goesBack: (next: string, column: string) =>
+      `${next} comes before ${column}: what the timer does in the shaded part is not known. The dotted lines lead back in the order of the numbers.`,
+    more: (count: number) => `And ${count} more.`,
+  },
+  preview: {
+    title: 'Flight preview',
+    honest: 'A preview of the program, not of the timer: angles are not to scale.',
+    play: 'Play',
+    pause: 'Pause',
+    back: 'Event before',
+    forward: 'Next event',
+    speed: 'Speed',
+    times: (speed: number) => `${speed}×`,
+    time: 'Time of the flight',
+    sound: 'Ticks',
+    launch: 'Launch',
+    at: (what: string, time: string) => `${what} at ${time}`,
+    sideView: 'Side view',
+    topView: 'Top view',
+    surfaces: { rudder: 'Rudder', tailplane: 'Tailplane', wing: 'Wing' },
+    assign: 'What the servos move',
+    movedBy: (surface: string) => `${surface} is moved by`,
+    nothing: 'nothing',
+    reversed: 'reversed',
+    isReversed: (surface: string) => `${surface} reversed`,
+    surfaceStands: (surface: string, servo: string, position: number | string) => `${surface}: ${servo} at ${position}`,
+    motorRuns: 'Motor runs',
+    motorStopped: 'Motor stopped',
+    surfaceStill: (surface: string) => `${surface}: not moved`,
+  },
+  /** While a job goes on over a bad line. */
+  disturbed: (repeats: number, seconds: number) =>
+    `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds} s at the latest`,
   dismiss: 'Dismiss',
   connection,
   timer,

@@ -1,10 +1,11 @@
 import { signal } from '@preact/signals';
 import { columnKind, type Finding, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import type { KnownPort } from '../../serial/index.js';
 import { formatTime } from '../units.js';
 import { en } from './en.js';
 
-export type { Said } from './en.js';
+export type { Said, TimelineFacts } from './en.js';
 
 /** What every language must give: a missing sentence does not compile. */
 export type Messages = typeof en;
@@ -39,4 +40,18 @@ export function findingText({ code, params, field }: Finding): string {
 export function timerName({ timerClass }: Identity): string {
   const { classNames, unknownClass } = messages.value;
   return classNames[timerClass] ?? unknownClass(timerClass);
+}
+
+/** “FTDI adapter”, “USB adapter 1234:5678”. */
+export function portName({ kind, info }: Pick<KnownPort, 'kind' | 'info'>): string {
+  const { portNames, portNumbers } = messages.value.link;
+  if (kind !== 'usb') return portNames[kind];
+  const hex = (value: number | undefined): string => (value ?? 0).toString(16).padStart(4, '0');
+  return `${portNames.usb} ${portNumbers(hex(info.usbVendorId), hex(info.usbProductId))}`;
+}
+
+/** A day and a time of day, as they are written in this language. */
+export function dateText(time: number): string {
+  const { locale, dateTime } = messages.value;
+  return new Date(time).toLocaleString(locale, dateTime);
 }

@@ -1,14 +1,14 @@
 import { messages, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { LinkNotice } from './link-notice.js';
 import { NoticeBar } from './notice-bar.js';
 import { ProgressLine } from './progress-line.js';
 
 /** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
 export function Header() {
   const { session } = useModels();
-  const { name, header, program } = messages.value;
-  const link = session.link.value;
-  const job = session.job.value;
+  const { name, header } = messages.value;
+  const { status } = session.link.state.value;
   return (
     <header class="top">
       <div class="top-row">
@@ -18,29 +18,33 @@ export function Header() {
         </p>
         <LinkState />
         <div class="top-actions">
-          {link.status === 'off' && session.editor.working.value && <ConnectButtons />}
-          {link.status === 'opening' && (
-            <button type="button" onClick={() => void session.disconnect()}>
-              {header.stop}
-            </button>
-          )}
-          {link.status === 'on' && (
+          {status === 'off' && session.editor.working.value && <ConnectButtons />}
+          {status === 'on' && (
             <button type="button" class="quiet" onClick={() => void session.disconnect()}>
               {header.disconnect}
             </button>
           )}
         </div>
       </div>
-      {link.status === 'opening' && <ProgressLine label={header.opening} progress={null} />}
-      {job && (
-        <ProgressLine
-          label={job.kind === 'select' ? program.selecting : program.reading}
-          progress={job.progress}
-          onStop={() => job.stop.abort()}
-        />
-      )}
+      <LinkNotice />
+      <JobProgress />
       <NoticeBar />
     </header>
+  );
+}
+
+function JobProgress() {
+  const { session, memories } = useModels();
+  const { program } = messages.value;
+  const job = session.job.value;
+  // A job over several memories has a dialog of its own.
+  if (!job || memories.current.value) return null;
+  return (
+    <ProgressLine
+      label={job.kind === 'select' ? program.selecting : program.reading}
+      progress={job.progress}
+      onStop={() => job.stop.abort()}
+    />
   );
 }
 
@@ -53,10 +57,11 @@ export function ConnectButtons({ large = false }: { large?: boolean }) {
   const again = session.simulated.value
     ? (['Q', 'B'] as const).find((simulated) => simulated === timerClass)
     : undefined;
-  const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen' && notice.code !== 'lost';
+  const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
+  const choice = failed || (session.link.ports.value.length > 0 && !large);
   return (
     <>
-      {!session.unavailable && (
+      {!session.link.unavailable && (
         <button
           type="button"
           class={large ? 'primary large' : 'primary'}
@@ -71,7 +76,7 @@ export function ConnectButtons({ large = false }: { large?: boolean }) {
           {header.simulatedTimer}
         </button>
       )}
-      {failed && (
+      {choice && (
         <button type="button" disabled={session.busy.value} onClick={() => void session.connect(true)}>
           {header.choosePort}
         </button>
@@ -82,17 +87,17 @@ export function ConnectButtons({ large = false }: { large?: boolean }) {
 
 function LinkState() {
   const { session } = useModels();
-  const { header } = messages.value;
-  const link = session.link.value;
-  if (link.status === 'on') {
-    const { identity } = link.connection;
+  const { header, link } = messages.value;
+  const state = session.link.state.value;
+  if (state.status === 'on') {
+    const { identity } = state.connection;
     return (
       <p class="link-state on">
         <strong>{timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
-        {link.simulated && <span class="badge">{header.simulated}</span>}
+        {session.link.simulated.value && <span class="badge">{header.simulated}</span>}
       </p>
     );
   }
-  const text = { off: header.notConnected, choosing: header.choosing, opening: header.opening }[link.status];
-  return <p class="link-state">{text}</p>;
+  const busy = state.status === 'off' ? '' : 'busy';
+  return <p class={`link-state ${busy}`}>{link.status[state.status]}</p>;
 }

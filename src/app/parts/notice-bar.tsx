@@ -1,26 +1,33 @@
 import { messages, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
+import type { Platform } from '../platform.js';
 import type { Notice } from '../state/session.js';
+import { OtherTabNotice } from './other-tab-notice.js';
+import { connectionSaid, TroubleHelp } from './trouble-help.js';
 
 const CALM: ReadonlySet<Notice['code']> = new Set([
   'nothing-chosen',
   'edits-restored',
   'edits-kept',
   'edits-set-aside',
+  'back-same',
+  'write-completed',
+  'taken-over',
 ]);
 
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
 export function NoticeBar() {
-  const { session, update } = useModels();
+  const { session, update, tabs, platform } = useModels();
   const { dismiss, update: words } = messages.value;
   const notice = session.notice.value;
   const take = update.take.value;
+  const holder = tabs.holder.value;
   return (
     <div class="notices" role="status">
       {take && (
         <div class="notice">
           <p>
-            <strong>{words.ready}</strong> {session.link.value.status === 'off' ? '' : words.later}
+            <strong>{words.ready}</strong> {session.link.state.value.status === 'off' ? '' : words.later}
           </p>
           <button type="button" onClick={take}>
             {words.take}
@@ -28,12 +35,14 @@ export function NoticeBar() {
         </div>
       )}
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice />}
+      {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
-          <NoticeText said={said(notice)} />
+          <NoticeText said={said(notice, platform)} />
           <button type="button" class="quiet" onClick={() => (session.notice.value = null)}>
             {dismiss}
           </button>
+          {notice.kind === 'connection' && <TroubleHelp code={notice.code} platform={platform} info={notice.port} />}
         </div>
       )}
     </div>
@@ -48,10 +57,18 @@ function ByteOrderChoice() {
     <div class="notice bad">
       <NoticeText said={byteOrder} />
       <div class="buttons">
-        <button type="button" disabled={session.busy.value} onClick={() => void session.chooseByteOrder(false)}>
+        <button
+          type="button"
+          disabled={session.busy.value}
+          onClick={() => void session.assume({ bigEndianTimes: false })}
+        >
           {byteOrder.keep}
         </button>
-        <button type="button" disabled={session.busy.value} onClick={() => void session.chooseByteOrder(true)}>
+        <button
+          type="button"
+          disabled={session.busy.value}
+          onClick={() => void session.assume({ bigEndianTimes: true })}
+        >
           {byteOrder.exchange}
         </button>
       </div>
@@ -67,9 +84,9 @@ export function NoticeText({ said: { title, advice } }: { said: Said }) {
   );
 }
 
-function said(notice: Notice): Said {
-  const { connection, timer, notes } = messages.value;
-  if (notice.kind === 'connection') return connection[notice.code];
+function said(notice: Notice, platform: Platform): Said {
+  const { timer, notes } = messages.value;
+  if (notice.kind === 'connection') return connectionSaid(notice.code, platform);
   if (notice.kind === 'timer') return timer[notice.code];
   return notes[notice.code];
 }

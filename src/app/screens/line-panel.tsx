@@ -1,59 +1,44 @@
-import type { LineEntry } from '../../client/index.js';
-import { commandOf } from '../../protocol/index.js';
+import { useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { LineTable } from '../parts/line-table.js';
+import { LineTools } from '../parts/line-tools.js';
+import { RecordingBar } from '../parts/recording-bar.js';
+import { SendFrame } from '../parts/send-frame.js';
+import { FrameForm } from '../state/frame-form.js';
+import { LineView } from '../state/line-view.js';
 
-/** Everything that was on the line, newest first. */
+/** Everything that was on the line, or in a recording of one. While it is shut nothing of it is drawn. */
 export function LinePanel() {
   const { session } = useModels();
-  const { line } = messages.value;
-  const entries = [...session.log.entries.value].reverse();
+  const open = useSignal(false);
+  const view = useMemo(() => new LineView(session.log), [session]);
+  const form = useMemo(() => new FrameForm(session), [session]);
   return (
-    <details class="line">
-      <summary>{line.title}</summary>
-      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard */}
-      <section class="line-scroll" tabIndex={0} aria-label={line.title}>
-        <table>
-          <thead>
-            <tr>
-              <th scope="col">{line.time}</th>
-              <th scope="col">{line.direction}</th>
-              <th scope="col">{line.message}</th>
-              <th scope="col">{line.bytes}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {entries.map((entry, index) => (
-              <tr key={entries.length - index} class={entry.rejected ? 'damaged' : entry.direction}>
-                <td>{clockTime(entry.time)}</td>
-                <td>{entry.direction === 'out' ? line.out : line.in}</td>
-                <td>{messageName(entry)}</td>
-                <td class="bytes">{hex(entry.bytes)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
-      </section>
+    <details class="line" onToggle={(event) => (open.value = event.currentTarget.open)}>
+      <summary>{messages.value.line.title}</summary>
+      {open.value && <Opened view={view} form={form} />}
     </details>
   );
 }
 
-function messageName({ frame, rejected }: LineEntry): string {
-  const { line } = messages.value;
-  if (rejected) return line.rejected[rejected];
-  const command = frame && commandOf(frame.code);
-  if (!command) return line.unknown;
-  const name = line.names[command.name];
-  return command.direction === 'request' ? line.request(name, command.name) : line.reply(name, command.name);
-}
-
-function clockTime(time: number): string {
-  const date = new Date(time);
-  const two = (n: number): string => String(n).padStart(2, '0');
-  const seconds = `${two(date.getSeconds())}.${String(date.getMilliseconds()).padStart(3, '0')}`;
-  return `${two(date.getHours())}:${two(date.getMinutes())}:${seconds}`;
-}
-
-function hex(bytes: Uint8Array): string {
-  return [...bytes].map((byte) => byte.toString(16).padStart(2, '0')).join(' ');
+function Opened({ view, form }: { view: LineView; form: FrameForm }) {
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the button beside it takes a file too
+    <div
+      class="line-body"
+      onDragOver={(event) => event.preventDefault()}
+      onDrop={(event) => {
+        event.preventDefault();
+        const file = event.dataTransfer?.files[0];
+        if (file) void view.load(file);
+      }}
+    >
+      <LineTools view={view} />
+      <RecordingBar view={view} />
+      <LineTable view={view} />
+      <SendFrame form={form} />
+    </div>
+  );
 }

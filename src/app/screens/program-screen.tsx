@@ -1,7 +1,9 @@
 import { fieldKey } from '../../program/index.js';
 import { fieldLabel, messages, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { AboutTimer } from '../parts/about-timer.js';
 import { allNotes } from '../parts/field-notes.js';
+import { BackupsPanel, MemoriesPanel } from '../parts/memories-panel.js';
 import { ProgramTable } from '../parts/program-table.js';
 import { ValueField } from '../parts/value-field.js';
 
@@ -25,6 +27,9 @@ export function ProgramScreen() {
       <aside class="program-side">
         <Actions />
         <Checks />
+        <MemoriesPanel />
+        <BackupsPanel />
+        <AboutTimer />
       </aside>
     </div>
   );

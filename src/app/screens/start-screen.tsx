@@ -2,19 +2,22 @@ import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { ConnectButtons } from '../parts/header.js';
 import { NoticeText } from '../parts/notice-bar.js';
+import { PortList, SerialSettingsForm } from '../parts/port-list.js';
+import { connectionSaid, TroubleHelp } from '../parts/trouble-help.js';
 
 /** Before anything was read: Connect, or try a simulated timer. */
 export function StartScreen() {
-  const { session } = useModels();
-  const { start, connection, classNames } = messages.value;
-  const { unavailable } = session;
+  const { session, platform } = useModels();
+  const { start, classNames } = messages.value;
+  const { unavailable } = session.link;
   return (
     <div class="start-screen">
       <h1>{start.title}</h1>
       <p class="lead">{start.lead}</p>
       {unavailable ? (
         <div class="notice bad">
-          <NoticeText said={connection[unavailable]} />
+          <NoticeText said={connectionSaid(unavailable, platform)} />
+          <TroubleHelp code={unavailable} platform={platform} info={null} />
         </div>
       ) : (
         <div class="start-connect">
@@ -22,6 +25,8 @@ export function StartScreen() {
           <p class="hint">{start.connectHint}</p>
         </div>
       )}
+      {!unavailable && <PortList />}
+      {!unavailable && <SerialSettingsForm />}
       <section class="start-simulated">
         <h2>{start.simulatedTitle}</h2>
         <p>{start.simulatedLead}</p>

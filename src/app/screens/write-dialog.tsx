@@ -1,55 +1,39 @@
-import { useEffect, useRef } from 'preact/hooks';
 import type { WriteReport } from '../../client/index.js';
-import { type Change, fieldKey } from '../../program/index.js';
+import { type Change, fieldKey, type ProgramField, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, findingText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { Modal } from '../parts/modal.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
+import { SafetyCheck } from '../parts/safety-check.js';
 import { formatValue } from '../state/editor.js';
 
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog() {
   const { write, session } = useModels();
-  const dialog = useRef<HTMLDialogElement>(null);
   const current = write.current.value;
   const identity = session.editor.working.value?.identity;
-  const isOpen = current !== null && identity !== undefined;
-  useEffect(() => {
-    if (isOpen && !dialog.current?.open) dialog.current?.showModal();
-    if (!isOpen && dialog.current?.open) dialog.current.close();
-  }, [isOpen]);
+  const { write: words } = messages.value;
   return (
-    <dialog
-      ref={dialog}
-      class="write"
-      aria-labelledby="write-title"
-      onCancel={(event) => {
-        event.preventDefault();
-        write.escape();
-      }}
-      onClose={() => {
-        // A browser lets Escape be refused once, then closes all the same.
-        if (write.held) dialog.current?.showModal();
-        else write.dismiss();
-      }}
+    <Modal
+      open={current !== null && identity !== undefined}
+      title={words.title}
+      titleId="write-title"
+      held={write.held}
+      onEscape={() => write.escape()}
     >
       {current && identity && (
         <>
-          <h2 id="write-title">{messages.value.write.title}</h2>
           {current.step === 'review' && <Review identity={identity} />}
           {current.step === 'running' && (
-            <Running
-              stage={
-                current.progress ? messages.value.write.stages[current.progress.stage] : messages.value.write.title
-              }
-            />
+            <Running stage={current.progress ? words.stages[current.progress.stage] : words.title} />
           )}
           {current.step === 'done' && <Result identity={identity} report={current.report} />}
           {current.step === 'refused' && <Refused />}
         </>
       )}
-    </dialog>
+    </Modal>
   );
 }
 
@@ -59,14 +43,9 @@ function Review({ identity }: { identity: Identity }) {
   const { changes, working } = session.editor;
   const memory = working.value?.memory ?? null;
   const serious = write.serious.value;
-  const notice = session.notice.value;
   return (
     <>
-      {notice?.code === 'edits-moved' && (
-        <div class="notice bad">
-          <NoticeText said={messages.value.notes['edits-moved']} />
-        </div>
-      )}
+      <Conflicts identity={identity} />
       <p>
         {changes.value.length === 0
           ? words.nothing
@@ -93,14 +72,7 @@ function Review({ identity }: { identity: Identity }) {
           </label>
         </div>
       )}
-      <label class="check safety">
-        <input
-          type="checkbox"
-          checked={session.safe.value}
-          onChange={(event) => (session.safe.value = event.currentTarget.checked)}
-        />
-        {words.safety}
-      </label>
+      <SafetyCheck />
       <div class="buttons">
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
           {words.start(changes.value.length)}
@@ -110,6 +82,45 @@ function Review({ identity }: { identity: Identity }) {
         </button>
       </div>
     </>
+  );
+}
+
+/** What the timer held when the edits were made, and holds no more: side by side with what is about to be written. */
+function Conflicts({ identity }: { identity: Identity }) {
+  const { session } = useModels();
+  const { write, notes } = messages.value;
+  const { conflicts, working } = session.editor;
+  const changes = [...conflicts.value.values()];
+  const shown = (field: ProgramField, value: number | null): string =>
+    value === null ? write.status.unknown : formatValue(field, value);
+  if (changes.length === 0 || !working.value) return null;
+  const wanted = working.value;
+  return (
+    <div class="notice bad">
+      <NoticeText said={notes['edits-moved']} />
+      <table class="difference">
+        <thead>
+          <tr>
+            <th scope="col">{write.field}</th>
+            <th scope="col">{write.wasRead}</th>
+            <th scope="col">{write.held}</th>
+            <th scope="col">{write.to}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {changes.map(({ field, from, to }) => (
+            <tr key={fieldKey(field)}>
+              <th scope="row">{fieldLabel(identity, field)}</th>
+              <td>{shown(field, from)}</td>
+              <td>{shown(field, to)}</td>
+              <td>
+                <strong>{shown(field, valueAt(wanted, field))}</strong>
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
   );
 }
 

@@ -36,6 +36,8 @@ export class Editor {
   readonly baseline = signal<TimerProgram | null>(null, { name: 'baseline' });
   readonly working = signal<TimerProgram | null>(null, { name: 'working' });
   readonly #typed = signal<ReadonlyMap<string, Typed>>(new Map(), { name: 'typed' });
+  /** What the timer held where it has changed under the pilot's edits, by field: `from` when they were made, `to` by the last read. */
+  readonly conflicts = signal<ReadonlyMap<string, Change>>(new Map(), { name: 'conflicts' });
 
   /** What differs from the timer. */
   readonly changes: ReadonlySignal<readonly Change[]> = computed(() => {
@@ -107,9 +109,15 @@ export class Editor {
 
   /** Puts everything back to what the timer holds. */
   revertAll(): void {
+    if (this.baseline.value) this.replace(this.baseline.value);
+    this.conflicts.value = new Map();
+  }
+
+  /** Puts a whole program of the same layout in the place of what the pilot wants. */
+  replace(program: TimerProgram): void {
     batch(() => {
       this.#typed.value = new Map();
-      this.working.value = this.baseline.value;
+      this.working.value = program;
     });
   }
 
@@ -128,6 +136,7 @@ export class Editor {
       wanted !== null &&
       differences(before, read).some(({ field, to }) => valueAt(wanted, field) !== to);
     batch(() => {
+      this.#noteConflicts(moved && before ? differences(before, read) : []);
       this.baseline.value = read;
       this.working.value = edits.reduce(
         (program, { field, to }) => (to === null ? program : withValue(program, field, to)),
@@ -139,6 +148,14 @@ export class Editor {
       this.#forget([...this.#typed.value.keys()].filter((key) => !stays.has(key)));
     });
     return moved;
+  }
+
+  /** A write was read back: whatever was in conflict is decided. */
+  wrote(held: TimerProgram): void {
+    batch(() => {
+      this.rebase(held);
+      this.conflicts.value = new Map();
+    });
   }
 
   /** What has to be kept to come back to this point. */
@@ -163,6 +180,7 @@ export class Editor {
         return text === undefined ? [] : [[fieldKey(field), { field, text }]];
       });
       this.#typed.value = new Map(typed);
+      this.conflicts.value = new Map();
     });
     return true;
   }
@@ -173,7 +191,19 @@ export class Editor {
       this.baseline.value = null;
       this.working.value = null;
       this.#typed.value = new Map();
+      this.conflicts.value = new Map();
     });
+  }
+
+  /** Several readings one after the other: what counts is what was held when the edits were made. */
+  #noteConflicts(changes: readonly Change[]): void {
+    if (changes.length === 0) return;
+    const noted = new Map(this.conflicts.value);
+    for (const change of changes) {
+      const key = fieldKey(change.field);
+      noted.set(key, { ...change, from: noted.get(key)?.from ?? change.from });
+    }
+    this.conflicts.value = new Map([...noted].filter(([, { from, to }]) => from !== to));
   }
 
   #forget(keys: readonly string[]): void {

@@ -1,18 +1,145 @@
-import { signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { LineEntry } from '../../client/index.js';
+import { COMMANDS, decodeReply, type Identity, type Layout, type LayoutQuirks } from '../../protocol/index.js';
 
 /** More than a pilot scrolls through, and little enough to keep for a whole day. */
 const KEPT = 500;
 
-/** What was last on the line, newest last. */
+/** One thing on the line, as it is kept. */
+export interface LineRecord extends LineEntry {
+  /** Counts from 1 and is never used again, not even after clearing. */
+  readonly number: number;
+  /** What was known of the timer by then: how its messages are to be read. */
+  readonly layout: Layout;
+}
+
+/** What was on the line since the log was cleared, also what is no longer kept. */
+export interface LineCounts {
+  /** Frames to the timer. */
+  readonly out: number;
+  /** Frames from the timer. */
+  readonly in: number;
+  /** Pieces that belong to no frame. */
+  readonly damaged: number;
+  /** Errors that the port reported. */
+  readonly errors: number;
+}
+
+const NOTHING: LineCounts = { out: 0, in: 0, damaged: 0, errors: 0 };
+
+/**
+ * Gives each entry its number and what is known of the timer by then: what it last said of itself.
+ * @param quirks what is taken for true of the timer now.
+ */
+export function recorder(quirks: () => LayoutQuirks = () => ({})): (entry: LineEntry) => LineRecord {
+  let number = 0;
+  let identity: Identity | undefined;
+  return (entry) => {
+    if (isReplyToIdentify(entry)) identity = identityIn(entry);
+    number++;
+    return { ...entry, number, layout: { identity, quirks: quirks() } };
+  };
+}
+
+/**
+ * What was last on the line: a ring of {@link KEPT} entries that never grows. Adding costs the same however many there are; the list is
+ * made when somebody looks, and the screen is told once for all that came together.
+ */
 export class LineLog {
-  readonly entries = signal<readonly LineEntry[]>([], { name: 'line' });
+  /** Newest last. */
+  readonly entries: ReadonlySignal<readonly LineRecord[]> = computed(() => {
+    this.#version.value;
+    return [...this.#ring.slice(this.#oldest), ...this.#ring.slice(0, this.#oldest)];
+  });
+  readonly counts: ReadonlySignal<LineCounts> = computed(() => {
+    this.#version.value;
+    return { ...this.#counts };
+  });
+  /** The number of the newest entry that ever was; 0 before the first. */
+  readonly newest: ReadonlySignal<number> = computed(() => {
+    this.#version.value;
+    return this.#newest;
+  });
+  /** Whether anything was ever on the line. */
+  readonly used: ReadonlySignal<boolean> = computed(() => this.newest.value > 0);
+  readonly #version = signal(0, { name: 'line' });
+  readonly #ring: LineRecord[] = [];
+  readonly #record: (entry: LineEntry) => LineRecord;
+  /** Where the oldest entry stands once the ring is full; the next one takes its place. */
+  #oldest = 0;
+  #newest = 0;
+  #counts = NOTHING;
+  #asked: LineRecord | undefined;
+  #introduction: readonly LineRecord[] = [];
+  #telling = false;
+
+  /** @param quirks what is taken for true of the timer now: how its messages are to be read. */
+  constructor(quirks?: () => LayoutQuirks) {
+    this.#record = recorder(quirks);
+  }
 
   readonly add = (entry: LineEntry): void => {
-    this.entries.value = [...this.entries.value.slice(1 - KEPT), entry];
+    const record = this.#record(entry);
+    this.#newest = record.number;
+    if (this.#ring.length < KEPT) {
+      this.#ring.push(record);
+    } else {
+      this.#ring[this.#oldest] = record;
+      this.#oldest = (this.#oldest + 1) % KEPT;
+    }
+    this.#counts = counted(this.#counts, record);
+    this.#noteIntroduction(record);
+    this.#tell();
   };
 
   clear(): void {
-    this.entries.value = [];
+    this.#ring.length = 0;
+    this.#oldest = 0;
+    this.#counts = NOTHING;
+    this.#tell();
+  }
+
+  /**
+   * Entries of this log, behind the exchange in which the timer last said what it is where that is older than they are: without it
+   * they could neither be read nor replayed.
+   */
+  introduced(records: readonly LineRecord[]): readonly LineRecord[] {
+    const first = records[0]?.number ?? 0;
+    return [...this.#introduction.filter(({ number }) => number < first), ...records];
+  }
+
+  #noteIntroduction(record: LineRecord): void {
+    if (record.direction === 'out' && record.frame) this.#asked = record;
+    if (!isReplyToIdentify(record) || !record.layout.identity) return;
+    if (this.#asked?.frame?.code === COMMANDS.GETSWVER.request) this.#introduction = [this.#asked, record];
+  }
+
+  /** Once for all that comes in one go. */
+  #tell(): void {
+    if (this.#telling) return;
+    this.#telling = true;
+    queueMicrotask(() => {
+      this.#telling = false;
+      this.#version.value++;
+    });
+  }
+}
+
+function counted(counts: LineCounts, { direction, rejected, error }: LineEntry): LineCounts {
+  const kind = error ? 'errors' : rejected ? 'damaged' : direction;
+  return { ...counts, [kind]: counts[kind] + 1 };
+}
+
+function isReplyToIdentify({ direction, frame }: LineEntry): boolean {
+  return direction === 'in' && frame?.code === COMMANDS.GETSWVER.reply;
+}
+
+/** What the timer says of itself; undefined when that cannot be. */
+function identityIn({ frame }: LineEntry): Identity | undefined {
+  try {
+    const reply = frame && decodeReply(frame);
+    return reply?.name === 'GETSWVER' ? reply.identity : undefined;
+  } catch {
+    return undefined;
   }
 }

@@ -1,57 +1,79 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
-import { type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
-import type { TimerProgram } from '../../program/index.js';
+import { type AssumedQuirks, type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
+import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
+import type { CaptureEntry } from '../../protocol/index.js';
 import {
-  availability,
-  ConnectionError,
   type ConnectionErrorCode,
-  choosePort,
-  connect,
-  rememberedPorts,
+  type LinkState,
+  type PortInfo,
+  portKey,
   type SerialPortLike,
   type Surroundings,
   type TimerConnection,
 } from '../../serial/index.js';
-import type { Draft, DraftStore } from '../storage/drafts.js';
+import type { Backup, Draft, Storage } from '../storage/index.js';
+import { Backups } from './backups.js';
 import { Editor } from './editor.js';
+import { kindKey, programKey } from './keys.js';
 import { LineLog } from './line-log.js';
+import { Link } from './link.js';
+import { Recovery } from './recovery.js';
 
-/** Where the wire to a timer stands. */
-export type Link =
-  | { readonly status: 'off' }
-  | { readonly status: 'choosing' }
-  | { readonly status: 'opening'; readonly stop: AbortController }
-  | { readonly status: 'on'; readonly connection: TimerConnection; readonly simulated: boolean };
+/** What there is to say beside errors. */
+export type NoteCode =
+  | 'edits-restored'
+  | 'edits-kept'
+  | 'edits-moved'
+  | 'edits-set-aside'
+  | 'back-same'
+  | 'back-changed'
+  | 'other-kind'
+  | 'write-completed'
+  | 'taken-over'
+  | 'not-kept'
+  | 'unexpected';
 
 /** Something to say to the pilot, by code: the sentence stands in messages/. */
 export type Notice =
-  | { readonly kind: 'connection'; readonly code: ConnectionErrorCode }
-  | { readonly kind: 'timer'; readonly code: TimerErrorCode }
   | {
-      readonly kind: 'note';
-      readonly code: 'edits-restored' | 'edits-kept' | 'edits-moved' | 'edits-set-aside' | 'not-kept' | 'unexpected';
-    };
+      readonly kind: 'connection';
+      readonly code: ConnectionErrorCode;
+      readonly port: PortInfo | null;
+      /** See `portKey`; null when no port is meant. */
+      readonly portKey: string | null;
+    }
+  | { readonly kind: 'timer'; readonly code: TimerErrorCode }
+  | { readonly kind: 'note'; readonly code: NoteCode };
 
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
-  readonly kind: 'read' | 'select';
+  readonly kind: 'read' | 'select' | 'memories';
   /** The memory that is being made current; null when the job is another. */
   readonly memory: number | null;
   readonly progress: Progress | null;
   readonly stop: AbortController;
 }
 
+/** What a job is handed: the way to stop it, and the ear for how far it has come. */
+export interface JobOptions {
+  readonly signal: AbortSignal;
+  readonly onProgress: (progress: Progress) => void;
+}
+
 export interface SessionOptions {
   readonly surroundings: Surroundings;
-  readonly store: Pick<DraftStore, 'save' | 'remove' | 'load' | 'newest'>;
+  readonly storage: Storage;
   readonly plugSimulated: (timerClass: 'Q' | 'B') => SerialPortLike;
+  readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
 }
 
 /** One pilot, one wire, one program on the screen. */
 export class Session {
   readonly editor = new Editor();
-  readonly log = new LineLog();
-  readonly link = signal<Link>({ status: 'off' }, { name: 'link' });
+  readonly log: LineLog = new LineLog(() => this.connection?.peek()?.client.quirksAssumed ?? {});
+  readonly backups: Backups;
+  readonly recovery: Recovery;
+  readonly link: Link;
   readonly job = signal<Job | null>(null, { name: 'job' });
   readonly notice = signal<Notice | null>(null, { name: 'notice' });
   /** Propeller off or model held, timer not armed: asked once for each connection. */
@@ -60,79 +82,95 @@ export class Session {
   readonly byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
   /** Whether the program on the screen is of the simulated timer. */
   readonly simulated = signal(false, { name: 'simulated' });
-  /** A job, or the opening of a port, holds the wire. */
-  readonly busy: ReadonlySignal<boolean> = computed(
-    () => this.job.value !== null || this.link.value.status === 'choosing' || this.link.value.status === 'opening',
-  );
-  readonly connection: ReadonlySignal<TimerConnection | null> = computed(() =>
-    this.link.value.status === 'on' ? this.link.value.connection : null,
-  );
-  /** Why there can be no wire here at all; null when there can. */
-  readonly unavailable: 'insecure' | 'unsupported' | null;
+  readonly connection: ReadonlySignal<TimerConnection | null>;
+  /** A job, or the way to a timer, holds the wire. */
+  readonly busy: ReadonlySignal<boolean>;
   readonly #options: SessionOptions;
   /** What was typed since the page was opened, also where the browser keeps nothing. */
   readonly #drafts = new Map<string, Draft>();
   #saving: Promise<unknown> = Promise.resolve();
-  #closing: Promise<unknown> = Promise.resolve();
+  #arriving: Promise<unknown> = Promise.resolve();
   #savedKey: string | null = null;
+  /** A way to a timer was asked for and has not begun yet. */
+  readonly #setOut = signal(false, { name: 'setOut' });
+  /** The timer was away, or silent, and has come back. */
+  #returning = false;
 
   constructor(options: SessionOptions) {
     this.#options = options;
-    this.unavailable = availability(options.surroundings);
+    this.backups = new Backups(options.storage.backups);
+    this.recovery = new Recovery(options.storage.unfinished, this.backups);
+    this.link = new Link({
+      surroundings: options.surroundings,
+      ports: options.storage.ports,
+      onLine: this.log.add,
+      onState: (state, before) => this.#follow(state, before),
+    });
+    this.connection = this.link.connection;
+    this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
   }
 
   /** Brings back what a reload or a crash interrupted, and keeps from now on what is typed. */
   async start(): Promise<void> {
-    const draft = await this.#options.store.newest().catch(() => {
+    const drafts = await this.#options.storage.drafts.all().catch((): Draft[] => {
       this.notice.value = { kind: 'note', code: 'not-kept' };
-      return undefined;
+      return [];
     });
+    const [draft] = drafts.sort((a, b) => b.savedAt - a.savedAt);
     if (draft && !this.editor.working.value && this.editor.restore(draft)) {
       this.simulated.value = draft.simulated;
       this.notice.value ??= { kind: 'note', code: 'edits-restored' };
     }
+    await Promise.all([this.backups.load(), this.link.start()]);
     effect(() => this.#keep());
   }
 
   /**
-   * Connects to the port that was used before if there is just one, else to the one that the pilot chooses. A timer that is connected
-   * and has not been read is read.
+   * Connects to the port that was used last, or is the only one that is known, else to the one that the pilot chooses. A timer that is
+   * connected and has not been read is read.
    * @param choose asks for a port in any case.
+   * @returns when the timer was read, or when it has to be waited for.
    */
   async connect(choose = false): Promise<void> {
-    const { serial } = this.#options.surroundings;
-    if (!serial || this.busy.value) return;
-    if (this.connection.value) return void (await this.read());
-    this.notice.value = null;
-    this.link.value = { status: 'choosing' };
-    try {
-      const [only, ...more] = choose ? [] : await rememberedPorts(serial);
-      await this.#open(only && more.length === 0 ? only : await choosePort(serial), false);
-    } catch (error) {
-      this.#fail(error);
-      this.link.value = { status: 'off' };
-    }
+    if (!this.#options.surroundings.serial || this.busy.value) return;
+    if (this.connection.value && !choose) return void (await this.read());
+    await this.#goTo(async () => {
+      await this.link.refresh();
+      const [first, ...more] = choose ? [] : this.link.ports.value;
+      const sure = first && (more.length === 0 || this.link.recordOf(first.key));
+      return sure ? () => this.link.connect(first.port) : () => this.link.choose();
+    });
+  }
+
+  /** Connects to one of the ports that are known. */
+  async connectTo(port: SerialPortLike): Promise<void> {
+    await this.#goTo(async () => () => this.link.connect(port));
   }
 
   async trySimulated(timerClass: 'Q' | 'B'): Promise<void> {
-    if (this.busy.value) return;
-    void this.disconnect();
-    this.notice.value = null;
-    await this.#open(this.#options.plugSimulated(timerClass), true);
+    await this.#goTo(async () => {
+      await this.recovery.forgetSimulated();
+      return () => this.link.connectSimulated(this.#options.plugSimulated(timerClass));
+    });
+  }
+
+  /** Connects to a timer that answers as another one did while its line was recorded. */
+  async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
+    await this.#goTo(async () => () => this.link.connectSimulated(this.#options.plugRecording(entries)));
   }
 
   /** Stops what is under way, lets the last request end and closes the port. What was typed stays on the screen. */
   async disconnect(): Promise<void> {
-    const link = this.link.value;
-    if (link.status === 'opening') return link.stop.abort();
-    if (link.status !== 'on') return;
     this.job.value?.stop.abort();
+    const wasOn = this.connection.value !== null;
+    const closing = this.link.stop();
     batch(() => {
-      this.link.value = { status: 'off' };
       this.notice.value = null;
-      if (!this.editor.dirty.value) this.editor.clear();
+      this.recovery.meet();
+      if (wasOn && !this.editor.dirty.value) this.editor.clear();
     });
-    await this.#close(link.connection);
+    await closing;
+    await this.link.refresh();
   }
 
   /**
@@ -140,81 +178,38 @@ export class Session {
    * @returns whether it was read.
    */
   async read(): Promise<boolean> {
-    return await this.#run(null, async (connection, options) =>
-      this.#show(await connection.client.readProgram(options)),
-    );
+    return await this.run('read', null, async ({ client }, options) => this.#show(await client.readProgram(options)));
   }
 
   /** Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. */
-  async selectMemory(memory: number): Promise<void> {
-    await this.#run(memory, async ({ client }, options) => {
+  async selectMemory(memory: number): Promise<boolean> {
+    return await this.run('select', memory, async ({ client }, options) => {
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options));
     });
   }
 
-  /** The pilot has chosen how the timer writes its times: they are read again that way. */
-  async chooseByteOrder(bigEndianTimes: boolean): Promise<void> {
+  /** The pilot has said how this timer is: it is read again that way. */
+  async assume(quirks: AssumedQuirks): Promise<void> {
     if (this.busy.value) return;
-    this.connection.value?.client.assume({ bigEndianTimes });
+    await this.link.assume(quirks);
     await this.read();
   }
 
-  /** Says that something went wrong, in the pilot's words. */
-  report(error: unknown): void {
-    this.#fail(error);
-  }
-
-  async #open(port: SerialPortLike, simulated: boolean): Promise<void> {
-    const stop = new AbortController();
-    this.link.value = { status: 'opening', stop };
-    let connection: TimerConnection;
-    await this.#closing;
-    try {
-      connection = await connect(port, { signal: stop.signal, onLine: this.log.add });
-    } catch (error) {
-      batch(() => {
-        this.#fail(error);
-        this.link.value = { status: 'off' };
-      });
-      return;
-    }
-    batch(() => {
-      this.safe.value = false;
-      this.byteOrderOpen.value = false;
-      this.link.value = { status: 'on', connection, simulated };
-    });
-    void connection.lost.then((error) => this.#lost(connection, error));
-    await this.read();
-  }
-
-  async #lost(connection: TimerConnection, error: ConnectionError): Promise<void> {
-    if (this.connection.value !== connection) return;
-    batch(() => {
-      this.link.value = { status: 'off' };
-      this.notice.value = { kind: 'connection', code: error.code };
-    });
-    await this.#close(connection);
-  }
-
-  /** Closes a port. Whoever opens one next waits for that: it may be the same. */
-  async #close(connection: TimerConnection): Promise<void> {
-    this.#closing = Promise.all([this.#closing, connection.close()]);
-    await this.#closing;
-  }
-
-  async #run(
+  /**
+   * Runs one job on the wire and says what went wrong with it. A timer that no longer answers is waited for.
+   * @returns whether it came to its end.
+   */
+  async run(
+    kind: Job['kind'],
     memory: number | null,
-    work: (
-      connection: TimerConnection,
-      options: { signal: AbortSignal; onProgress: (progress: Progress) => void },
-    ) => Promise<void>,
+    work: (connection: TimerConnection, options: JobOptions) => Promise<void>,
   ): Promise<boolean> {
     const connection = this.connection.value;
     if (!connection || this.busy.value) return false;
     const stop = new AbortController();
     const begin = (progress: Progress | null): void => {
-      this.job.value = { kind: memory === null ? 'read' : 'select', memory, progress, stop };
+      this.job.value = { kind, memory, progress, stop };
     };
     this.notice.value = null;
     begin(null);
@@ -222,36 +217,111 @@ export class Session {
       await work(connection, { signal: stop.signal, onProgress: begin });
       return true;
     } catch (error) {
-      // A lost port says so itself, once.
-      if (this.connection.value === connection) this.#fail(error);
+      // A lost port says so itself, once; that another memory was left current is said in any case.
+      const isLeft = error instanceof TimerError && error.code === 'memory-left';
+      if (isLeft || this.connection.value === connection) this.report(error);
       return false;
     } finally {
       this.job.value = null;
     }
   }
 
+  /** Says that something went wrong, in the pilot's words; waits for a timer that does not answer. */
+  report(error: unknown): void {
+    if (!(error instanceof TimerError)) this.say('unexpected');
+    else if (error.code === 'no-answer') this.link.wait();
+    else if (error.code !== 'aborted' && error.code !== 'closed') {
+      this.notice.value = { kind: 'timer', code: error.code };
+    }
+  }
+
+  say(code: NoteCode): void {
+    this.notice.value = { kind: 'note', code };
+  }
+
+  /** What was kept becomes what the pilot wants; nothing is written. */
+  showBackup({ program }: Backup): void {
+    const { working } = this.editor;
+    if (!working.value || !sameLayout(working.value.identity, program.identity)) return;
+    const idleThrottle = program.idleThrottle ?? working.value.idleThrottle;
+    this.editor.replace({ ...working.value, timers: program.timers, positions: program.positions, idleThrottle });
+  }
+
+  /** Goes to a timer: finds out how, goes, and settles when it was read or has to be waited for. Only one way at a time. */
+  async #goTo(find: () => Promise<() => Promise<void>>): Promise<void> {
+    if (this.busy.value) return;
+    this.notice.value = null;
+    this.#setOut.value = true;
+    let going: Promise<void>;
+    try {
+      going = (await find())();
+    } finally {
+      this.#setOut.value = false;
+    }
+    await going;
+    await this.#arriving;
+  }
+
+  #follow(state: LinkState, before: LinkState): void {
+    if (state.status === 'away' || (state.status === 'waiting' && before.status === 'on')) this.#returning = true;
+    if (state.status === 'on') {
+      this.#arriving = this.#arrive();
+      return;
+    }
+    this.job.value?.stop.abort();
+    if (state.status !== 'off') return;
+    this.#returning = false;
+    if (!state.error) return;
+    const port = 'info' in before ? before.info : 'port' in before ? before.port.getInfo() : null;
+    this.notice.value = {
+      kind: 'connection',
+      code: state.error.code,
+      port,
+      portKey: port && portKey(port),
+    };
+    void this.link.refresh();
+  }
+
+  /** A timer has said what it is: reads what it holds. */
+  async #arrive(): Promise<void> {
+    batch(() => {
+      this.safe.value = false;
+      this.byteOrderOpen.value = false;
+      this.recovery.meet();
+    });
+    await Promise.all([this.link.remember(), this.read()]);
+  }
+
   /** Shows what was read, with the edits that belong to it. */
   async #show(read: TimerProgram): Promise<void> {
-    const link = this.link.value;
-    const simulated = link.status === 'on' && link.simulated;
-    const key = draftKey(read, simulated);
+    const simulated = this.link.simulated.value;
+    const key = programKey(read, simulated);
     const { editor } = this;
     const before = editor.working.value;
-    const same = before !== null && draftKey(before, this.simulated.value) === key;
+    const held = editor.baseline.value;
+    const same = before !== null && programKey(before, this.simulated.value) === key;
+    const otherKind =
+      before !== null && kindKey(before.identity, this.simulated.value) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
     await this.#saving;
     const draft = same
       ? undefined
-      : (this.#drafts.get(key) ?? (await this.#options.store.load(key).catch(() => undefined)));
+      : (this.#drafts.get(key) ?? (await this.#options.storage.drafts.load(key).catch(() => undefined)));
+    const completed = await this.recovery.look(read, simulated);
+    const returning = this.#returning;
+    this.#returning = false;
     batch(() => {
       if (!same) editor.clear();
       if (draft && editor.restore(draft)) this.#savedKey = key;
       const moved = editor.rebase(read);
-      this.byteOrderOpen.value = link.status === 'on' && link.connection.client.byteOrderOpen;
+      this.byteOrderOpen.value = this.connection.value?.client.byteOrderOpen ?? false;
       this.simulated.value = simulated;
-      if (moved) this.notice.value = { kind: 'note', code: 'edits-moved' };
-      else if (draft && editor.dirty.value) this.notice.value = { kind: 'note', code: 'edits-kept' };
-      else if (setAside) this.notice.value = { kind: 'note', code: 'edits-set-aside' };
+      if (completed) this.say('write-completed');
+      else if (moved) this.say('edits-moved');
+      else if (draft && editor.dirty.value) this.say('edits-kept');
+      else if (returning && otherKind) this.say('other-kind');
+      else if (setAside) this.say('edits-set-aside');
+      else if (returning && same && held) this.say(differences(held, read).length === 0 ? 'back-same' : 'back-changed');
     });
   }
 
@@ -261,29 +331,14 @@ export class Session {
     const dirty = this.editor.dirty.value;
     const simulated = this.simulated.value;
     if (!content) return;
-    const key = draftKey(content.working, simulated);
+    const key = programKey(content.working, simulated);
     if (!dirty && this.#savedKey !== key) return;
     this.#savedKey = dirty ? key : null;
-    const { store } = this.#options;
+    const { drafts } = this.#options.storage;
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
     if (dirty) this.#drafts.set(key, draft);
     else this.#drafts.delete(key);
-    const work = dirty ? () => store.save(draft) : () => store.remove(key);
-    this.#saving = this.#saving.then(work).catch(() => {
-      this.notice.value = { kind: 'note', code: 'not-kept' };
-    });
+    const work = dirty ? () => drafts.save(draft) : () => drafts.remove(key);
+    this.#saving = this.#saving.then(work).catch(() => this.say('not-kept'));
   }
-
-  #fail(error: unknown): void {
-    if (error instanceof ConnectionError) this.notice.value = { kind: 'connection', code: error.code };
-    else if (!(error instanceof TimerError)) this.notice.value = { kind: 'note', code: 'unexpected' };
-    else if (error.code !== 'aborted' && error.code !== 'closed')
-      this.notice.value = { kind: 'timer', code: error.code };
-  }
-}
-
-/** Where the work on a program is kept: by kind of timer and memory, since nothing tells one timer from another of its kind. */
-function draftKey({ identity, memory }: TimerProgram, simulated: boolean): string {
-  const { timerClass, firmware, functions, servos } = identity;
-  return [simulated ? 'simulated' : 'timer', timerClass, firmware, functions, servos, memory ?? '?'].join('/');
 }

@@ -22,7 +22,7 @@ export class UpdateOffer {
   readonly whenFree = (callback: () => void): void => {
     let waiting = true;
     effect(() => {
-      if (!waiting || this.#session.link.value.status !== 'off') return;
+      if (!waiting || this.#session.link.state.value.status !== 'off') return;
       waiting = false;
       queueMicrotask(callback);
     });

@@ -67,20 +67,31 @@ export class WriteFlow {
       this.current.value = { step: 'running', progress, stop, stopping: stop.signal.aborted };
     };
     running(null);
+    const { recovery, simulated } = this.#session;
+    const isSimulated = simulated.value;
+    // The goal and a backup are kept before the first byte: whatever happens, what the timer holds can be explained.
+    const kept = editor.changes.value.length === 0 || (await recovery.begin(baseline, working, isSimulated));
+    if (!kept) this.#session.say('not-kept');
     try {
       const options = { baseline, signal: stop.signal, onProgress: running };
       const report = await connection.value.client.writeProgram(working, options);
+      // What was read back to its end needs no finding out at the next meeting.
+      if (report.held && report.stopped) await recovery.look(report.held, isSimulated);
+      else if (report.held) await recovery.ended(baseline, isSimulated);
       batch(() => {
-        if (report.held) editor.rebase(report.held);
+        if (report.held) editor.wrote(report.held);
         this.current.value = { step: 'done', report, stays: report.result !== 'verified' || stop.signal.aborted };
       });
+      if (report.stopped?.code === 'no-answer') this.#session.report(report.stopped);
     } catch (error) {
-      if (error instanceof TimerError) {
+      // Nothing has been written yet.
+      await recovery.ended(baseline, isSimulated);
+      if (error instanceof TimerError && error.code !== 'port-lost') {
         this.current.value = error.code === 'aborted' ? null : { step: 'refused', error };
         return;
       }
       this.current.value = null;
-      this.#session.report(error);
+      if (!(error instanceof TimerError)) this.#session.report(error);
     }
   }
 

@@ -1,0 +1,205 @@
+import type { LineErrorKind } from '../../client/index.js';
+import type { CodecErrorCode, Command, CommandName, RejectionReason } from '../../protocol/index.js';
+import type { FrameFault } from '../state/frame-form.js';
+import type { LineFilter } from '../state/line-view.js';
+import type { RecordingFault } from '../state/recording.js';
+
+const count = (number: number, one: string, many: string): string => `${number} ${number === 1 ? one : many}`;
+
+const names: Record<CommandName, string> = {
+  GETTIMERS: 'Read times',
+  SETTIMERS: 'Write times',
+  GETSERVOPOS: 'Read positions',
+  SETSERVO: 'Write a position',
+  MOVETOFUNC: 'Move servos',
+  GETSWVER: 'Identify',
+  UNLOCK: 'Unlock motor',
+  JUMP2: 'Jump',
+  GETMEMORY: 'Which memory',
+  SETMEMORY: 'Select memory',
+  GETLOWRPM: 'Read idle throttle',
+  SETLOWRPM: 'Write idle throttle',
+};
+
+const rejected: Record<RejectionReason, string> = {
+  noise: 'Noise',
+  length: 'Damaged: length',
+  terminator: 'Damaged: end',
+  checksum: 'Damaged: checksum',
+  silence: 'Cut off',
+};
+
+const rejectedMeaning: Record<RejectionReason, string> = {
+  noise: 'These bytes belong to no frame.',
+  length: 'A frame begins here, and its length cannot be.',
+  terminator: 'A frame begins here and does not end where its length says.',
+  checksum: 'A frame with another checksum than its bytes give.',
+  silence: 'A frame begins here, and the rest of it never came.',
+};
+
+const errors: Record<LineErrorKind, string> = {
+  framing: 'Line error: framing',
+  parity: 'Line error: parity',
+  break: 'Line error: break',
+  overrun: 'Line error: overrun',
+  other: 'Line error',
+};
+
+const errorMeaning: Record<LineErrorKind, string> = {
+  framing: 'A byte did not end as it should: another rate, or a weak signal.',
+  parity: 'A byte had another parity than was set.',
+  break: 'The line was held down for longer than a byte.',
+  overrun: 'Bytes came faster than they were taken, and some are lost.',
+  other: 'The port reported an error and went on.',
+};
+
+const unreadable: Record<CodecErrorCode, string> = {
+  'not-an-integer': 'a value is not whole',
+  'out-of-range': 'a value is out of its range',
+  'wrong-count': 'it has another number of values than this timer',
+  'wrong-length': 'its length does not fit',
+  'unknown-command': 'no command has this letter',
+  'unexpected-reply': 'it answers something else',
+  'bad-identity': 'no timer can say this of itself',
+  'identity-needed': 'the timer has not yet said how many functions and servos it has',
+  'bad-capture': 'it is no recording',
+};
+
+const filters: Record<LineFilter, string> = {
+  all: 'Everything',
+  out: 'To the timer',
+  in: 'From the timer',
+  damaged: 'Damaged',
+};
+
+const danger: Record<Command['effect'], string> = {
+  reads: '',
+  stores: 'What the timer holds changes. The timer is read again afterwards.',
+  moves: 'Servos may move.',
+  'frees-motor': 'The motor is freed: a propeller may start.',
+  unknown:
+    'Nobody knows for certain what this does: servos may move, a propeller may start, and what the timer holds may change.',
+};
+
+const frameFaults: Record<FrameFault, string> = {
+  'not-hex': 'Not hex: type two digits, 0 to 9 or A to F, for each byte.',
+  'odd-digits': 'A digit is missing: type two for each byte.',
+  'not-a-byte': 'Type the letter as one byte in hex, such as 6B.',
+  'too-long': 'A frame carries at most 252 bytes.',
+};
+
+const recordingFaults: Record<RecordingFault, (line: number) => string> = {
+  heading: () => 'This file is not a recording: its first line is not “# Sidus capture 1”.',
+  line: (line) =>
+    `Line ${line} of this file cannot be read. It should be a time in seconds, not before the one above it, then > or <, then bytes in hex.`,
+  empty: () => 'There is nothing in this recording.',
+  'too-large': () => 'This file is too large for a recording.',
+  unreadable: () => 'This file cannot be read.',
+};
+
+/** The log of the line. */
+export const line = {
+  title: 'Line',
+  empty: 'Nothing to show.',
+  time: 'Time',
+  direction: 'Direction',
+  message: 'Message',
+  bytes: 'Bytes',
+  out: 'to the timer',
+  in: 'from the timer',
+  request: (name: string, letters: string) => `${name} · ${letters}`,
+  reply: (name: string, letters: string) => `${name}, reply · ${letters}`,
+  echo: (name: string, letters: string) => `${name}, echo · ${letters}`,
+  unknown: (letter: string) => `Unknown letter ${letter}`,
+  names,
+  rejected,
+  rejectedMeaning,
+  errors,
+  errorMeaning,
+
+  position: (column: string, servo: string, steps: number) => `${column}, ${servo}: ${steps} steps`,
+  positions: (servo: string, steps: readonly number[]) => `${servo}: ${steps.join(' ')}`,
+  dt: (time: string) => `DT ${time}`,
+  motorStop: (time: string) => `motor stop ${time}`,
+  reserved: (time: string) => `reserved ${time}`,
+  functions: (times: readonly string[]) => `functions ${times.join(' ')}`,
+  identity: (name: string, firmware: string, functions: number, memories: number, servos: number) =>
+    `${name}, firmware ${firmware}, ${count(functions, 'function', 'functions')}, ${count(memories, 'memory', 'memories')}, ${count(servos, 'servo', 'servos')}`,
+  memoryUnsaid: 'It does not say which.',
+  idleThrottle: (value: number) => `${value}, unit unknown`,
+  acknowledged: 'Acknowledged.',
+  unreadable: (code: CodecErrorCode) => `Cannot be read: ${unreadable[code]}.`,
+
+  pause: 'Pause',
+  goOn: 'Go on',
+  came: (number: number) => `Paused. ${count(number, 'entry', 'entries')} since.`,
+  clear: 'Clear',
+  copy: 'Copy',
+  copied: 'Copied.',
+  copyByHand: 'The browser does not let this page copy. Copy the text from here.',
+  close: 'Close',
+  save: 'Save',
+  fileName: (kind: string) => `sidus-line-${kind}.txt`,
+  unidentified: 'unknown',
+  load: 'Load…',
+  filter: 'Show',
+  filters,
+  search: 'Search',
+  searchHint: 'name or hex',
+  counts: (out: number, incoming: number, damaged: number, errors: number) =>
+    [
+      `${out} to the timer`,
+      `${incoming} from the timer`,
+      `${damaged} damaged`,
+      count(errors, 'line error', 'line errors'),
+    ].join(', '),
+  more: (shown: number, all: number) => `The newest ${shown} of ${all} are shown.`,
+
+  recording: (name: string, entries: number) => `${name}: a recording of ${count(entries, 'entry', 'entries')}.`,
+  recordingLead: 'You are looking at a file, not at the line.',
+  replay: 'Replay it as a timer',
+  replayHint: 'Replayed, a simulated timer answers as this one did.',
+  cannotReplay: 'It cannot be replayed: nothing in it answers what the timer is.',
+  back: 'Back to the live line',
+  recordingFaults,
+
+  send: {
+    title: 'Send a frame by hand',
+    lead: 'For finding out what a timer does. Length, checksum and the rest of the frame are filled in.',
+    command: 'Frame',
+    choice: (name: string, letters: string, letter: string) => `${name} · ${letters} (${letter})`,
+    other: 'Another letter',
+    letter: 'Letter, in hex',
+    data: 'Data, in hex',
+    faults: frameFaults,
+    preview: 'Goes out as',
+    send: 'Send…',
+    sendNow: 'Send',
+    confirmTitle: 'Send this frame to the timer?',
+    danger,
+    safety: 'Take the propeller off or hold the model first.',
+    confirm: 'Yes, send it once',
+    cancel: 'Do not send',
+    sending: 'Sending',
+    answered: 'Answered:',
+    unanswered: 'No reply came. What it asked for may have happened all the same.',
+    notConnected: 'Connect to the timer to send.',
+  },
+};
+
+/** What a maintainer needs to know. */
+export const report = {
+  copy: 'Copy report',
+  program: (name: string, version: string) => `${name} ${version}`,
+  browser: (browser: string, platform: string) => `Browser: ${browser}, ${platform}`,
+  page: (installed: boolean) => `Page: ${installed ? 'installed' : 'in a browser tab'}`,
+  timer: (identity: string | null) => `Timer: ${identity ?? 'not identified'}`,
+  simulated: 'simulated',
+  port: (kind: string, key: string, settings: string) => `Port: ${kind}, ${key}, ${settings}`,
+  noPort: 'Port: none',
+  found: (quirks: readonly string[]) => `Found: ${quirks.length > 0 ? quirks.join('; ') : 'nothing unusual'}`,
+  assumed: (quirks: readonly string[]) => `Assumed: ${quirks.length > 0 ? quirks.join('; ') : 'nothing'}`,
+  errors: (errors: readonly string[]) => `Line errors: ${errors.length > 0 ? errors.join(', ') : 'none'}`,
+  line: (counts: string, repeats: number | null) =>
+    `Line: ${counts}${repeats === null ? '' : `, ${count(repeats, 'repeat', 'repeats')}`}`,
+};

@@ -1,0 +1,117 @@
+import type { QuirkCode } from '../../client/index.js';
+import type { PortKind } from '../../serial/index.js';
+
+const portNames: Record<PortKind, string> = {
+  ftdi: 'FTDI adapter',
+  cp210x: 'CP210x adapter (Silicon Labs)',
+  ch340: 'CH340 adapter (WCH)',
+  pl2303: 'PL2303 adapter (Prolific)',
+  bluetooth: 'Bluetooth',
+  usb: 'USB adapter',
+  other: 'Serial port',
+};
+
+/** From ports to a timer that answers. */
+export const link = {
+  portNames,
+  portNumbers: (vendor: string, product: string) => `${vendor}:${product}`,
+  lastRate: (rate: number) => `last at ${rate} baud`,
+  opening: 'Opening the port',
+  closing: 'Closing the port',
+  choosing: 'Choose the port of the timer',
+  searching: (rate: number) => `Asking at ${rate} baud`,
+  refused: {
+    title: 'The port is in use.',
+    advice: 'It is tried again for 15 seconds. On Linux a new adapter is often held for a moment by ModemManager.',
+  },
+  waiting: {
+    title: 'No answer yet.',
+    advice:
+      'Press the switch of the timer shortly and hold it closer than 20 cm. This page keeps asking and goes on as soon as it answers.',
+  },
+  away: {
+    title: 'The adapter is unplugged.',
+    advice: 'Plug it in: the connection comes back by itself. What you typed is kept.',
+  },
+  asked: (count: number) => `asked ${count} ${count === 1 ? 'time' : 'times'}`,
+  status: {
+    off: 'Not connected',
+    choosing: 'Choose a port',
+    opening: 'Connecting',
+    searching: 'Looking for the timer',
+    waiting: 'Waiting for the timer',
+    away: 'Adapter unplugged',
+    closing: 'Disconnecting',
+  },
+  stop: 'Stop',
+};
+
+/** The ports that are known, and how they are opened. */
+export const ports = {
+  title: 'Known adapters',
+  connectTo: (name: string) => `Connect to ${name}`,
+  forget: 'Forget',
+  forgetNamed: (name: string) => `Forget ${name}`,
+  another: 'Another adapter…',
+  settings: 'Serial settings',
+  settingsHint: 'Only for an adapter that needs something special. Left alone, the rate is found by asking.',
+  rate: 'Rate',
+  findRate: 'Find it',
+  baud: (rate: number) => `${rate} baud`,
+  parity: 'Parity',
+  parities: { none: 'None', even: 'Even', odd: 'Odd' },
+  stopBits: 'Stop bits',
+  dtr: 'DTR',
+  rts: 'RTS',
+  signals: { leave: 'As the browser sets it', on: 'On', off: 'Off' },
+  reset: 'Usual settings',
+};
+
+const quirkNames: Record<QuirkCode, string> = {
+  'timers-reply-66': 'It answers “read times” with the letter of “write times”.',
+  'unlock-reply-6a': 'It answers “unlock motor” with the letter of “move servos”.',
+  'memory-unknown': 'It does not say which memory is current.',
+  'bare-checksum': 'Its reply about the idle throttle has no true checksum.',
+  'times-big-endian': 'Its times fall, and would rise with their bytes exchanged.',
+  'servo-first': 'It takes the servo before the function when a position is written.',
+  'servo-unanswered': 'It did not answer when a position was written.',
+  'times-rounded': 'It rounds times.',
+  'memories-from-one': 'It counts its memories from 1.',
+  'positions-unchanged': 'It acknowledged positions and did not keep them.',
+  echo: 'The adapter returns what is sent.',
+  'idle-throttle-unanswered': 'It did not answer when asked for its idle throttle.',
+};
+
+/** What is known of the timer at hand. */
+export const about = {
+  title: 'About this timer',
+  kind: 'Timer',
+  layout: 'Layout',
+  layoutOf: (functions: number, memories: number, servos: number) =>
+    `${functions} functions, ${memories} memories, ${servos} servos`,
+  port: 'Port',
+  rate: 'Rate',
+  repeats: 'Requests repeated',
+  lineErrors: 'Errors of the line',
+  lineErrorNames: {
+    framing: 'framing',
+    parity: 'parity',
+    break: 'break',
+    overrun: 'overrun',
+    other: 'other',
+  },
+  count: (name: string, count: number) => `${name} ${count}`,
+  none: 'none',
+  damage: 'Damage seen on the line',
+  found: 'What it does in its own way',
+  nothingFound: 'Nothing so far: it does all that was asked in the usual way.',
+  quirkNames,
+  assumed: 'What is taken for true of it',
+  assumedHint: 'Remembered for this port and this kind of timer as a first guess for the next time.',
+  assumptions: {
+    bigEndianTimes: 'Times have their bytes exchanged',
+    servoFirst: 'A position is written with the servo before the function',
+    memoriesFromOne: 'Memories are counted from 1',
+    bareChecksumRequests: '“Select memory” and “write idle throttle” go out without a true checksum',
+  },
+};

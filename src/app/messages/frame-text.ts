@@ -1,0 +1,123 @@
+import type { LineEntry } from '../../client/index.js';
+import { columnKind } from '../../program/index.js';
+import {
+  CodecError,
+  commandOf,
+  decodeReply,
+  decodeRequest,
+  type Frame,
+  type Identity,
+  type Layout,
+  type Reply,
+  type Request,
+} from '../../protocol/index.js';
+import { formatTime } from '../units.js';
+import { columnLabel, messages, timerName } from './index.js';
+
+/** As much of what passed on the line as its words need. */
+export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>;
+
+/** What passed on the line, by name: “Write a position · SETSERVO”, “Damaged: checksum”. */
+export function frameName({ direction, frame, rejected, error }: Seen): string {
+  const { line } = messages.value;
+  if (error) return line.errors[error];
+  if (rejected || !frame) return line.rejected[rejected ?? 'noise'];
+  const command = commandOf(frame.code);
+  if (!command) return line.unknown(letterOf(frame.code));
+  const wording = command.direction === 'reply' ? line.reply : direction === 'in' ? line.echo : line.request;
+  return wording(line.names[command.name], command.name);
+}
+
+/**
+ * What passed on the line, in words: “Function 4, S2: 70 steps”. Empty for a request that says no more than its name.
+ * @param layout what is known of the timer.
+ */
+export function describeFrame({ frame, rejected, error }: Seen, layout: Layout): string {
+  const { line } = messages.value;
+  if (error) return line.errorMeaning[error];
+  if (rejected || !frame) return line.rejectedMeaning[rejected ?? 'noise'];
+  try {
+    return content(frame, layout);
+  } catch (refused) {
+    if (!(refused instanceof CodecError)) throw refused;
+    return line.unreadable(refused.code);
+  }
+}
+
+/** What a timer says of itself: “F1Q, firmware 536, 10 functions, 4 memories, 3 servos”. */
+export function identityText(identity: Identity): string {
+  const { firmware, functions, memories, servos } = identity;
+  return messages.value.line.identity(timerName(identity), firmware, functions, memories, servos);
+}
+
+/** A byte as two digits in hex, as in the table of commands. */
+export function letterOf(code: number): string {
+  return code.toString(16).padStart(2, '0').toUpperCase();
+}
+
+/** Bytes in hex, as they stand in a capture. */
+export function hexOf(bytes: Iterable<number>): string {
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join(' ');
+}
+
+function content(frame: Frame, layout: Layout): string {
+  const isReply = commandOf(frame.code)?.direction === 'reply';
+  return isReply ? replyText(decodeReply(frame, layout), layout) : requestText(decodeRequest(frame, layout), layout);
+}
+
+function requestText(request: Request, { identity }: Layout): string {
+  const { line, servoName, memoryName } = messages.value;
+  switch (request.name) {
+    case 'SETSERVO': {
+      const column = columnLabel(known(identity), request.function);
+      return line.position(column, servoName(request.servo), request.position);
+    }
+    case 'MOVETOFUNC':
+      return columnLabel(known(identity), request.function);
+    case 'SETTIMERS':
+      return timesText(known(identity), request.times);
+    case 'SETMEMORY':
+      return memoryName(request.memory);
+    case 'SETLOWRPM':
+      return line.idleThrottle(request.idleThrottle);
+    default:
+      return '';
+  }
+}
+
+function replyText(reply: Reply, { identity }: Layout): string {
+  const { line, servoName, memoryName } = messages.value;
+  switch (reply.name) {
+    case 'GETTIMERS':
+    case 'SETTIMERS':
+      return timesText(known(identity), reply.times);
+    case 'GETSERVOPOS':
+      return reply.positions.map((steps, servo) => line.positions(servoName(servo), steps)).join('; ');
+    case 'GETSWVER':
+      return identityText(reply.identity);
+    case 'GETMEMORY':
+      return reply.memory === null ? line.memoryUnsaid : memoryName(reply.memory);
+    case 'GETLOWRPM':
+      return line.idleThrottle(reply.idleThrottle);
+    default:
+      return line.acknowledged;
+  }
+}
+
+function timesText(identity: Identity, times: readonly number[]): string {
+  const { line } = messages.value;
+  const shown = times.map(formatTime);
+  const first = shown[0] as string;
+  const functions = shown.filter((_, column) => columnKind(identity, column) === 'function');
+  return [
+    line.dt(shown.at(-1) as string),
+    identity.timerClass === 'Q' ? line.motorStop(first) : line.reserved(first),
+    ...(functions.length > 0 ? [line.functions(functions)] : []),
+  ].join(', ');
+}
+
+/** Which column is DT, and what time 0 is, hangs on what the timer said of itself. */
+function known(identity: Identity | undefined): Identity {
+  if (!identity) throw new CodecError('identity-needed', 'identity', 'the timer has not said what it is');
+  return identity;
+}

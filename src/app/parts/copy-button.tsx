@@ -1,0 +1,57 @@
+import { useSignal } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+
+interface CopyButtonProps {
+  readonly label: string;
+  /** Made when it is asked for. */
+  readonly text: () => string;
+}
+
+/** Copies a text. Where the browser does not let it, the text is shown, marked, to be copied by hand. */
+export function CopyButton({ label, text }: CopyButtonProps) {
+  const { line } = messages.value;
+  const copied = useSignal(false);
+  const refused = useSignal<string | null>(null);
+  const copy = async (): Promise<void> => {
+    const made = text();
+    copied.value = false;
+    try {
+      await navigator.clipboard.writeText(made);
+      copied.value = true;
+    } catch {
+      refused.value = made;
+    }
+  };
+  return (
+    <span class="copy-button">
+      <button type="button" onClick={() => void copy()} onBlur={() => (copied.value = false)}>
+        {label}
+      </button>
+      <span role="status">{copied.value && line.copied}</span>
+      {refused.value !== null && <ByHand text={refused.value} onClose={() => (refused.value = null)} />}
+    </span>
+  );
+}
+
+function ByHand({ text, onClose }: { text: string; onClose: () => void }) {
+  const { line } = messages.value;
+  const dialog = useRef<HTMLDialogElement>(null);
+  const area = useRef<HTMLTextAreaElement>(null);
+  useEffect(() => {
+    dialog.current?.showModal();
+    area.current?.select();
+    area.current?.scrollTo(0, 0);
+  }, []);
+  return (
+    <dialog ref={dialog} class="by-hand" aria-label={line.copyByHand} onClose={onClose}>
+      <p>{line.copyByHand}</p>
+      <textarea ref={area} readOnly aria-label={line.copyByHand} rows={12} value={text} />
+      <div class="buttons">
+        <button type="button" class="primary" onClick={() => dialog.current?.close()}>
+          {line.close}
+        </button>
+      </div>
+    </dialog>
+  );
+}

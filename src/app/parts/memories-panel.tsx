@@ -1,0 +1,160 @@
+import { sameLayout } from '../../program/index.js';
+import { dateText, messages, timerName } from '../messages/index.js';
+import { useModels } from '../models.js';
+import type { Backup } from '../storage/index.js';
+
+/** What can be done with all memories, and the backups that are kept. */
+export function MemoriesPanel() {
+  const { session, memories } = useModels();
+  const { memories: words, memoryName } = messages.value;
+  const baseline = session.editor.baseline.value;
+  const ready = session.connection.value !== null && !session.busy.value;
+  if (!baseline || baseline.memory === null) return null;
+  const { memory, identity } = baseline;
+  const others = Array.from({ length: identity.memories }, (_, index) => index).filter((index) => index !== memory);
+  return (
+    <section class="all-memories">
+      <h2>{words.title}</h2>
+      <div class="buttons">
+        <button type="button" disabled={!ready} onClick={() => memories.open({ kind: 'back-up' })}>
+          {words.backUp}
+        </button>
+      </div>
+      <Picks
+        label={words.copyTo(memoryName(memory))}
+        picks={others}
+        disabled={!ready}
+        nameOf={(to) => words.copy(memoryName(memory), memoryName(to))}
+        onPick={(to) => memories.open({ kind: 'copy', from: memory, to })}
+      />
+      {session.editor.dirty.value && <p class="hint">{words.edited}</p>}
+    </section>
+  );
+}
+
+/** What was kept of timers, newest first; memories that were backed up together stand together. */
+export function BackupsPanel() {
+  const { session } = useModels();
+  const { backups: words } = messages.value;
+  const sets = together(session.backups.list.value);
+  return (
+    <details class="backups">
+      <summary>{words.title}</summary>
+      {sets.length === 0 ? (
+        <p class="hint">{words.empty}</p>
+      ) : (
+        <ul>
+          {sets.map((set) => (
+            <BackupRow key={set[0]?.key} set={set} />
+          ))}
+        </ul>
+      )}
+    </details>
+  );
+}
+
+function BackupRow({ set }: { set: readonly Backup[] }) {
+  const { session, memories } = useModels();
+  const { backups: words, memories: all, memoryName, recovery } = messages.value;
+  const [first] = set;
+  if (!first) return null;
+  const { identity, memory } = first.program;
+  const working = session.editor.working.value;
+  const fits = working !== null && sameLayout(working.identity, identity);
+  const isSet = first.reason === 'memories';
+  const name = memory === null ? recovery.unknownMemory : memoryName(memory);
+  return (
+    <li class="backup">
+      <p>
+        <strong>{isSet ? words.set(timerName(identity), set.length) : words.entry(timerName(identity), name)}</strong>{' '}
+        <span class="hint">{words.origin(dateText(first.savedAt), words.reasons[first.reason], first.simulated)}</span>
+      </p>
+      <div class="buttons">
+        {isSet && (
+          <button
+            type="button"
+            disabled={!fits || session.connection.value === null || session.busy.value}
+            onClick={() => memories.open({ kind: 'restore', backups: [...set].reverse() })}
+          >
+            {all.restoreAll}
+          </button>
+        )}
+        {!isSet && (
+          <button type="button" disabled={!fits} onClick={() => session.showBackup(first)}>
+            {words.show}
+          </button>
+        )}
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => set.forEach((backup) => void session.backups.remove(backup))}
+        >
+          {words.remove}
+        </button>
+      </div>
+      {isSet && (
+        <Picks
+          label={words.show}
+          picks={set.flatMap(({ program }) => (program.memory === null ? [] : [program.memory])).reverse()}
+          disabled={!fits}
+          nameOf={(picked) => words.showOf(memoryName(picked))}
+          onPick={(picked) => {
+            const backup = set.find(({ program }) => program.memory === picked);
+            if (backup) session.showBackup(backup);
+          }}
+        />
+      )}
+      {!fits && <p class="hint">{words.otherLayout}</p>}
+    </li>
+  );
+}
+
+interface PicksProps {
+  readonly label: string;
+  readonly picks: readonly number[];
+  readonly disabled: boolean;
+  readonly nameOf: (memory: number) => string;
+  readonly onPick: (memory: number) => void;
+}
+
+/** One of several memories, in one row. */
+function Picks({ label, picks, disabled, nameOf, onPick }: PicksProps) {
+  const { memoryName } = messages.value;
+  return (
+    <div class="picks">
+      <span>{label}</span>
+      <div class="segments">
+        {picks.map((memory) => (
+          <button
+            type="button"
+            key={memory}
+            aria-label={nameOf(memory)}
+            disabled={disabled}
+            onClick={() => onPick(memory)}
+          >
+            {memoryName(memory)}
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+/** Newest first; those of one job over the memories share the time at which they were kept. */
+function together(backups: readonly Backup[]): Backup[][] {
+  const sets: Backup[][] = [];
+  for (const backup of backups) {
+    const last = sets.at(-1);
+    if (
+      last?.[0] &&
+      backup.reason === 'memories' &&
+      last[0].reason === 'memories' &&
+      last[0].savedAt === backup.savedAt
+    ) {
+      last.push(backup);
+    } else {
+      sets.push([backup]);
+    }
+  }
+  return sets;
+}

@@ -1,0 +1,45 @@
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+
+interface ModalProps {
+  readonly open: boolean;
+  readonly title: string;
+  readonly titleId: string;
+  /** Escape was pressed. */
+  readonly onEscape: () => void;
+  /** It was closed by the browser; `held` says that it has to stay. */
+  readonly held: boolean;
+  readonly children: ComponentChildren;
+}
+
+/** A dialog over the page that follows a model: open when the model says so, and never closed past it. */
+export function Modal({ open, title, titleId, onEscape, held, children }: ModalProps) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    if (open && !dialog.current?.open) dialog.current?.showModal();
+    if (!open && dialog.current?.open) dialog.current.close();
+  }, [open]);
+  return (
+    <dialog
+      ref={dialog}
+      class="write"
+      aria-labelledby={titleId}
+      onCancel={(event) => {
+        event.preventDefault();
+        onEscape();
+      }}
+      onClose={() => {
+        // A browser lets Escape be refused once, then closes all the same.
+        if (held) dialog.current?.showModal();
+        else onEscape();
+      }}
+    >
+      {open && (
+        <>
+          <h2 id={titleId}>{title}</h2>
+          {children}
+        </>
+      )}
+    </dialog>
+  );
+}

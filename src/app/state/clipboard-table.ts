@@ -1,0 +1,102 @@
+import { type TimerProgram, valueAt } from '../../program/index.js';
+import { columnsIn, type GridField, type GridRange, gridField, intervalAt, rowsIn } from './grid.js';
+
+/** So many cells of a text are read, ten times what the largest timer has. */
+export const MAX_CELLS = 10_000;
+/** And so many characters. */
+export const MAX_CHARACTERS = 200_000;
+
+/** What other programs call a table: rows of texts, not all of one length. */
+export interface Table {
+  readonly rows: readonly (readonly string[])[];
+  /** The text was longer than is read: rows are missing at its end. */
+  readonly cut: boolean;
+}
+
+/**
+ * A range as a spreadsheet takes it: cells apart by tabs, rows by line breaks. Times and intervals are seconds with two decimals, positions
+ * steps. Intervals are left out where the times are in the range too.
+ */
+export function formatTable(
+  program: TimerProgram,
+  range: GridRange,
+  { decimal = '.' }: { readonly decimal?: '.' | ',' } = {},
+): string {
+  const { identity } = program;
+  const columns = columnsIn(identity, range);
+  const rows = rowsIn(identity, range).map((row) =>
+    columns.map((column) => formatCell(program, gridField(identity, { row, column }), decimal)),
+  );
+  return rows.map((cells) => cells.join('\t')).join('\n');
+}
+
+function formatCell(program: TimerProgram, field: GridField | null, decimal: string): string {
+  if (!field) return '';
+  const value = field.kind === 'interval' ? intervalAt(program, field.column) : valueAt(program, field);
+  if (value === null) return '';
+  return field.kind === 'position' ? String(value) : formatSeconds(value, decimal);
+}
+
+function formatSeconds(hundredths: number, decimal: string): string {
+  const size = Math.abs(hundredths);
+  const fraction = String(size % 100).padStart(2, '0');
+  return `${hundredths < 0 ? '-' : ''}${Math.floor(size / 100)}${decimal}${fraction}`;
+}
+
+/**
+ * A text as a table, whatever it is: cells apart by tabs, else by semicolons, else by commas where these cannot be decimal ones; rows by
+ * any line break. A cell in quotation marks may contain them all, a mark of its own doubled. White space around a cell is dropped, also
+ * the kinds that do not break. At most {@link MAX_CELLS} cells of {@link MAX_CHARACTERS} characters are read, in whole rows.
+ */
+export function readTable(text: string): Table {
+  const long = text.length > MAX_CHARACTERS;
+  const read = text.slice(0, MAX_CHARACTERS).replace(/^\uFEFF/, '');
+  const separator = separatorOf(read);
+  const stops = new RegExp(`[${separator}\r\n]`, 'g');
+  const rows: string[][] = [];
+  let cells = 0;
+  for (let at = 0; at < read.length; ) {
+    const row: string[] = [];
+    for (let more = true; more; ) {
+      if (++cells > MAX_CELLS) return { rows, cut: true };
+      const { cell, end } = readCell(read, at, stops);
+      row.push(cell);
+      more = read[end] === separator;
+      at = end + (read.startsWith('\r\n', end) ? 2 : 1);
+    }
+    rows.push(row);
+  }
+  // A row that was cut may have been cut in the middle of a number.
+  if (long) rows.pop();
+  return { rows, cut: long };
+}
+
+/** @returns the text of the cell that begins here, and where it ends: at a separator, a line break or the end. */
+function readCell(text: string, start: number, stops: RegExp): { cell: string; end: number } {
+  let inMarks = '';
+  let at = start;
+  if (text[start] === '"') {
+    const close = closingMark(text, start + 1);
+    inMarks = text.slice(start + 1, close).replaceAll('""', '"');
+    at = close + 1;
+  }
+  stops.lastIndex = at;
+  const end = stops.exec(text)?.index ?? text.length;
+  return { cell: (inMarks + text.slice(at, end)).trim(), end };
+}
+
+/** Where a quotation ends: at a mark that is not doubled. One that is never closed goes to the end of the text. */
+function closingMark(text: string, start: number): number {
+  let mark = text.indexOf('"', start);
+  while (mark >= 0 && text[mark + 1] === '"') mark = text.indexOf('"', mark + 2);
+  return mark < 0 ? text.length : mark;
+}
+
+/** A line that may be one number with a decimal comma. */
+const DECIMAL_COMMA = /^[^\S\r\n]*[-−]?\d*(?::\d+)?,\d+[^\S\r\n]*$/m;
+
+function separatorOf(text: string): string {
+  if (text.includes('\t')) return '\t';
+  if (text.includes(';')) return ';';
+  return text.includes(',') && !DECIMAL_COMMA.test(text) ? ',' : '';
+}

@@ -1,0 +1,234 @@
+import {
+  type FindingCode,
+  manualRange,
+  type ProgramField,
+  type TimerProgram,
+  valueAt,
+  withValue,
+} from '../../program/index.js';
+import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+import { type CellField, fieldsIn, type GridRange, intervalAt, timeBefore } from './grid.js';
+
+/** A value for one field: a time in hundredths of a second, a position in steps. */
+export interface FieldValue {
+  readonly field: ProgramField;
+  readonly value: number;
+}
+
+/**
+ * Why nothing was changed.
+ *
+ * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire could not carry the value, as the check
+ *   would find.
+ * - `reserved`: column 0 of a class other than Q, which is edited only on purpose, as a field of its own.
+ * - `no-interval`: the start follows nothing.
+ */
+export type RefusalCode =
+  | Extract<FindingCode, 'time-not-whole' | 'time-out-of-range' | 'position-not-whole' | 'position-out-of-range'>
+  | 'reserved'
+  | 'no-interval';
+
+export interface Refusal {
+  readonly code: RefusalCode;
+  /** The field that could not take its value. */
+  readonly field: CellField;
+  /** What the field would have been, and its range, as in a finding of the check. */
+  readonly params: Readonly<Record<'value' | 'min' | 'max', number>>;
+}
+
+/**
+ * What an edit sets, or why it sets nothing. An edit is done whole or not at all: no value is bent to fit. What was asked for is in the
+ * list also where it is the value already, so that a text in such a field gives way.
+ */
+export type Edit = { readonly values: readonly FieldValue[] } | { readonly refused: Refusal };
+
+/**
+ * DT is set by the rules of a contest, not by what the model does before it: an edit of other times moves it only when asked.
+ * Functions that are pushed past it are found by the check.
+ */
+export interface DtOption {
+  readonly moveDt?: boolean;
+}
+
+const MAX_THROTTLE = 255;
+/** The largest value that the wire carries in a kind of field. */
+export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: MAX_THROTTLE };
+
+/** Why the wire cannot carry a value in this field; null when it can. */
+export function refusalOf(field: CellField, value: number): Refusal | null {
+  if (!Number.isInteger(value)) return refusal(`${field.kind}-not-whole`, field, value);
+  return value >= 0 && value <= MAX_VALUE[field.kind] ? null : refusal(`${field.kind}-out-of-range`, field, value);
+}
+
+function refusal(code: RefusalCode, field: CellField, value: number): Refusal {
+  return { code, field, params: { value, min: 0, max: MAX_VALUE[field.kind] } };
+}
+
+/** The program with these values in it. */
+export function withValues(program: TimerProgram, values: readonly FieldValue[]): TimerProgram {
+  return values.reduce((edited, { field, value }) => withValue(edited, field, value), program);
+}
+
+/**
+ * Sets an interval: the column keeps this distance to the one before it, and the functions after it keep theirs, as on a sheet of
+ * intervals. DT stays unless it is this column or `moveDt` is set.
+ * @param interval hundredths of a second; a negative one makes times fall.
+ */
+export function setInterval(program: TimerProgram, column: number, interval: number, options: DtOption = {}): Edit {
+  if (column === 0) return { refused: refusal('no-interval', { kind: 'time', column }, interval) };
+  return retime(program, new Map(), new Map([[column, interval]]), options);
+}
+
+/**
+ * Moves this and all later functions. From DT only DT is moved; else it stays unless `moveDt` is set. From the motor stop of a Q
+ * timer those functions go along that are at its time or later, for they follow it in flight.
+ * @param by hundredths of a second, negative to earlier.
+ */
+export function shiftFrom(program: TimerProgram, column: number, by: number, { moveDt = false }: DtOption = {}): Edit {
+  const { identity, timers } = program;
+  const from = timers[column];
+  if (from === undefined || by === 0) return { values: [] };
+  if (column === 0 && identity.timerClass !== 'Q') {
+    return { refused: refusal('reserved', { kind: 'time', column }, from + by) };
+  }
+  const goesAlong = (time: number, at: number): boolean => {
+    if (at === column) return true;
+    if (at === identity.functions) return moveDt;
+    return column === 0 ? time >= from : at > column;
+  };
+  const moved = timers.flatMap((time, at): CellValue[] =>
+    goesAlong(time, at) ? [{ field: { kind: 'time', column: at }, value: time + by }] : [],
+  );
+  return checked(program, moved);
+}
+
+export interface StepOptions {
+  /** Ten steps at once. */
+  readonly tenfold?: boolean;
+}
+
+/**
+ * One step up or down: of a time the step that the manual gives for it, else 0.01 s; of all else 1. A value between two steps goes to the
+ * next one. It ends at 0 and at the last step that the wire carries; a value past them can only come back.
+ * @returns nothing when there is no step to take.
+ */
+export function stepValue(
+  program: TimerProgram,
+  field: ProgramField,
+  direction: 1 | -1,
+  { tenfold = false }: StepOptions = {},
+): FieldValue[] {
+  const before = valueAt(program, field);
+  if (before === null) return [];
+  const step = (field.kind === 'time' && manualRange(program.identity, field.column)?.step) || 1;
+  const last = Math.floor(MAX_VALUE[field.kind] / step);
+  const steps = (direction > 0 ? Math.floor : Math.ceil)(before / step) + direction * (tenfold ? 10 : 1);
+  const value = Math.min(Math.max(steps, 0), last) * step;
+  return (value - before) * direction > 0 ? [{ field, value }] : [];
+}
+
+/**
+ * Steps an interval as {@link stepValue} steps the time at its end, and moves what follows as {@link setInterval} does. It is never
+ * stepped below 0.
+ */
+export function stepInterval(
+  program: TimerProgram,
+  column: number,
+  direction: 1 | -1,
+  options: StepOptions & DtOption = {},
+): Edit {
+  const interval = intervalAt(program, column);
+  const [step] = stepValue(program, { kind: 'time', column }, direction, options);
+  if (interval === null || !step) return { values: [] };
+  const by = step.value - (program.timers[column] as number);
+  return shiftFrom(program, column, Math.max(by, Math.min(0, -interval)), options);
+}
+
+/** Gives one servo all positions of another. A position past the last step, as a timer may hold it, can be given to no other. */
+export function copyServo(program: TimerProgram, from: number, to: number): Edit {
+  const row = program.positions[from] ?? [];
+  return checked(
+    program,
+    row.map((value, column) => ({ field: { kind: 'position', servo: to, column }, value })),
+  );
+}
+
+/** Mirrors all positions of a servo, 130 - p, as when it works the other way round. What is no step stays as it is. */
+export function reverseServo(program: TimerProgram, servo: number): FieldValue[] {
+  const row = program.positions[servo] ?? [];
+  return row.flatMap((value, column): FieldValue[] => {
+    const field: CellField = { kind: 'position', servo, column };
+    return refusalOf(field, value) ? [] : [{ field, value: MAX_POSITION - value }];
+  });
+}
+
+/**
+ * Puts the values of the first row of a range into its other rows: times, or intervals where no times are in it, and positions. The start
+ * has neither the time of a function nor an interval to give, and DT keeps its time unless `moveDt` is set.
+ */
+export function fillDown(program: TimerProgram, range: GridRange, options: DtOption = {}): Edit {
+  const { functions } = program.identity;
+  const takesTime = (column: number): boolean => range.top > 0 && (column < functions || options.moveDt === true);
+  const copies: CellValue[] = [];
+  const intervals = new Map<number, number>();
+  for (const field of fieldsIn(program.identity, { ...range, top: range.top + 1 })) {
+    if (field.kind !== 'position' && !takesTime(field.column)) continue;
+    const value =
+      field.kind === 'interval' ? intervalAt(program, range.top) : valueAt(program, { ...field, column: range.top });
+    if (value === null) continue;
+    if (field.kind === 'interval') intervals.set(field.column, value);
+    else copies.push({ field, value });
+  }
+  const spaced = retime(program, new Map(), intervals, options);
+  return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...copies]);
+}
+
+/**
+ * The times that follow from given times and intervals, first to last: a column takes its time, else its interval after the one before,
+ * else it is moved as far as the nearest interval above moved its own column. DT without either stays unless `moveDt` is set. Only what
+ * comes out has to be carried by the wire, not what would be on the way there.
+ * @param times by column; whether the wire carries them is not looked at.
+ * @param intervals by column, from 1 on.
+ * @returns with a refusal also `cause`, the column of the interval that led to it.
+ */
+export function retime(
+  program: TimerProgram,
+  times: ReadonlyMap<number, number>,
+  intervals: ReadonlyMap<number, number>,
+  { moveDt = false }: DtOption = {},
+): { readonly values: readonly CellValue[] } | { readonly refused: Refusal; readonly cause: number } {
+  const timers = [...program.timers];
+  const values: CellValue[] = [];
+  let by = 0;
+  let cause = 0;
+  for (const [column, before] of program.timers.entries()) {
+    const field: CellField = { kind: 'time', column };
+    const time = times.get(column);
+    const interval = intervals.get(column);
+    let value = before;
+    if (time !== undefined) value = time;
+    else if (interval !== undefined) {
+      value = timeBefore(timers, column) + interval;
+      by = value - before;
+      cause = column;
+    } else if (column < program.identity.functions || moveDt) value += by;
+    timers[column] = value;
+    const refused = time === undefined && value !== before ? refusalOf(field, value) : null;
+    if (refused) return { refused, cause };
+    if (value !== before || time !== undefined || interval !== undefined) values.push({ field, value });
+  }
+  return { values };
+}
+
+interface CellValue extends FieldValue {
+  readonly field: CellField;
+}
+
+/** Refused when a field would be changed to a value that the wire cannot carry. */
+function checked(program: TimerProgram, values: readonly CellValue[]): Edit {
+  for (const { field, value } of values) {
+    const refused = value === valueAt(program, field) ? null : refusalOf(field, value);
+    if (refused) return { refused };
+  }
+  return { values };
+}

@@ -1,0 +1,94 @@
+import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { columnCount, type Identity } from '../../protocol/index.js';
+
+/**
+ * The program as a grid, like the table on the screen: a row for each column of the timer, start to DT; across it the time, the
+ * interval, then each servo. Rows and grid columns count from 0.
+ */
+export interface GridCell {
+  readonly row: number;
+  readonly column: number;
+}
+
+/** A rectangle of the grid, its edges included. */
+export interface GridRange {
+  readonly top: number;
+  readonly left: number;
+  readonly bottom: number;
+  readonly right: number;
+}
+
+export const TIME_COLUMN = 0;
+export const INTERVAL_COLUMN = 1;
+export const FIRST_SERVO_COLUMN = 2;
+
+/** A value of the program that stands in the grid. */
+export type CellField = Exclude<ProgramField, { kind: 'idleThrottle' }>;
+/** What stands in a cell: a value of the program, or an interval, which is a time seen from the one before it. */
+export type GridField = CellField | { readonly kind: 'interval'; readonly column: number };
+
+/** How many columns the grid has: time, interval, servos. */
+export function gridColumns(identity: Identity): number {
+  return FIRST_SERVO_COLUMN + identity.servos;
+}
+
+/** What stands in a cell; null outside of the grid, and for the interval of the start, which follows nothing. */
+export function gridField(identity: Identity, { row, column }: GridCell): GridField | null {
+  if (row < 0 || row >= columnCount(identity) || column < 0 || column >= gridColumns(identity)) return null;
+  if (column === TIME_COLUMN) return { kind: 'time', column: row };
+  if (column === INTERVAL_COLUMN) return row === 0 ? null : { kind: 'interval', column: row };
+  return { kind: 'position', servo: column - FIRST_SERVO_COLUMN, column: row };
+}
+
+/** The value of the program that an entry in a cell changes: for an interval the time at its end. */
+export function programField(field: GridField): CellField {
+  return field.kind === 'interval' ? { kind: 'time', column: field.column } : field;
+}
+
+/** The rectangle between two of its corners, in either order. */
+export function rangeBetween(a: GridCell, b: GridCell): GridRange {
+  return {
+    top: Math.min(a.row, b.row),
+    left: Math.min(a.column, b.column),
+    bottom: Math.max(a.row, b.row),
+    right: Math.max(a.column, b.column),
+  };
+}
+
+/**
+ * The grid columns of a range, from left to right, as far as there are any. The intervals are left out where the times are in it too:
+ * one of two views of the same thing is enough.
+ */
+export function columnsIn(identity: Identity, { left, right }: GridRange): number[] {
+  const last = Math.min(right, gridColumns(identity) - 1);
+  const all = Array.from({ length: Math.max(0, last - left + 1) }, (_, at) => left + at);
+  return all.filter((column) => column !== INTERVAL_COLUMN || left > TIME_COLUMN);
+}
+
+/** The rows of a range, from top to bottom, as far as there are any. */
+export function rowsIn(identity: Identity, { top, bottom }: GridRange): number[] {
+  const last = Math.min(bottom, columnCount(identity) - 1);
+  return Array.from({ length: Math.max(0, last - top + 1) }, (_, at) => top + at);
+}
+
+/** What stands in a range, row by row, without the intervals where the times are in it too. */
+export function fieldsIn(identity: Identity, range: GridRange): GridField[] {
+  const columns = columnsIn(identity, range);
+  return rowsIn(identity, range).flatMap((row) =>
+    columns.map((column) => gridField(identity, { row, column })).filter((field) => field !== null),
+  );
+}
+
+/**
+ * The time of a column after the one before it, in hundredths of a second; of function 1 (or a DT without functions) after launch.
+ * Negative where times fall. Null for the start: its time is the motor stop or reserved, and nothing counts from it.
+ */
+export function intervalAt({ timers }: TimerProgram, column: number): number | null {
+  const time = timers[column];
+  return column < 1 || time === undefined ? null : time - timeBefore(timers, column);
+}
+
+/** The time that the interval of a column counts from: that of the column before, or launch. */
+export function timeBefore(timers: readonly number[], column: number): number {
+  return column > 1 ? (timers[column - 1] as number) : 0;
+}

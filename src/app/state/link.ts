@@ -1,0 +1,164 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { AssumedQuirks, LineEntry } from '../../client/index.js';
+import type { Identity } from '../../protocol/index.js';
+import {
+  availability,
+  DEFAULT_SETTINGS,
+  type KnownPort,
+  type LinkState,
+  type RememberedPort,
+  type SerialPortLike,
+  type SerialSettings,
+  type Surroundings,
+  type TimerConnection,
+  TimerLink,
+} from '../../serial/index.js';
+import type { Keeper, PortRecord } from '../storage/index.js';
+import { kindKey } from './keys.js';
+
+export interface LinkOptions {
+  readonly surroundings: Surroundings;
+  readonly ports: Keeper<PortRecord>;
+  readonly onLine: (entry: LineEntry) => void;
+  /** Told of every new state, after {@link Link.state} has it. */
+  readonly onState: (state: LinkState, before: LinkState) => void;
+}
+
+/** The wire to a timer: where it stands, the ports that are known, and what is remembered of each. */
+export class Link {
+  readonly state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
+  readonly connection: ReadonlySignal<TimerConnection | null> = computed(() =>
+    this.state.value.status === 'on' ? this.state.value.connection : null,
+  );
+  /** Something is under way that nobody has to wait for by hand. */
+  readonly busy: ReadonlySignal<boolean> = computed(() =>
+    ['choosing', 'opening', 'searching'].includes(this.state.value.status),
+  );
+  /** The ports that the pilot has allowed before and that are plugged in. */
+  readonly ports = signal<readonly KnownPort[]>([], { name: 'ports' });
+  /** What the pilot has set by hand; null: each port as it was used last. */
+  readonly settings = signal<SerialSettings | null>(null, { name: 'settings' });
+  /** Whether the timer at hand is simulated or a recording. */
+  readonly simulated: ReadonlySignal<boolean> = computed(() => {
+    const state = this.state.value;
+    return 'port' in state && this.#simulated.has(state.port);
+  });
+  /** Why there can be no wire here at all; null when there can. */
+  readonly unavailable: 'insecure' | 'policy' | 'unsupported' | null;
+  readonly #options: LinkOptions;
+  readonly #link: TimerLink;
+  readonly #records = new Map<string, PortRecord>();
+  readonly #simulated = new WeakSet<SerialPortLike>();
+
+  constructor(options: LinkOptions) {
+    this.#options = options;
+    const { serial } = options.surroundings;
+    this.unavailable = availability(options.surroundings);
+    this.#link = new TimerLink({
+      serial,
+      policyAllows: options.surroundings.policyAllows,
+      onLine: options.onLine,
+      onState: (state) => this.#follow(state),
+      remembered: (key) => this.#remembered(key),
+      assumed: (identity, key) => this.#records.get(key)?.quirks[kindKey(identity, false)],
+    });
+  }
+
+  /** Reads what is remembered of the ports, and which of them are plugged in. */
+  async start(): Promise<void> {
+    for (const record of await this.#options.ports.all().catch(() => [])) this.#records.set(record.key, record);
+    await this.refresh();
+  }
+
+  /** Looks again which ports are plugged in; those used last come first. */
+  async refresh(): Promise<void> {
+    if (!this.#options.surroundings.serial) return;
+    const ports = await this.#link.ports().catch(() => []);
+    const usedAt = ({ key }: KnownPort): number => this.#records.get(key)?.usedAt ?? 0;
+    this.ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
+  }
+
+  /** What is remembered of a port: its last settings, and the rate at which a timer answered. */
+  recordOf(key: string): PortRecord | undefined {
+    return this.#records.get(key);
+  }
+
+  /** Lets the pilot choose a port in the browser's own dialog. From a click. */
+  choose(): Promise<void> {
+    return this.#link.choose(this.settings.value ?? undefined);
+  }
+
+  connect(port: SerialPortLike): Promise<void> {
+    return this.#link.connect(port, this.settings.value ?? undefined);
+  }
+
+  connectSimulated(port: SerialPortLike): Promise<void> {
+    this.#simulated.add(port);
+    return this.#link.connect(port, { ...DEFAULT_SETTINGS, baudRate: 9600 });
+  }
+
+  /** Whatever is under way or open comes to an end, and the port is closed. */
+  stop(): Promise<void> {
+    return this.#link.stop();
+  }
+
+  /** The timer no longer answers: asks quietly until it does. */
+  wait(): void {
+    this.#link.wait();
+  }
+
+  /** The computer has slept: is the timer still there? */
+  recheck(): void {
+    this.#link.recheck();
+  }
+
+  /** Gives the right to use a port back to the browser, and what is remembered of it away. */
+  async forget({ port, key }: KnownPort): Promise<void> {
+    await this.#link.forget(port);
+    this.#records.delete(key);
+    await this.#options.ports.remove(key).catch(() => {});
+    await this.refresh();
+  }
+
+  /** Takes the pilot's word for how the timer at hand is, and remembers it as a first guess for the next time. */
+  async assume(quirks: AssumedQuirks): Promise<void> {
+    const connection = this.connection.value;
+    if (!connection) return;
+    connection.client.assume(quirks);
+    await this.remember();
+  }
+
+  /** Keeps what this connection has taught: settings, rate, quirks. */
+  async remember(): Promise<void> {
+    const connection = this.connection.value;
+    if (!connection || this.simulated.value) return;
+    const { identity, client, settings } = connection;
+    const before = this.#records.get(connection.portKey);
+    const record: PortRecord = {
+      key: connection.portKey,
+      usedAt: Date.now(),
+      settings: this.settings.value ?? before?.settings ?? DEFAULT_SETTINGS,
+      foundRate: settings.baudRate,
+      quirks: { ...before?.quirks, [kindKey(identity, false)]: { ...client.quirksAssumed } },
+    };
+    this.#records.set(record.key, record);
+    // A browser that keeps nothing forgets this too; the drafts say so.
+    await this.#options.ports.save(record).catch(() => {});
+  }
+
+  /** What was remembered of a timer of this kind before it was asked anything. */
+  guessed(identity: Identity, key: string): AssumedQuirks | undefined {
+    return this.#records.get(key)?.quirks[kindKey(identity, false)];
+  }
+
+  #remembered(key: string): RememberedPort | undefined {
+    const record = this.#records.get(key);
+    return record && { settings: record.settings, knownRate: record.foundRate ?? undefined };
+  }
+
+  #follow(state: LinkState): void {
+    const before = this.state.value;
+    this.state.value = state;
+    this.#options.onState(state, before);
+  }
+}

@@ -1,0 +1,167 @@
+import * as v from 'valibot';
+import { type Clock, realClock } from '../../line/index.js';
+
+/** As much of `BroadcastChannel` as is used here. */
+export interface TabChannel {
+  postMessage(message: unknown): void;
+  addEventListener(type: 'message', listener: (event: { readonly data: unknown }) => void): void;
+  close(): void;
+}
+
+/** What a tab says of itself. */
+export interface TabState {
+  /** What the port that it holds is called between the tabs; null when it holds none. */
+  readonly portKey: string | null;
+  /** What is on its screen, for the pilot: “F1Q, M2”. At most 200 letters. */
+  readonly what: string;
+  /** Since when it holds the port: milliseconds since 1970. */
+  readonly since: number;
+  /** It is writing to the timer: not to be disturbed. */
+  readonly writing: boolean;
+}
+
+/** Another tab of this program that holds a port. */
+export interface OtherTab extends TabState {
+  readonly id: string;
+  readonly portKey: string;
+}
+
+/** What became of a port that was asked for. `gone`: the other tab did not answer in time. */
+export type TakeOver = 'released' | 'writing' | 'gone';
+
+export interface OtherTabsOptions {
+  /** Null where the browser has none: then no other tab is ever found. */
+  readonly channel: TabChannel | null;
+  /** What this tab would say now. */
+  readonly self: () => TabState;
+  /**
+   * Another tab wants the port of this one: close it.
+   * @returns whether it is closed; false when a write has begun.
+   */
+  readonly onReleaseAsked: () => Promise<boolean>;
+  readonly clock?: Clock;
+}
+
+/** Milliseconds that a tab has to say what it holds. */
+const ANSWER_WAIT = 150;
+/** Milliseconds that a tab has to close its port: the last request on the line must end first. */
+const RELEASE_WAIT = 3000;
+
+// On the other side may be another version of this program: what is not understood is passed over.
+const text = v.pipe(v.string(), v.maxLength(200));
+const head = { from: text, ask: v.number(), portKey: text };
+const messageSchema = v.variant('kind', [
+  v.object({ kind: v.literal('who'), ...head }),
+  v.object({
+    kind: v.literal('holds'),
+    ...head,
+    to: text,
+    what: text,
+    since: v.pipe(v.number(), v.finite()),
+    writing: v.boolean(),
+  }),
+  v.object({ kind: v.literal('release'), ...head, to: text }),
+  v.object({ kind: v.literal('answer'), ...head, to: text, result: v.picklist(['released', 'writing']) }),
+]);
+type Message = v.InferOutput<typeof messageSchema>;
+type Question = Extract<Message, { kind: 'who' | 'release' }>;
+type Reply = Exclude<Message, Question>;
+
+/** The channel between the tabs of this program; null where the browser has none. */
+export function openTabChannel(): TabChannel | null {
+  return typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('sidus-timer tabs');
+}
+
+/** The other tabs of this program in this browser: which of them holds a port, and may this one have it. */
+export class OtherTabs {
+  readonly #options: OtherTabsOptions;
+  readonly #clock: Clock;
+  // Without https there is no crypto.randomUUID, and the page must start there too.
+  readonly #id = String(crypto.getRandomValues(new Uint32Array(4)));
+  readonly #waiting = new Map<number, (reply: Reply) => void>();
+  #channel: TabChannel | null;
+  #asked = 0;
+
+  constructor(options: OtherTabsOptions) {
+    this.#options = options;
+    this.#clock = options.clock ?? realClock;
+    this.#channel = options.channel;
+    this.#channel?.addEventListener('message', ({ data }) => this.#hear(data));
+  }
+
+  /** The tabs that hold this port, the one that has held it longest first. Takes 150 ms where there can be any. */
+  async holders(portKey: string): Promise<OtherTab[]> {
+    const found: OtherTab[] = [];
+    await this.#ask({ kind: 'who', portKey }, ANSWER_WAIT, (reply) => {
+      if (reply.kind !== 'holds') return undefined;
+      const { from: id, what, since, writing } = reply;
+      found.push({ id, portKey, what, since, writing });
+      return undefined;
+    });
+    return found.sort((a, b) => a.since - b.since);
+  }
+
+  /** Asks a tab to close its port, and waits until it has, at most 3 s. */
+  async takeOver({ id, portKey }: OtherTab): Promise<TakeOver> {
+    const result = await this.#ask({ kind: 'release', portKey, to: id }, RELEASE_WAIT, (reply) =>
+      reply.kind === 'answer' && reply.from === id ? reply.result : undefined,
+    );
+    return result ?? 'gone';
+  }
+
+  /** Answers and asks no more. */
+  close(): void {
+    this.#channel?.close();
+    this.#channel = null;
+  }
+
+  /** Gives what `take` makes of the first reply that it takes; undefined when none came in time. */
+  async #ask<T>(
+    question: { kind: 'who'; portKey: string } | { kind: 'release'; portKey: string; to: string },
+    wait: number,
+    take: (reply: Reply) => T | undefined,
+  ): Promise<T | undefined> {
+    if (!this.#channel) return undefined;
+    const ask = ++this.#asked;
+    const taken = await new Promise<T | undefined>((resolve) => {
+      const giveUp = this.#clock.after(wait, () => resolve(undefined));
+      this.#waiting.set(ask, (reply) => {
+        const result = take(reply);
+        if (result === undefined) return;
+        giveUp();
+        resolve(result);
+      });
+      this.#say({ ...question, from: this.#id, ask });
+    });
+    this.#waiting.delete(ask);
+    return taken;
+  }
+
+  #hear(data: unknown): void {
+    const parsed = v.safeParse(messageSchema, data);
+    if (!parsed.success) return;
+    const message = parsed.output;
+    if (message.kind === 'who') this.#tell(message);
+    else if (message.to !== this.#id) return;
+    else if (message.kind === 'release') void this.#release(message);
+    else this.#waiting.get(message.ask)?.(message);
+  }
+
+  #tell({ from, ask, portKey }: Question): void {
+    const self = this.#options.self();
+    if (self.portKey !== portKey) return;
+    const { what, since, writing } = self;
+    this.#say({ kind: 'holds', from: this.#id, to: from, ask, portKey, what: what.slice(0, 200), since, writing });
+  }
+
+  async #release({ from, ask, portKey }: Question): Promise<void> {
+    const { portKey: held, writing } = this.#options.self();
+    const released = held !== portKey || (!writing && (await this.#options.onReleaseAsked()));
+    const result = released ? 'released' : 'writing';
+    this.#say({ kind: 'answer', from: this.#id, to: from, ask, portKey, result });
+  }
+
+  #say(message: Message): void {
+    this.#channel?.postMessage(message);
+  }
+}

@@ -1,0 +1,90 @@
+import { type DBSchema, type IDBPDatabase, openDB } from 'idb';
+import type { BaseIssue, BaseSchema } from 'valibot';
+import * as v from 'valibot';
+
+const STORES = ['drafts', 'unfinished', 'backups', 'ports'] as const;
+
+/** The shelves of the browser's storage; each record stands under its own key. */
+export type StoreName = (typeof STORES)[number];
+
+interface Schema extends DBSchema {
+  drafts: { key: string; value: unknown };
+  unfinished: { key: string; value: unknown };
+  backups: { key: string; value: unknown };
+  ports: { key: string; value: unknown };
+}
+
+/** What the models need of a shelf, so that a test can put another in its place. */
+export interface Keeper<T extends { readonly key: string }> {
+  save(record: T): Promise<void>;
+  remove(key: string): Promise<void>;
+  /** Undefined when there is none or what is stored cannot be read. */
+  load(key: string): Promise<T | undefined>;
+  /** All records that can be read, in the order of their keys. */
+  all(): Promise<T[]>;
+}
+
+/** Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds on to it. */
+export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>> {
+  // Where storage is switched off, opening may throw at once instead of failing later.
+  const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
+    openDB<Schema>(name, 2, {
+      upgrade(database) {
+        for (const store of STORES) {
+          if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
+        }
+      },
+      blocked: () => reject(new Error('Another tab holds an older version of the storage.')),
+      // A newer version of this page wants to rearrange the storage: it goes first.
+      blocking: (_, __, event) => (event.target as IDBDatabase).close(),
+    }).then(resolve, reject);
+  });
+  // Whoever asks is told; nobody has asked yet.
+  opened.catch(() => {});
+  return opened;
+}
+
+/** One shelf of the storage. What is read from it is checked: another version of this page may have written it. */
+export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
+  readonly #opened: Promise<IDBPDatabase<Schema>>;
+  readonly #name: StoreName;
+  readonly #schema: BaseSchema<unknown, T, BaseIssue<unknown>>;
+  readonly #durability: IDBTransactionDurability;
+
+  /** @param durability `strict`: saved means written to the disk, at the cost of some milliseconds. */
+  constructor(
+    opened: Promise<IDBPDatabase<Schema>>,
+    name: StoreName,
+    schema: BaseSchema<unknown, T, BaseIssue<unknown>>,
+    durability: IDBTransactionDurability = 'relaxed',
+  ) {
+    this.#opened = opened;
+    this.#name = name;
+    this.#schema = schema;
+    this.#durability = durability;
+  }
+
+  async save(record: T): Promise<void> {
+    const options = { durability: this.#durability };
+    const writing = (await this.#opened).transaction(this.#name, 'readwrite', options);
+    await Promise.all([writing.store.put(record), writing.done]);
+  }
+
+  async remove(key: string): Promise<void> {
+    await (await this.#opened).delete(this.#name, key);
+  }
+
+  async load(key: string): Promise<T | undefined> {
+    return this.#read(await (await this.#opened).get(this.#name, key));
+  }
+
+  async all(): Promise<T[]> {
+    const stored: unknown[] = await (await this.#opened).getAll(this.#name);
+    return stored.map((record) => this.#read(record)).filter((record) => record !== undefined);
+  }
+
+  #read(stored: unknown): T | undefined {
+    const result = v.safeParse(this.#schema, stored);
+    return result.success ? result.output : undefined;
+  }
+}

@@ -1,0 +1,105 @@
+import * as v from 'valibot';
+import type { TimerProgram } from '../../program/index.js';
+
+const finite = v.pipe(v.number(), v.finite());
+const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255));
+const identity = v.object({
+  timerClass: v.pipe(v.string(), v.regex(/^[!-~]$/)),
+  firmware: v.string(),
+  functions: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(125)),
+  memories: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(255)),
+  servos: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(126)),
+});
+const program: v.GenericSchema<unknown, TimerProgram> = v.pipe(
+  v.object({
+    identity,
+    memory: v.nullable(finite),
+    timers: v.array(finite),
+    positions: v.array(v.array(finite)),
+    idleThrottle: v.nullable(finite),
+  }),
+  v.check(({ identity: { functions, servos }, timers, positions }) => {
+    const columns = functions + 1;
+    return timers.length === columns && positions.length === servos && positions.every((row) => row.length === columns);
+  }, 'the lists do not have the shape of the identity'),
+);
+
+/** What a pilot was working on, under the kind of timer and the memory that it is for. */
+export const draftSchema = v.object({
+  key: v.string(),
+  /** What the timer held when the work began. */
+  baseline: program,
+  working: program,
+  /** Texts in fields that are no values yet, by field. */
+  texts: v.record(v.string(), v.string()),
+  /** Milliseconds since 1970. */
+  savedAt: v.number(),
+  /** Whether it came from the simulated timer. */
+  simulated: v.boolean(),
+});
+export type Draft = v.InferOutput<typeof draftSchema>;
+
+/**
+ * A job that has begun to change a timer, kept from before its first byte until its end was seen. A write, under the kind of timer and
+ * the memory that it is for; or a walk through the memories, under the kind alone.
+ */
+export const unfinishedSchema = v.variant('kind', [
+  v.object({
+    kind: v.literal('write'),
+    key: v.string(),
+    startedAt: v.number(),
+    /** What the timer held. */
+    before: program,
+    /** What it was to hold. */
+    goal: program,
+  }),
+  v.object({
+    kind: v.literal('memories'),
+    key: v.string(),
+    startedAt: v.number(),
+    identity,
+    /** The memory that was current, and is to be current again; counted from 0. */
+    home: index,
+  }),
+]);
+export type Unfinished = v.InferOutput<typeof unfinishedSchema>;
+export type UnfinishedWrite = Extract<Unfinished, { kind: 'write' }>;
+export type UnfinishedWalk = Extract<Unfinished, { kind: 'memories' }>;
+
+/** What one memory of a timer held at a time: before a write, or when the pilot asked for it. */
+export const backupSchema = v.object({
+  /** Sorts by time. */
+  key: v.string(),
+  savedAt: v.number(),
+  reason: v.picklist(['write', 'memories']),
+  program,
+  simulated: v.boolean(),
+});
+export type Backup = v.InferOutput<typeof backupSchema>;
+
+/** What is remembered of a port. Two adapters of one make share it: nothing tells them apart. */
+export const portSchema = v.object({
+  key: v.string(),
+  usedAt: v.number(),
+  settings: v.object({
+    baudRate: v.union([v.literal('find'), v.pipe(v.number(), v.integer(), v.minValue(1))]),
+    dataBits: v.picklist([7, 8]),
+    parity: v.picklist(['none', 'even', 'odd']),
+    stopBits: v.picklist([1, 2]),
+    dtr: v.nullable(v.boolean()),
+    rts: v.nullable(v.boolean()),
+  }),
+  /** The rate at which a timer answered last; null when none has. */
+  foundRate: v.nullable(v.pipe(v.number(), v.integer(), v.minValue(1))),
+  /** What was taken for true of the timers at this port, by kind of timer: a first guess for the next one. */
+  quirks: v.record(
+    v.string(),
+    v.object({
+      bigEndianTimes: v.exactOptional(v.boolean()),
+      servoFirst: v.exactOptional(v.boolean()),
+      memoriesFromOne: v.exactOptional(v.boolean()),
+      bareChecksumRequests: v.exactOptional(v.boolean()),
+    }),
+  ),
+});
+export type PortRecord = v.InferOutput<typeof portSchema>;

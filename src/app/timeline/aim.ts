@@ -1,0 +1,69 @@
+import type { ProgramField } from '../../program/index.js';
+import { type Arrangement, gripsOf } from './arrangement.js';
+
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** How near a pointer must come, in pixels: a finger covers 44, a mouse points. */
+const REACH = { coarse: 22, fine: 13 };
+const LINE_REACH = { coarse: 14, fine: 7 };
+const MARK_REACH = 4;
+
+/**
+ * The handle under a pointer: the nearest one within reach. A mouse can also take a line by any part of it, and a function by its
+ * upright; a finger would do that without wanting to.
+ */
+export function aimAt(arrangement: Arrangement, front: number, { x, y }: Point, coarse: boolean): ProgramField | null {
+  const { layout } = arrangement;
+  const reach = coarse ? REACH.coarse : REACH.fine;
+  const near = gripsOf(arrangement, front)
+    .filter((grip) => layout.shows(grip.x) || grip.field.kind === 'time')
+    .map((grip) => ({ grip, distance: Math.hypot(grip.x - x, grip.y - y) }))
+    .filter(({ distance }) => distance <= reach)
+    .sort((a, b) => a.distance - b.distance)[0];
+  if (near) return near.grip.field;
+  if (coarse || y < layout.box.top || y > layout.box.bottom) return null;
+
+  const line = lineAt(arrangement, front, { x, y }, false);
+  if (line) return { kind: 'position', ...line };
+  const mark = arrangement.flags.find(({ at }) => Math.abs(at - x) <= MARK_REACH && layout.shows(at));
+  return mark ? { kind: 'time', column: mark.column } : null;
+}
+
+/** The line under a pointer and the column that it stands at there; of several the one in front. */
+export function lineAt(
+  { heights, stages, layout }: Arrangement,
+  front: number,
+  { x, y }: Point,
+  coarse: boolean,
+): { servo: number; column: number } | null {
+  const reach = coarse ? LINE_REACH.coarse : LINE_REACH.fine;
+  let found: { servo: number; column: number } | null = null;
+  let nearest = reach;
+  for (const { column, from, until } of stages) {
+    const ends = [layout.x(from), until === null ? layout.box.right : layout.x(until)];
+    if (x < Math.min(...ends) || x > Math.max(...ends)) continue;
+    for (const [servo, row] of heights.entries()) {
+      const distance = Math.abs((row[column] as number) - y);
+      if (distance > nearest || (distance === nearest && servo !== front)) continue;
+      nearest = distance;
+      found = { servo, column };
+    }
+  }
+  return found;
+}
+
+/** A pointer this near to a mark asks about the very time of the mark. */
+const SNAP = 5;
+
+/** The time that a pointer asks about, in whole hundredths of a second. */
+export function timeAt({ flags, stages, motorStop, layout }: Arrangement, x: number): number {
+  const marks = flags.map(({ column, at }) => ({ time: stages[column]?.from ?? 0, distance: Math.abs(at - x) }));
+  if (motorStop !== null) marks.push({ time: motorStop, distance: Math.abs(layout.x(motorStop) - x) });
+  const nearest = marks.sort((a, b) => a.distance - b.distance)[0];
+  if (nearest && nearest.distance <= SNAP) return nearest.time;
+  const { left, right } = layout.box;
+  return Math.min(layout.scale.end, Math.round(layout.time(Math.min(right, Math.max(left, x)))));
+}

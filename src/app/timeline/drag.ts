@@ -1,0 +1,113 @@
+import { manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+
+/** A value that one movement of a handle gives to a field. */
+export interface FieldChange {
+  readonly field: ProgramField;
+  readonly value: number;
+}
+
+/** What a change is part of: all until the one that is `final` are one step for who wants to undo it. */
+export interface EditStep {
+  readonly name: 'move-time' | 'move-position';
+  readonly final: boolean;
+}
+
+export type OnEdit = (changes: readonly FieldChange[], step: EditStep) => void;
+
+export interface Limits {
+  readonly min: number;
+  readonly max: number;
+}
+
+/** The step of a time of this class in hundredths of a second: 1 where the manual gives none. */
+export function timeStep(identity: Identity, column: number): number {
+  return manualRange(identity, column)?.step ?? 1;
+}
+
+/**
+ * How far a field can be moved. A time keeps its place among its neighbours, at least one step away from each; a neighbour that it
+ * has reached or passed already does not hold it there. The motor stop lies between launch and DT.
+ * @param free lifts the neighbours.
+ */
+export function limitsOf(program: TimerProgram, field: ProgramField, free = false): Limits {
+  if (field.kind !== 'time') return { min: 0, max: MAX_POSITION };
+  const { identity, timers } = program;
+  const { column } = field;
+  const step = timeStep(identity, column);
+  const largest = Math.floor(MAX_TIME / step) * step;
+  if (free) return { min: 0, max: largest };
+  const time = timers[column] as number;
+  const before = column > 1 ? (timers[column - 1] as number) : 0;
+  const after = timers[column === 0 ? identity.functions : column + 1] ?? MAX_TIME + 1;
+  const min = before < time ? Math.ceil((before + 1) / step) * step : before === time ? time : 0;
+  const max = after > time ? Math.floor((after - 1) / step) * step : after === time ? time : largest;
+  // Between close neighbours there may be no whole step: then it stays where it is.
+  return { min: Math.min(min, time), max: Math.max(max, time) };
+}
+
+/** The nearest value that a field can be moved to: a whole step inside of its limits. */
+export function snapped(program: TimerProgram, field: ProgramField, value: number, free = false): number {
+  const step = field.kind === 'time' ? timeStep(program.identity, field.column) : 1;
+  return within(Math.round(value / step) * step, limitsOf(program, field, free));
+}
+
+/** The value some steps up or down. From between two steps the first one goes to the next of them. */
+export function stepped(program: TimerProgram, field: ProgramField, steps: number, free = false): number {
+  const step = field.kind === 'time' ? timeStep(program.identity, field.column) : 1;
+  const value = valueAt(program, field) ?? 0;
+  const start = steps > 0 ? Math.floor(value / step) : Math.ceil(value / step);
+  return within((start + steps) * step, limitsOf(program, field, free));
+}
+
+function within(value: number, { min, max }: Limits): number {
+  return Math.min(max, Math.max(min, value));
+}
+
+/** One movement of one handle, from taking hold to letting go. */
+export class Edit {
+  readonly program: TimerProgram;
+  readonly field: ProgramField;
+  readonly #name: EditStep['name'];
+  readonly #onEdit: OnEdit;
+  readonly #original: number;
+  #last: number;
+  #moved = false;
+
+  /** @param program as it is when the handle is taken. */
+  constructor(program: TimerProgram, field: ProgramField, onEdit: OnEdit) {
+    this.program = program;
+    this.field = field;
+    this.#onEdit = onEdit;
+    this.#name = field.kind === 'time' ? 'move-time' : 'move-position';
+    this.#original = this.#last = valueAt(program, field) ?? 0;
+  }
+
+  /** The value that the handle stands at. */
+  get value(): number {
+    return this.#last;
+  }
+
+  move(value: number): void {
+    if (value === this.#last) return;
+    this.#last = value;
+    this.#moved = true;
+    this.#tell(false);
+  }
+
+  /** The handle is let go. Nothing is said of a movement that was none. */
+  finish(): void {
+    if (this.#moved) this.#tell(true);
+    this.#moved = false;
+  }
+
+  /** Puts back what was there. */
+  cancel(): void {
+    this.#last = this.#original;
+    this.finish();
+  }
+
+  #tell(final: boolean): void {
+    this.#onEdit([{ field: this.field, value: this.#last }], { name: this.#name, final });
+  }
+}

@@ -1,0 +1,150 @@
+import type { ComponentChildren } from 'preact';
+import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import { fieldLabel, messages } from '../messages/index.js';
+import { formatTime } from '../units.js';
+import { type Arrangement, FLAG, type Flag } from './arrangement.js';
+import { limitsOf, type OnEdit } from './drag.js';
+import { timeOf } from './flight.js';
+import type { HandleKeys } from './keys.js';
+import { servoClass } from './layers.js';
+import type { TimelineModel } from './view-model.js';
+
+export interface HandlesProps {
+  readonly arrangement: Arrangement;
+  readonly model: TimelineModel;
+  readonly keys: HandleKeys;
+  readonly front: number;
+  readonly selected: ProgramField | null;
+  /** Absent when nothing can be changed: then there are the marks, but no handles. */
+  readonly onEdit: OnEdit | undefined;
+  readonly onSelect: ((field: ProgramField) => void) | undefined;
+}
+
+/** The marks above the plot, the end of the motor and the steps of the servo in front, in the order of the columns. */
+export function Handles(props: HandlesProps) {
+  const { arrangement, front, onEdit } = props;
+  const { flags, stages, heights, layout, measures, motorStop } = arrangement;
+  const row = heights[front];
+  const dots = onEdit && row ? row : [];
+  return (
+    <g class="handles">
+      {motorStop !== null && (
+        <Handle
+          {...props}
+          field={{ kind: 'time', column: 0 }}
+          x={layout.x(motorStop)}
+          y={measures.motor}
+          inView={layout.shows(layout.x(motorStop))}
+        >
+          <circle class="knob" r="5.5" />
+        </Handle>
+      )}
+      {stages.map(({ column, from, passing }) => {
+        const roomy = flags[column - 1]?.roomy ?? true;
+        const inView = layout.shows(layout.x(from));
+        const flag = flags[column - 1];
+        const y = dots[column];
+        return (
+          <g key={column}>
+            {flag && (
+              <Handle {...props} field={{ kind: 'time', column }} x={flag.x} y={FLAG} inView={inView}>
+                <FlagFigure flag={flag} />
+              </Handle>
+            )}
+            {y !== undefined && (
+              <Handle
+                {...props}
+                field={{ kind: 'position', servo: front, column }}
+                x={layout.x(from)}
+                y={y}
+                inView={inView}
+              >
+                <circle
+                  class={`dot ${servoClass(front)} ${passing === 'passed' ? 'passed' : ''} ${roomy ? '' : 'small'}`}
+                  r={roomy ? 5 : 3}
+                />
+              </Handle>
+            )}
+          </g>
+        );
+      })}
+    </g>
+  );
+}
+
+function FlagFigure({ flag: { column, isDt, radius, labelled, roomy, passedOver } }: { flag: Flag }) {
+  const { dt } = messages.value.program;
+  const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''}`;
+  const wide = radius + 2;
+  return (
+    <>
+      {isDt && <rect class={classes} x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
+      {!isDt && roomy && <circle class={classes} r={radius} />}
+      {labelled && (
+        <text class={classes} y="0.35em" font-size={Math.min(13, radius * 1.2)}>
+          {isDt ? dt : column}
+        </text>
+      )}
+    </>
+  );
+}
+
+/** What a finger needs, in pixels. */
+const FINGER = 44;
+
+interface HandleProps extends HandlesProps {
+  readonly field: ProgramField;
+  readonly x: number;
+  readonly y: number;
+  /** Out of view it can still get the focus, which brings it into view. */
+  readonly inView: boolean;
+  readonly children: ComponentChildren;
+}
+
+function Handle({ arrangement, model, keys, selected, onEdit, onSelect, field, x, y, inView, children }: HandleProps) {
+  const { program } = arrangement;
+  const key = fieldKey(field);
+  const isSelected = selected !== null && fieldKey(selected) === key;
+  const place = { transform: `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})` };
+  const classes = `handle ${field.kind} ${isSelected ? 'selected' : ''} ${inView ? '' : 'away'}`;
+  if (!onEdit) {
+    return (
+      <g class={classes} {...place}>
+        {children}
+      </g>
+    );
+  }
+  const value = valueAt(program, field) ?? 0;
+  const limits = limitsOf(program, field);
+  const isTime = field.kind === 'time';
+  const shown = (number: number): number => (isTime ? number / 100 : number);
+  const { seconds } = messages.value;
+  const { steps } = messages.value.timeline;
+  return (
+    <g
+      {...place}
+      class={classes}
+      data-field={key}
+      role="slider"
+      tabindex={model.entered.value ? 0 : -1}
+      aria-label={fieldLabel(program.identity, field)}
+      aria-orientation={isTime ? 'horizontal' : 'vertical'}
+      aria-valuemin={shown(limits.min)}
+      aria-valuemax={shown(Math.max(limits.max, value))}
+      aria-valuenow={shown(value)}
+      aria-valuetext={isTime ? seconds(formatTime(value)) : steps(value)}
+      onFocus={() => {
+        model.entered.value = true;
+        model.reveal(arrangement.layout.scale.place(timeOf(program, field)));
+        onSelect?.(field);
+      }}
+      onKeyDown={(event) => keys.down(event, program, field, onEdit)}
+      onKeyUp={keys.up}
+      onBlur={keys.up}
+    >
+      <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
+      <circle class="ring" r="15" />
+      {children}
+    </g>
+  );
+}

@@ -1,0 +1,118 @@
+import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import type { Arrangement } from './arrangement.js';
+import { Edit, limitsOf, type OnEdit, stepped } from './drag.js';
+import { marksOf } from './flight.js';
+import type { Scale } from './scale.js';
+import type { TimelineModel } from './view-model.js';
+
+const STEPS: Readonly<Record<string, number>> = {
+  ArrowRight: 1,
+  ArrowUp: 1,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  PageUp: 10,
+  PageDown: -10,
+};
+const MANY = 10;
+
+/** The value that a key gives to a field; null when it is not a key for that. Shift counts for ten, Alt lifts the neighbours. */
+export function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
+  if (event.ctrlKey || event.metaKey) return null;
+  if (event.key === 'Home') return limitsOf(program, field, event.altKey).min;
+  if (event.key === 'End') return limitsOf(program, field, event.altKey).max;
+  const steps = STEPS[event.key];
+  if (steps === undefined) return null;
+  return stepped(program, field, event.shiftKey ? steps * MANY : steps, event.altKey);
+}
+
+/** Keys at a handle. While one is held it is one movement, which ends when it is let go. */
+export class HandleKeys {
+  readonly #model: TimelineModel;
+  #edit: Edit | null = null;
+
+  constructor(model: TimelineModel) {
+    this.#model = model;
+  }
+
+  down(event: KeyboardEvent, program: TimerProgram, field: ProgramField, onEdit: OnEdit): void {
+    if (event.key === 'Escape') {
+      if (this.#edit) this.#edit.cancel();
+      else (event.currentTarget as Element).closest<SVGElement>('svg')?.focus();
+      this.#edit = null;
+      take(event);
+      return;
+    }
+    const value = valueByKey(program, field, event);
+    if (value === null) return;
+    take(event);
+    this.#model.asked.value = null;
+    this.#edit ??= new Edit(program, field, onEdit);
+    if (value !== valueAt(program, field)) this.#edit.move(value);
+  }
+
+  /** The key is let go, or the handle has lost the focus. */
+  readonly up = (): void => {
+    this.#edit?.finish();
+    this.#edit = null;
+  };
+}
+
+const ZOOM = 1.5;
+const PAN = 0.2;
+
+/** Keys at the picture as a whole: the arrows go from mark to mark, with Shift they move what is in view; + and − zoom. */
+export function pictureKey(event: KeyboardEvent, model: TimelineModel, { program, layout }: Arrangement): void {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target !== event.currentTarget) return;
+  const action = actionOf(event, model, program, layout.scale);
+  if (!action) return;
+  take(event);
+  action();
+}
+
+function actionOf(
+  { key, shiftKey }: KeyboardEvent,
+  model: TimelineModel,
+  program: TimerProgram,
+  scale: Scale,
+): (() => void) | null {
+  const { asked } = model;
+  const marks = [0, ...marksOf(program)];
+  const ask = (time: number | null) => (): void => {
+    asked.value = time;
+    model.spoken.value = time;
+    if (time !== null) model.reveal(scale.place(time));
+  };
+  const now = asked.value;
+  switch (key) {
+    case '+':
+    case '=':
+      return () => model.zoom(ZOOM);
+    case '-':
+      return () => model.zoom(1 / ZOOM);
+    case '0':
+      return () => model.fit();
+    case 'ArrowRight':
+      if (shiftKey) return () => model.pan(PAN);
+      return ask(now === null ? 0 : Math.min(scale.end, ...marks.filter((time) => time > now)));
+    case 'ArrowLeft':
+      if (shiftKey) return () => model.pan(-PAN);
+      return ask(now === null ? Math.max(...marks) : Math.max(0, ...marks.filter((time) => time < now)));
+    case 'Home':
+      return ask(0);
+    case 'End':
+      return ask(Math.max(...marks));
+    case 'Enter':
+      return () => {
+        model.wanted.value = { kind: 'time', column: 1 };
+      };
+    case 'Escape':
+      return now === null ? null : ask(null);
+    default:
+      return null;
+  }
+}
+
+function take(event: KeyboardEvent): void {
+  event.preventDefault();
+  event.stopPropagation();
+}

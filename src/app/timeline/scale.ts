@@ -1,0 +1,140 @@
+/** The length of run-out that is shown, and played, after the last event: hundredths of a second. */
+export const RUN_OUT = 300;
+
+/** Gaps shorter than this are drawn nearly in proportion, longer ones ever more compressed: hundredths of a second. */
+const BEND = 50;
+/** At most this share of the picture is dealt out evenly, however many marks there are; the rest follows the times. */
+const EVEN_SHARE = 0.8;
+
+/**
+ * A time axis. Times are hundredths of a second from launch, places run from 0 at launch to 1 at the end of the picture. Strictly
+ * rising and straight between its knots, so that every place has one time and every time one place, also past the end.
+ */
+export class Scale {
+  readonly times: readonly number[];
+  readonly places: readonly number[];
+  /** Places for each hundredth of a second past the last knot: as in the most compressed gap. */
+  readonly #beyond: number;
+
+  /**
+   * @param times strictly rising, the first is 0; at least two.
+   * @param places one for each time, strictly rising, the first is 0.
+   */
+  constructor(times: readonly number[], places: readonly number[]) {
+    this.times = times;
+    this.places = places;
+    let slowest = Number.POSITIVE_INFINITY;
+    for (let i = 1; i < times.length; i++) slowest = Math.min(slowest, this.#rate(i));
+    this.#beyond = slowest;
+  }
+
+  /** The last time of the picture. */
+  get end(): number {
+    return this.times.at(-1) as number;
+  }
+
+  /** Where a time lies. Times before launch lie at 0. */
+  place(time: number): number {
+    if (time <= 0) return 0;
+    if (time >= this.end) return (this.places.at(-1) as number) + (time - this.end) * this.#beyond;
+    const i = firstAbove(this.times, time);
+    return (this.places[i - 1] as number) + (time - (this.times[i - 1] as number)) * this.#rate(i);
+  }
+
+  /** The time that lies at a place, not rounded: the inverse of {@link place}. */
+  time(place: number): number {
+    if (place <= 0) return 0;
+    const last = this.places.at(-1) as number;
+    if (place >= last) return this.end + (place - last) / this.#beyond;
+    const i = firstAbove(this.places, place);
+    return (this.times[i - 1] as number) + (place - (this.places[i - 1] as number)) / this.#rate(i);
+  }
+
+  #rate(i: number): number {
+    const [from, to] = [i - 1, i].map((at) => this.places[at] as number) as [number, number];
+    return (to - from) / ((this.times[i] as number) - (this.times[i - 1] as number));
+  }
+}
+
+export interface StretchOptions {
+  /** The least distance of neighbouring marks, as a share of the picture; less where there are too many for it. */
+  readonly minGap: number;
+  /** What the run-out takes, as a share of the picture. */
+  readonly runOut: number;
+  /** Times that get room by their length alone, as those of a second program. */
+  readonly others?: readonly number[];
+}
+
+/**
+ * An axis that shows 0.05 s and 6 min alike: the gap between two neighbouring marks gets a share that all gaps have and a share
+ * that grows with the logarithm of its length.
+ * @param marks times that must be told apart, in any order; launch is always one.
+ */
+export function stretchedScale(marks: readonly number[], { minGap, runOut, others = [] }: StretchOptions): Scale {
+  const own = rising([0, ...marks]);
+  const times = rising([...own, ...others]);
+  const end = times.at(-1) as number;
+  const stops = rising([...own, end]);
+  const gaps = stops.length - 1;
+  if (gaps === 0) return evenScale(0);
+
+  const room = 1 - runOut;
+  const even = Math.min(minGap, (EVEN_SHARE * room) / gaps);
+  const weights = times.slice(1).map((time, i) => Math.log1p((time - (times[i] as number)) / BEND));
+  const share = (room - even * gaps) / sum(weights);
+
+  const places = [0];
+  let next = 0;
+  for (let stop = 1; stop < stops.length; stop++) {
+    const from = next;
+    while ((times[next] as number) < (stops[stop] as number)) next++;
+    const inside = weights.slice(from, next);
+    const each = even / sum(inside) + share;
+    for (const weight of inside) places.push((places.at(-1) as number) + weight * each);
+  }
+  return new Scale([...times, end + RUN_OUT], [...places, 1]);
+}
+
+/** An axis on which every second has the same length. */
+export function evenScale(end: number): Scale {
+  return new Scale([0, end + RUN_OUT], [0, 1]);
+}
+
+/** A scale on the way from one to another. @param share 0 is the first, 1 the second. */
+export function between(from: Scale, to: Scale, share: number): Scale {
+  const times = rising([...from.times, ...to.times]);
+  return new Scale(
+    times,
+    times.map((time) => from.place(time) * (1 - share) + to.place(time) * share),
+  );
+}
+
+/** Whether two scales put every time at the same place. */
+export function sameScale(a: Scale, b: Scale): boolean {
+  return same(a.times, b.times) && same(a.places, b.places);
+}
+
+function same(a: readonly number[], b: readonly number[]): boolean {
+  return a.length === b.length && a.every((value, i) => value === b[i]);
+}
+
+/** The numbers in rising order, each once. */
+function rising(numbers: readonly number[]): number[] {
+  return [...new Set(numbers)].sort((a, b) => a - b);
+}
+
+function sum(numbers: readonly number[]): number {
+  return numbers.reduce((total, number) => total + number, 0);
+}
+
+/** The index of the first number above a value that lies between the first and the last of them. */
+function firstAbove(numbers: readonly number[], value: number): number {
+  let low = 1;
+  let high = numbers.length - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((numbers[middle] as number) > value) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}

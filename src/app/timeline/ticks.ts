@@ -1,0 +1,59 @@
+import { formatTime } from '../units.js';
+import type { Scale } from './scale.js';
+
+/** Round times, each a whole number of the next: hundredths of a second. */
+const LEVELS = [30000, 6000, 3000, 1000, 500, 100, 50, 10, 5, 1];
+
+/** Where there is room for times. */
+export interface TickRoom {
+  /** The first place in view. */
+  readonly from: number;
+  /** The last place in view. */
+  readonly to: number;
+  /** The least distance of two times, in places. */
+  readonly gap: number;
+}
+
+/**
+ * The times to be written at an axis: those that must be there, then as many others as have room, round ones last.
+ * @param fixed times that are written whatever stands beside them.
+ * @param wished times that are written before any round one.
+ * @returns hundredths of a second, in rising order.
+ */
+export function ticks(
+  scale: Scale,
+  fixed: readonly number[],
+  wished: readonly number[],
+  { from, to, gap }: TickRoom,
+): number[] {
+  const chosen = fixed.map((time) => ({ time, place: scale.place(time) }));
+  const free = (place: number): boolean => chosen.every((tick) => Math.abs(tick.place - place) >= gap);
+  for (const time of wished) {
+    const place = scale.place(time);
+    if (free(place)) chosen.push({ time, place });
+  }
+  for (const level of LEVELS) {
+    for (let i = 1; i < scale.times.length; i++) {
+      const [first, last] = [scale.times[i - 1] as number, scale.times[i] as number];
+      const rate = scale.place(last) - scale.place(first);
+      // In this gap they would stand too close: so would all the finer ones.
+      if ((rate / (last - first)) * level < gap) continue;
+      const begin = Math.max(first, scale.time(from));
+      const end = Math.min(last, scale.time(to));
+      for (let time = Math.ceil(begin / level) * level; time <= end; time += level) {
+        const place = scale.place(time);
+        if (free(place)) chosen.push({ time, place });
+      }
+    }
+  }
+  return chosen
+    .filter(({ place }) => place >= from && place <= to)
+    .map(({ time }) => time)
+    .sort((a, b) => a - b);
+}
+
+/** A time as short as it can be said: `0`, `0.5`, `12`, `3:00`. */
+export function shortTime(hundredths: number): string {
+  const text = formatTime(hundredths);
+  return text.includes(':') ? text : text.replace(/\.?0+$/, '');
+}

@@ -1,0 +1,190 @@
+import { useEffect, useId, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import { arrange, measuresOf, scaleOf } from './arrangement.js';
+import type { OnEdit } from './drag.js';
+import { timeOf } from './flight.js';
+import { Handles } from './handles.js';
+import { useGlide, useStable, useWidth } from './hooks.js';
+import { HandleKeys, pictureKey } from './keys.js';
+import { Crosshair, Picture } from './layers.js';
+import { PointerControl, type Target } from './pointer.js';
+import { descriptionOf, Moment, MomentLegend, Spoken } from './readout.js';
+import { TimelineNotes, TimelineTable } from './timeline-table.js';
+import { EvenSeconds, Tools } from './tools.js';
+import { TimelineModel } from './view-model.js';
+
+export interface TimelineProps {
+  readonly program: TimerProgram;
+  /** A second program, drawn faint behind the first: what the timer holds, or a saved one. */
+  readonly overlay?: { readonly program: TimerProgram; readonly name: string } | null | undefined;
+  /** A time of the flight in hundredths of a second, marked by a line; what a pointer asks about goes before it. */
+  readonly cursor?: number | null | undefined;
+  readonly selected?: ProgramField | null | undefined;
+  /**
+   * A handle has moved. While it is in hand the calls are not final. The last one is, and gives once more the value with which the
+   * handle was let go, or the first one if it was put back. Absent when nothing can be changed.
+   */
+  readonly onEdit?: OnEdit | undefined;
+  /** A handle has got the focus. */
+  readonly onSelect?: ((field: ProgramField) => void) | undefined;
+  /** A small picture to be looked at, with nothing to take hold of. */
+  readonly compact?: boolean | undefined;
+}
+
+/** The program over time: a line for each servo, marks for functions, motor stop and DT, to be read and to be moved. */
+export function Timeline({ compact = false, ...props }: TimelineProps) {
+  return compact ? <SmallTimeline {...props} /> : <WholeTimeline {...props} />;
+}
+
+/** The least width of a plot, in pixels, whatever room there is. */
+const LEAST_WIDTH = 120;
+
+function WholeTimeline({ program, overlay = null, cursor = null, selected = null, ...calls }: TimelineProps) {
+  const { timeline } = messages.value;
+  // While a flight is played all of this is drawn at each frame: only what has changed is made anew.
+  const onEdit = useStable(calls.onEdit);
+  const onSelect = useStable(calls.onSelect);
+  const selectedKey = selected && fieldKey(selected);
+  const id = useId();
+  const model = useMemo(() => new TimelineModel(), []);
+  const keys = useMemo(() => new HandleKeys(model), []);
+  const room = useRef<HTMLDivElement>(null);
+  const svg = useRef<SVGSVGElement>(null);
+  const width = useWidth(room);
+
+  const behind = overlay?.program ?? null;
+  const measures = measuresOf(program, false);
+  const plot = Math.max(LEAST_WIDTH, width - measures.left - measures.right);
+  const even = model.even.value;
+  const wanted = useMemo(() => scaleOf(program, behind, even, plot), [program, behind, even, plot]);
+  const scale = useGlide(wanted, model.moving.value?.scale ?? null, plot);
+  const view = model.view.value;
+  const arrangement = useMemo(
+    () => arrange(program, { scale, view, plot, measures, overlay: behind, selected, even }),
+    [program, behind, scale, view, plot, selectedKey, even],
+  );
+  const front = Math.min(model.front.value, program.identity.servos - 1);
+
+  const target = useRef<Target | null>(null);
+  const pointer = useMemo(() => new PointerControl(model, () => target.current), []);
+  const wantedField = model.wanted.value;
+  useLayoutEffect(() => {
+    target.current = svg.current && { svg: svg.current, arrangement, onEdit };
+    if (!wantedField) return;
+    model.wanted.value = null;
+    svg.current?.querySelector<SVGElement>(`[data-field="${fieldKey(wantedField)}"]`)?.focus({ preventScroll: true });
+  });
+  useEffect(() => {
+    const { current } = svg;
+    // Only a listener that is not passive can keep the page from scrolling.
+    current?.addEventListener('wheel', pointer.wheel, { passive: false });
+    current?.addEventListener('touchstart', pointer.touch, { passive: false });
+    return () => {
+      current?.removeEventListener('wheel', pointer.wheel);
+      current?.removeEventListener('touchstart', pointer.touch);
+      pointer.cancel();
+      keys.up();
+    };
+  }, []);
+  useEffect(() => {
+    if (!selected || selected.kind === 'idleThrottle' || model.moving.peek()) return;
+    if (selected.kind === 'position') model.front.value = selected.servo;
+    model.reveal(scale.place(timeOf(program, selected)));
+  }, [selectedKey]);
+
+  const picture = useMemo(
+    () => <Picture arrangement={arrangement} front={front} selected={selected} overlay={behind} clip={`${id}-plot`} />,
+    [arrangement, front, behind],
+  );
+  const handles = useMemo(
+    () => <Handles {...{ arrangement, model, keys, front, selected, onEdit, onSelect }} />,
+    [arrangement, front, onEdit, onSelect],
+  );
+  const { height } = measures;
+  return (
+    <section class="timeline" aria-label={timeline.title}>
+      <div class="timeline-top">
+        <Moment program={program} model={model} cursor={cursor} />
+        <Tools model={model} />
+      </div>
+      <MomentLegend {...{ program, model, cursor, front }} overlay={overlay?.name ?? null} />
+      <div class="timeline-room" ref={room} style={{ height: `${height}px` }}>
+        {/* biome-ignore lint/a11y/useSemanticElements: a picture with handles in it is no fieldset */}
+        <svg
+          ref={svg}
+          width={plot + measures.left + measures.right}
+          height={height}
+          role="group"
+          tabindex={0}
+          aria-label={timeline.picture}
+          aria-describedby={`${id}-about`}
+          class={model.moving.value ? 'moving' : ''}
+          onPointerDown={pointer.down}
+          onPointerMove={pointer.hover}
+          onPointerLeave={pointer.leave}
+          // The handle that is nearest gets the focus, not the one that lies on top.
+          onMouseDown={(event) => event.preventDefault()}
+          onDblClick={pointer.doubleClick}
+          onKeyDown={(event) => pictureKey(event, model, arrangement)}
+          onFocusOut={(event) => {
+            const next = event.relatedTarget as Node | null;
+            model.entered.value = next !== svg.current && (svg.current?.contains(next) ?? false);
+          }}
+        >
+          {picture}
+          <MomentLine arrangement={arrangement} model={model} cursor={cursor} />
+          {handles}
+        </svg>
+      </div>
+      <p class="visually-hidden" id={`${id}-about`}>
+        {descriptionOf(program)} {onEdit ? timeline.keysToEdit : timeline.keys}
+      </p>
+      <Spoken program={program} model={model} />
+      <TimelineNotes program={program} />
+      <div class="timeline-foot">
+        <TimelineTable program={program} />
+        <EvenSeconds model={model} />
+      </div>
+    </section>
+  );
+}
+
+function MomentLine(props: { arrangement: ReturnType<typeof arrange>; model: TimelineModel; cursor: number | null }) {
+  const { arrangement, model, cursor } = props;
+  return <Crosshair arrangement={arrangement} time={model.asked.value ?? cursor} />;
+}
+
+const ALL = { start: 0, span: 1 };
+
+function SmallTimeline({ program, overlay = null, cursor = null }: TimelineProps) {
+  const id = useId();
+  const room = useRef<HTMLDivElement>(null);
+  const width = useWidth(room);
+  const behind = overlay?.program ?? null;
+  const measures = measuresOf(program, true);
+  const plot = Math.max(LEAST_WIDTH, width - measures.left - measures.right);
+  const arrangement = useMemo(() => {
+    const scale = scaleOf(program, behind, false, plot);
+    return arrange(program, { scale, view: ALL, plot, measures, overlay: behind, selected: null, even: false });
+  }, [program, behind, plot]);
+  const picture = useMemo(
+    () => <Picture arrangement={arrangement} front={null} selected={null} overlay={behind} clip={`${id}-plot`} />,
+    [arrangement, behind],
+  );
+  return (
+    <div class="timeline small">
+      <div class="timeline-room" ref={room} style={{ height: `${measures.height}px` }}>
+        <svg
+          width={plot + measures.left + measures.right}
+          height={measures.height}
+          role="img"
+          aria-label={descriptionOf(program)}
+        >
+          {picture}
+          <Crosshair arrangement={arrangement} time={cursor} />
+        </svg>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,49 @@
+import { messages } from '../messages/index.js';
+import type { TimelineModel } from './view-model.js';
+
+const ZOOM = 2;
+
+/** How much of the flight is in view. */
+export function Tools({ model }: { model: TimelineModel }) {
+  const { timeline } = messages.value;
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: buttons that belong together are no form
+    <div class="timeline-tools" role="group" aria-label={timeline.tools}>
+      <button type="button" class="chip" aria-label={timeline.zoomOut} onClick={() => model.zoom(1 / ZOOM)}>
+        <Icon path="M4 10H16" />
+      </button>
+      <button type="button" class="chip" aria-label={timeline.zoomIn} onClick={() => model.zoom(ZOOM)}>
+        <Icon path="M4 10H16M10 4V16" />
+      </button>
+      <button type="button" class="chip" aria-label={timeline.fit} onClick={() => model.fit()}>
+        <Icon path="M2 4V16M18 4V16M5 10H15M8 7L5 10L8 13M12 7L15 10L12 13" />
+      </button>
+    </div>
+  );
+}
+
+/** Whether the axis is stretched where much happens, or shows every second with the same length. */
+export function EvenSeconds({ model }: { model: TimelineModel }) {
+  return (
+    <label class="timeline-even">
+      <input
+        type="checkbox"
+        checked={model.even.value}
+        onChange={(event) => {
+          model.even.value = event.currentTarget.checked;
+          model.fit();
+        }}
+      />
+      {messages.value.timeline.even}
+    </label>
+  );
+}
+
+/** A plain line drawing for a button. */
+export function Icon({ path }: { path: string }) {
+  return (
+    <svg class="icon" width="20" height="20" aria-hidden="true">
+      <path d={path} />
+    </svg>
+  );
+}

@@ -1,0 +1,85 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import type { ProgramField } from '../../program/index.js';
+import type { Edit } from './drag.js';
+import type { View } from './layout.js';
+import type { Scale } from './scale.js';
+
+const ALL: View = { start: 0, span: 1 };
+/** The deepest zoom: this many times the whole. */
+const DEEPEST = 60;
+
+/** A handle that is being moved. */
+export interface Moving {
+  readonly edit: Edit;
+  /** The axis as it was when the handle was taken: it stands still until the handle is let go. */
+  readonly scale: Scale;
+}
+
+/** What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program. */
+export class TimelineModel {
+  /** Whether every second has the same length. */
+  readonly even = signal(false);
+  /** The time that a pointer or a key has asked about, in hundredths of a second. */
+  readonly asked = signal<number | null>(null);
+  /** The same where a key has asked: it is said to who does not see it. */
+  readonly spoken = signal<number | null>(null);
+  /** The servo whose line has handles. */
+  readonly front = signal(0);
+  readonly moving = signal<Moving | null>(null);
+  /** Whether the keyboard is among the handles. */
+  readonly entered = signal(false);
+  /** The field whose handle shall have the focus as soon as it is there. */
+  readonly wanted = signal<ProgramField | null>(null);
+  readonly #view = signal<View>(ALL);
+
+  get view(): ReadonlySignal<View> {
+    return this.#view;
+  }
+
+  get zoomed(): boolean {
+    return this.#view.value.span < 1;
+  }
+
+  /** Shows less or more. @param anchor the place of the scale that stays where it is; the middle of what is in view if there is none. */
+  zoom(factor: number, anchor?: number): void {
+    const { start, span } = this.#view.peek();
+    const fixed = anchor ?? start + span / 2;
+    const next = Math.min(1, Math.max(1 / DEEPEST, span / factor));
+    this.#show(fixed - ((fixed - start) / span) * next, next);
+  }
+
+  /** Moves what is in view. @param by a share of it, positive to later times. @param past lets it leave the end of the picture. */
+  pan(by: number, past = false): void {
+    const { start, span } = this.#view.peek();
+    if (past) this.#view.value = { start: Math.max(0, start + by * span), span };
+    else this.#show(start + by * span, span);
+  }
+
+  /** Shows two places at given shares of what is in view. */
+  hold(a: { place: number; share: number }, b: { place: number; share: number }): void {
+    const span = Math.min(1, Math.max(1 / DEEPEST, (b.place - a.place) / (b.share - a.share)));
+    const middle = (a.place + b.place) / 2;
+    this.#show(middle - ((a.share + b.share) / 2) * span, span);
+  }
+
+  /** Shows all. */
+  fit(): void {
+    this.#view.value = ALL;
+  }
+
+  /** Brings a place of the scale into view, if it is not. */
+  reveal(place: number): void {
+    const { start, span } = this.#view.peek();
+    if (place < start || place > start + span) this.#show(place - span / 2, span);
+  }
+
+  /** Puts what is in view back inside of the picture. */
+  settle(): void {
+    const { start, span } = this.#view.peek();
+    this.#show(start, span);
+  }
+
+  #show(start: number, span: number): void {
+    this.#view.value = span >= 1 ? ALL : { start: Math.min(1 - span, Math.max(0, start)), span };
+  }
+}
