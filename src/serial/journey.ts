@@ -80,7 +80,12 @@ export class Journey {
         // Opened at once and for ever, a port that fails as soon as it is open would keep the page busy.
         const delay = REOPEN_AFTER[this.#failures++];
         if (delay === undefined) return error;
-        await pause(this.#trip.clock, delay, this.#stop.signal);
+        const over = new AbortController();
+        const end = (): void => over.abort();
+        for (const signal of [this.#stop.signal, watch.gone]) signal.addEventListener('abort', end);
+        await pause(this.#trip.clock, delay, over.signal);
+        this.#stop.signal.removeEventListener('abort', end);
+        if (watch.gone.aborted) this.#failures = 0;
       }
       const port = await watch.returned(this.#stop.signal);
       if (port) this.#known = known(port);

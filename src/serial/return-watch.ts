@@ -16,6 +16,7 @@ export class ReturnWatch {
   readonly #clock: Clock;
   /** Ports that were there already. */
   readonly #others: Promise<Set<SerialPortLike>>;
+  readonly #gone = new AbortController();
   #returned: SerialPortLike | null = null;
   #wake = new AbortController();
 
@@ -26,6 +27,7 @@ export class ReturnWatch {
     this.#clock = clock;
     this.#others = this.#ports().then((ports) => new Set(ports));
     lost.addEventListener('connect', this.#onConnect);
+    lost.addEventListener('disconnect', this.#onDisconnect);
     serial?.addEventListener?.('connect', this.#onConnect);
   }
 
@@ -33,6 +35,11 @@ export class ReturnWatch {
   async isThere(): Promise<boolean> {
     // Browsers that do not tell list the ports that are plugged in.
     return this.#lost.connected ?? (await this.#ports()).includes(this.#lost);
+  }
+
+  /** Aborted once the browser tells that the plug was pulled: that the stream fails may come first. */
+  get gone(): AbortSignal {
+    return this.#gone.signal;
   }
 
   /** @returns the port to open; null when the signal asked to stop before there was one. */
@@ -60,6 +67,7 @@ export class ReturnWatch {
 
   end(): void {
     this.#lost.removeEventListener('connect', this.#onConnect);
+    this.#lost.removeEventListener('disconnect', this.#onDisconnect);
     this.#serial?.removeEventListener?.('connect', this.#onConnect);
   }
 
@@ -69,6 +77,8 @@ export class ReturnWatch {
     this.#returned = port;
     this.look();
   };
+
+  readonly #onDisconnect = (): void => this.#gone.abort();
 
   async #find(): Promise<SerialPortLike | undefined> {
     if (await this.isThere()) return this.#lost;

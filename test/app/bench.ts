@@ -99,6 +99,16 @@ export async function connectedBench(options: BenchOptions = {}): Promise<AppBen
   return bench;
 }
 
+/** The page is loaded anew, in the middle of whatever it was doing: the same storage, the same timer as it is now, awake. */
+export async function reloaded({ store, timer: { core } }: AppBench): Promise<AppBench> {
+  const { identity } = core;
+  // A new clock: the page that is gone does nothing more.
+  const bench = await appBench({ store, identity, plug: { granted: true } });
+  bench.timer.core.memories.splice(0, core.memories.length, ...structuredClone(core.memories));
+  bench.timer.core.memory = core.memory;
+  return bench;
+}
+
 /** Turns the clock from appointment to appointment until the promise settles. */
 export async function run<T>(promise: Promise<T>): Promise<T> {
   let settled = false;

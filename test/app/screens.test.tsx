@@ -1,49 +1,8 @@
-import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { App } from '../../src/app/app.js';
 import { CAPTURED_POSITIONS } from '../protocol/vectors.js';
-import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from './bench.js';
-
-/** The whole screen, as the page starts. */
-async function opened(options: BenchOptions = {}): Promise<AppBench> {
-  const bench = await appBench(options);
-  render(<App models={bench.models} />);
-  return bench;
-}
-
-/** The whole screen after Connect. */
-async function connected(options: BenchOptions = {}): Promise<AppBench> {
-  const bench = await opened(options);
-  await press('Connect');
-  table();
-  return bench;
-}
-
-async function press(name: string | RegExp): Promise<void> {
-  fireEvent.click(screen.getByRole('button', { name }));
-  await idle();
-}
-
-function field(name: string): HTMLInputElement {
-  return screen.getByRole<HTMLInputElement>('textbox', { name });
-}
-
-async function type(name: string, text: string): Promise<void> {
-  const input = field(name);
-  fireEvent.focus(input);
-  fireEvent.input(input, { target: { value: text } });
-  fireEvent.blur(input);
-  await idle();
-}
-
-function button(name: string | RegExp): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>('button', { name });
-}
-
-/** The program on the screen; the log of the line is another table. */
-function table() {
-  return within(screen.getByRole('table', { name: 'Time and servo positions of each function' }));
-}
+import { appBench, idle, MemoryStore } from './bench.js';
+import { button, connected, field, opened, press, table, type } from './screen.js';
 
 /** What is said about a field to someone who cannot see it. */
 function described(name: string): string {
@@ -388,13 +347,14 @@ describe('the line', () => {
   it('shows each message with its direction, name and bytes, newest first', async () => {
     await connected();
     fireEvent.click(screen.getByText('Line'));
+    await idle();
     const log = within(screen.getByRole('region', { name: 'Line' }));
-    const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
+    const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
     expect(rows).toHaveLength(11);
     expect(rows.at(-1)?.slice(1)).toEqual(['to the timer', 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);
     expect(rows[1]?.slice(1)).toEqual([
       'from the timer',
-      'Read idle throttle, reply · GETLOWRPM',
+      'Read idle throttle, reply · GETLOWRPM 30, unit unknown',
       '00 00 00 00 00 04 76 1e 94 45',
     ]);
     expect(rows[1]?.[0]).toMatch(/^\d\d:\d\d:\d\d\.\d{3}$/);

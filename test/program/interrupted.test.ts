@@ -21,11 +21,7 @@ function told(held: TimerProgram, goal = GOAL): unknown {
 describe('an interrupted write', () => {
   it.each<[string, TimerProgram, unknown]>([
     ['nothing of it', BEFORE, ['nothing', [], ['time:1', 'position:0:1', 'position:0:2'], []]],
-    [
-      'the times of it',
-      { ...BEFORE, timers: GOAL.timers },
-      ['part', ['time:1'], ['position:0:1', 'position:0:2'], []],
-    ],
+    ['the times of it', { ...BEFORE, timers: GOAL.timers }, ['part', ['time:1'], ['position:0:1', 'position:0:2'], []]],
     ['all of it', GOAL, ['all', ['time:1', 'position:0:1', 'position:0:2'], [], []]],
     [
       'something else in a place that it was to change',

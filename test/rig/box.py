@@ -5,8 +5,10 @@
 RUN is the folder whose parts stand for parts of the machine here, SITE holds the built page, POLICY lets it use serial ports
 unasked. One JSON object a line. In, on standard input, whose end is the end of the box:
     {"do": "grant"}                     puts the policy in force; before Chromium starts
-    {"do": "plug"}, {"do": "unplug"}
+    {"do": "plug", "number": 0}         as ttyUSB0
+    {"do": "unplug"}
     {"do": "hangup"}                    the port fails as with a broken adapter: nothing tells that it has gone
+    {"do": "mend"}                      it works again, and nothing tells that either
     {"do": "hold"}, {"do": "release"}   another program has the port open
     {"do": "send", "hex": "00 0f"}      bytes to the page
 Out: each of these, when it is done, as {"is": "plug"}, but for "send"; and
@@ -67,8 +69,9 @@ class Desk:
     def grant(self):
         shutil.copy(self.policy, f"{self.run}/chromium/policies/managed/")
 
-    def plug(self):
-        self.port = Port(self.adapter.node, self.selector, self._say)
+    def plug(self, number):
+        self.adapter.name_it(number)
+        self.mend()
         self.adapter.appear()
 
     def unplug(self):
@@ -79,6 +82,9 @@ class Desk:
     def hangup(self):
         self.port.remove()
         self.port = None
+
+    def mend(self):
+        self.port = Port(self.adapter.node, self.selector, self._say)
 
     def hold(self):
         self.port.hold(True)

@@ -16,7 +16,7 @@ export interface PortSettings {
 }
 
 /** What can be ordered of the box, see box.py. */
-export type Order = 'grant' | 'plug' | 'unplug' | 'hangup' | 'hold' | 'release';
+export type Order = 'grant' | 'plug' | 'unplug' | 'hangup' | 'mend' | 'hold' | 'release';
 
 interface BoxEvents {
   data: [bytes: Uint8Array];
@@ -62,8 +62,8 @@ export class Box extends EventEmitter<BoxEvents> {
   }
 
   /** Settles when it is done. */
-  order(what: Order): Promise<void> {
-    this.#tell({ do: what });
+  order(what: Order, details: object = {}): Promise<void> {
+    this.#tell({ do: what, ...details });
     return this.#until(what);
   }
 

@@ -69,13 +69,12 @@ test('a time and two positions are written with one SETTIMERS and two SETSERVO, 
   await expect.poll(() => rig.sessions, { timeout: 10_000 }).toEqual({ opened: 1, closed: 1 });
 });
 
-test('a port that another program has open is said to be in use, and answers when it is free', async () => {
+test('a port that another program has open is said to be in use, and is connected by itself when it is free', async () => {
   const rig = await Rig.start({ timer: { identity } });
   const pilot = new Pilot(await rig.open());
   await rig.whileHeld(async () => {
     await pilot.clickConnect();
-    await pilot.sees(en.connection.busy.title);
+    await pilot.sees(en.link.refused.title);
   });
-  await pilot.clickConnect();
   await pilot.isConnected();
 });

@@ -28,9 +28,9 @@ export class Pilot {
     await this.page.getByRole('button', { name: en.program.read, exact: true, disabled: false }).waitFor();
   }
 
-  /** Waits until the browser has noticed that the port is plugged in; a pilot needs longer to reach for the mouse. */
-  async seesPort(): Promise<void> {
-    await this.page.waitForFunction(async () => (await navigator.serial.getPorts()).length > 0);
+  /** Waits until the page says that the port is gone. */
+  async isAway(): Promise<void> {
+    await this.sees(en.link.away.title);
   }
 
   async sees(text: string): Promise<void> {
@@ -51,6 +51,11 @@ export class Pilot {
   /** Asks for the difference, which is read afresh, and says that it is safe to write. */
   async review(): Promise<void> {
     await this.button(en.program.write).click();
+    await this.confirm();
+  }
+
+  /** Says that it is safe to write. */
+  async confirm(): Promise<void> {
     await this.page.getByRole('dialog').getByRole('checkbox', { name: en.write.safety }).check();
   }
 
@@ -67,11 +72,33 @@ export class Pilot {
     await this.startWriting();
   }
 
+  /** Waits until nothing is being written any more; what became of it is closed, where the dialog says it. */
+  async writeEnds(): Promise<string> {
+    const dialog = this.page.getByRole('dialog');
+    const close = dialog.getByRole('button', { name: en.write.close, exact: true });
+    await close.or(this.page.locator('body:not(:has(dialog[open]))')).first().waitFor();
+    return (await close.isVisible()) ? await this.result() : '';
+  }
+
+  /** Whether the page offers to go on with an earlier write. */
+  async isOffered(): Promise<boolean> {
+    return await this.page.getByRole('heading', { name: en.recovery.title }).isVisible();
+  }
+
+  /** Takes the offer to finish an earlier write, and writes what is missing. */
+  async finish(): Promise<void> {
+    await this.button(en.recovery.finish).click();
+    await this.confirm();
+    await this.startWriting();
+  }
+
   /** Waits for what the dialog says in the end, and closes it. */
   async result(): Promise<string> {
     const result = this.page.getByRole('dialog').getByRole('alert');
     const text = await result.innerText();
     await this.button(en.write.close).click();
+    // While it is open, what is typed elsewhere goes nowhere.
+    await this.page.getByRole('dialog').waitFor({ state: 'hidden' });
     return text;
   }
 }

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { env } from 'node:process';
 import { type BrowserContext, chromium, type Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
+import { COMMANDS, FrameDecoder } from '../../src/protocol/index.js';
 import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
 import { browserArgs } from '../tools/browser.js';
 import { Box, beside, PAGE, type PortSettings } from './box.js';
@@ -12,9 +13,16 @@ import { Chooser, Screen, UI_DEVTOOLS_PORT } from './chooser.js';
 export interface RigOptions {
   /** The timer behind the port. */
   readonly timer?: VirtualTimerOptions;
+  /** The only rate, in bits a second, at which the timer understands and is understood. Default: any. */
+  readonly rate?: number;
   /** Chromium on a screen, where its chooser can be operated; without the policy that lets the page use the port unasked. */
   readonly chooser?: boolean;
 }
+
+/** Commands that free the motor, move a servo or do nobody knows what: no way through the page sends them unasked. */
+const NEVER_SENT: readonly number[] = [COMMANDS.UNLOCK, COMMANDS.JUMP2, COMMANDS.MOVETOFUNC].map(
+  ({ request }) => request,
+);
 
 export type Direction = 'fromPage' | 'toPage';
 
@@ -23,6 +31,8 @@ export class Rig {
   readonly timer: VirtualTimer;
   /** All bytes that have passed, in each direction. */
   readonly passed: Readonly<Record<Direction, number[]>> = { fromPage: [], toPage: [] };
+  /** The command byte of every frame that the page has sent, also of those that did not reach the timer. */
+  readonly requests: number[] = [];
   /** How the page set the port when bytes last came from it. */
   settings: PortSettings | undefined;
   /** How often the page has opened and closed the port. */
@@ -31,10 +41,12 @@ export class Rig {
   readonly #context: BrowserContext;
   readonly #chooser: Chooser | undefined;
   readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
+  readonly #rate: number | undefined;
   #plugged = false;
-  #fuse: { direction: Direction; left: number; blown: () => void } | undefined;
+  #covered = false;
+  #fuse: { direction: Direction; left: number; blow: () => void } | undefined;
 
-  /** For one test: ends with it, and fails it when the page reports an error. */
+  /** For one test: ends with it, and fails it when the page reports an error or has sent what it never may unasked. */
   static async start(options: RigOptions = {}): Promise<Rig> {
     const disposals: (() => Promise<void> | undefined)[] = [];
     const faults: string[] = [];
@@ -58,24 +70,34 @@ export class Rig {
     // Errors of the page, and what its content security policy stopped.
     context.on('weberror', (error) => faults.push(error.error().message));
     context.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
-    const rig = new Rig(box, context, chooser, new VirtualTimer(options.timer));
+    const rig = new Rig(box, context, chooser, options);
+    disposals.push(async () => {
+      const sent = rig.requests.filter((code) => NEVER_SENT.includes(code));
+      if (sent.length > 0) throw new Error(`The page has sent commands that it never may unasked: ${sent}.`);
+    });
     await rig.plug();
     return rig;
   }
 
-  private constructor(box: Box, context: BrowserContext, chooser: Chooser | undefined, timer: VirtualTimer) {
+  private constructor(box: Box, context: BrowserContext, chooser: Chooser | undefined, { timer, rate }: RigOptions) {
     this.#box = box;
     this.#context = context;
     this.#chooser = chooser;
-    this.timer = timer;
-    this.#toTimer = timer.writable.getWriter();
+    this.timer = new VirtualTimer(timer);
+    this.#rate = rate;
+    this.#toTimer = this.timer.writable.getWriter();
+    const decoder = new FrameDecoder();
+    box.on('data', (bytes) => {
+      this.requests.push(...decoder.push(bytes).map(({ code }) => code));
+    });
+    box.on('opened', () => decoder.idle());
     box.on('data', (bytes) => this.#pass('fromPage', bytes, (passed) => void this.#toTimer.write(passed)));
     box.on('set', (settings) => {
       this.settings = settings;
     });
     box.on('opened', () => this.sessions.opened++);
     box.on('closed', () => this.sessions.closed++);
-    void timer.readable.pipeTo(
+    void this.timer.readable.pipeTo(
       new WritableStream({ write: (bytes) => this.#pass('toPage', bytes, (passed) => box.send(passed)) }),
     );
   }
@@ -93,9 +115,10 @@ export class Rig {
     return this.#chooser;
   }
 
-  async plug(): Promise<void> {
+  /** @param number of the name that the machine gives it, ttyUSB0 and so on. */
+  async plug(number = 0): Promise<void> {
     this.#plugged = true;
-    await this.#box.order('plug');
+    await this.#box.order('plug', { number });
   }
 
   async unplug(): Promise<void> {
@@ -108,15 +131,39 @@ export class Rig {
    * @returns a promise that settles when it is out.
    */
   unplugAfter(bytes: number, direction: Direction): Promise<void> {
-    return new Promise((blown) => {
-      this.#fuse = { direction, left: bytes, blown };
+    return new Promise((out) => {
+      this.#fuse = { direction, left: bytes, blow: () => void this.unplug().then(out) };
     });
+  }
+
+  /**
+   * Covers the infra-red head as soon as this many more bytes have passed in this direction: no more pass in any, until {@link uncover}.
+   * @returns a promise that settles when it is covered.
+   */
+  coverAfter(bytes: number, direction: Direction): Promise<void> {
+    return new Promise((covered) => {
+      const blow = (): void => {
+        this.#covered = true;
+        covered();
+      };
+      this.#fuse = { direction, left: bytes, blow };
+    });
+  }
+
+  uncover(): void {
+    this.#covered = false;
   }
 
   /** The adapter fails, while for the machine it is still there. */
   async breakAdapter(): Promise<void> {
     this.#plugged = false;
     await this.#box.order('hangup');
+  }
+
+  /** The adapter works again, and nothing tells so. */
+  async mendAdapter(): Promise<void> {
+    this.#plugged = true;
+    await this.#box.order('mend');
   }
 
   /** Another program has the port, while `work` runs. */
@@ -127,7 +174,8 @@ export class Rig {
   }
 
   #pass(direction: Direction, bytes: Uint8Array, onward: (bytes: Uint8Array) => void): void {
-    if (!this.#plugged) return;
+    if (!this.#plugged || this.#covered) return;
+    if (this.#rate !== undefined && this.settings?.baudRate !== this.#rate) return;
     const fuse = this.#fuse?.direction === direction ? this.#fuse : undefined;
     const passed = bytes.subarray(0, fuse?.left);
     this.passed[direction].push(...passed);
@@ -136,7 +184,7 @@ export class Rig {
     fuse.left -= passed.length;
     if (fuse.left > 0) return;
     this.#fuse = undefined;
-    void this.unplug().then(fuse.blown);
+    fuse.blow();
   }
 }
 

@@ -6,20 +6,13 @@ import socket
 import struct
 import time
 
-NAME = "ttyUSB0"
-
-
 class Adapter:
     MULTICAST_UDEV = 2
 
     def __init__(self, run):
-        self.node = f"{run}/dev/{NAME}"
-        self.entry = f"{run}/sys/devices/{NAME}"
-        self.link = f"{run}/sys/class/{NAME}"
+        self.run = run
         self.properties = {
             "MAJOR": 188,
-            "MINOR": 0,
-            "DEVNAME": self.node,
             "ID_BUS": "usb",
             "ID_VENDOR_ID": "0403",
             "ID_MODEL_ID": "6001",
@@ -29,6 +22,15 @@ class Adapter:
             "ID_SERIAL_SHORT": "RIG0001",
         }
         self.sequence = 1_000_000
+        self.name_it(0)
+
+    def name_it(self, number):
+        """The name that the machine gives it; one that is plugged in again quickly may get another."""
+        self.name = f"ttyUSB{number}"
+        self.node = f"{self.run}/dev/{self.name}"
+        self.entry = f"{self.run}/sys/devices/{self.name}"
+        self.link = f"{self.run}/sys/class/{self.name}"
+        self.properties.update(MINOR=number, DEVNAME=self.node)
 
     def appear(self):
         os.makedirs(self.entry)
@@ -37,7 +39,7 @@ class Adapter:
             file.write("{MAJOR}:{MINOR}\n".format(**self.properties))
         with open(f"{self.entry}/uevent", "w") as file:
             file.writelines(f"{name}={value}\n" for name, value in self.properties.items())
-        os.symlink(f"../../devices/virtual/tty/{NAME}", self.link)
+        os.symlink(f"../../devices/virtual/tty/{self.name}", self.link)
         self._tell("add")
 
     def disappear(self):
@@ -50,7 +52,7 @@ class Adapter:
         self.sequence += 1
         properties = {
             "ACTION": action,
-            "DEVPATH": f"/devices/virtual/tty/{NAME}",
+            "DEVPATH": f"/devices/virtual/tty/{self.name}",
             "SUBSYSTEM": "tty",
             "SEQNUM": self.sequence,
             "USEC_INITIALIZED": time.monotonic_ns() // 1000,

@@ -32,18 +32,19 @@ export class AppPage {
 
   static async open({ at = 'site', bench, before, ...options }: AppOptions = {}): Promise<AppPage> {
     const page = await newPage(options);
-    if (before) await page.addInitScript(before);
+    const context = page.context();
+    if (before) await context.addInitScript(before);
     if (bench) {
-      await page.addInitScript((given) => {
+      await context.addInitScript((given) => {
         window.workbenchOptions = given;
       }, bench);
-      await page.addInitScript(inject('workbench'));
+      await context.addInitScript(inject('workbench'));
     }
     await page.goto(inject(at));
     return new AppPage(page);
   }
 
-  /** Another tab with the same storage. */
+  /** Another tab with the same storage, and a bench of its own where this one has one. */
   async sibling(): Promise<AppPage> {
     const page = await this.page.context().newPage();
     await page.goto(this.page.url());
@@ -91,7 +92,7 @@ export class AppPage {
   }
 
   async isReady(): Promise<void> {
-    await this.page.locator('button:enabled', { hasText: 'Read again' }).waitFor();
+    await this.page.locator('button:enabled', { hasText: /^Read again$/ }).waitFor();
   }
 
   async readAgain(): Promise<void> {
@@ -161,14 +162,23 @@ export class AppPage {
     await this.dialog.waitFor({ state: 'hidden' });
   }
 
+  /** The log of the line, open: shut, it is not drawn. */
+  get line(): Locator {
+    return this.page.locator('details.line');
+  }
+
+  async openLine(): Promise<void> {
+    await this.line.evaluate((details) => details.setAttribute('open', ''));
+    await this.line.locator('tbody').waitFor();
+  }
+
   /** What the page has sent by its own log, oldest first. */
   async sent(): Promise<string[]> {
-    const rows = await this.page
-      .locator('details.line tbody tr')
-      .evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent ?? '')).reverse());
-    return rows.flatMap(([, direction, message = '']) =>
-      direction === 'to the timer' ? [message.replace(/^.* · /, '')] : [],
-    );
+    await this.openLine();
+    const names = await this.line
+      .locator('tbody tr.out .name')
+      .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());
+    return names.map((name) => name.replace(/^.* · /, ''));
   }
 
   /** What the log shows of the writing. */

@@ -72,6 +72,8 @@ describe('what was typed is kept', () => {
     await app.reload();
     await app.button('Connect').click();
     await app.isReady();
+    expect(await app.valueOf('Function 2, S1'), 'M2 is still current').toBe('35');
+    await app.memory('M1');
     expect(await app.valueOf('Function 2, S1')).toBe('seven');
   });
 

@@ -1,34 +1,8 @@
-import { source } from 'axe-core';
 import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
+import { isWellMade } from './well-made.js';
 
 const sizes = { phone: { width: 390, height: 844 }, desktop: { width: 1280, height: 800 } } as const;
-
-/** What axe finds wrong, one line for each. */
-async function violations(app: AppPage): Promise<string[]> {
-  // Without what moves: halfway between two colours the contrast is of neither.
-  await app.page.emulateMedia({ reducedMotion: 'reduce' });
-  await app.page.evaluate(source);
-  const found = await app.page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: typeof import('axe-core') };
-    return (await axe.run()).violations;
-  });
-  return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-}
-
-/** Buttons, fields and choices that a finger would miss, with their sizes. */
-function smallTargets(app: AppPage): Promise<string[]> {
-  return app.page.evaluate(() => {
-    const targets = [...document.querySelectorAll('button, input, summary')].map((element) =>
-      element.matches('[type=checkbox], [type=radio]') ? (element.closest('label') ?? element) : element,
-    );
-    return targets.flatMap((element) => {
-      const { width, height } = element.getBoundingClientRect();
-      const isSeen = width > 0 && height > 0;
-      return isSeen && (width < 44 || height < 44) ? [`${element.outerHTML.slice(0, 90)} ${width} x ${height}`] : [];
-    });
-  });
-}
 
 /** Values and old values that are cut off, covered, or stand out of their field. Runs in the page. */
 function hidden(): string[] {
@@ -62,12 +36,6 @@ function hidden(): string[] {
   });
 }
 
-async function isWellMade(app: AppPage, screen: string): Promise<void> {
-  expect(await violations(app), screen).toEqual([]);
-  expect(await smallTargets(app), screen).toEqual([]);
-  await app.expectNoSidewaysScrolling();
-}
-
 for (const [size, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ['light', 'dark'] as const) {
     test(`every screen can be used by everyone: ${size}, ${colorScheme}`, async () => {
@@ -97,11 +65,53 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.result('Verified.');
       await isWellMade(app, 'result');
       await app.close();
-      await app.text('Line').click();
+      await app.page.getByText('Line', { exact: true }).click();
       await isWellMade(app, 'line');
       await app.bench((bench) => bench.adapter.unplug());
-      await app.says('The connection is gone.');
+      await app.says('The adapter is unplugged.');
       await isWellMade(app, 'after a loss');
+    });
+  }
+}
+
+for (const [size, viewport] of Object.entries(sizes)) {
+  for (const colorScheme of ['light', 'dark'] as const) {
+    test(`what the link says can be used by everyone: ${size}, ${colorScheme}`, async () => {
+      const app = await AppPage.open({ viewport, colorScheme, bench: { granted: true } });
+      await app.text('Serial settings').click();
+      await isWellMade(app, 'known adapters and settings');
+      await app.bench((bench) => bench.sleep());
+      await app.button('Connect').click();
+      await app.says('No answer yet.');
+      await isWellMade(app, 'waiting');
+      await app.bench((bench) => bench.press());
+      await app.hasRead();
+      await app.text('About this timer').click();
+      await app.text('Backups').click();
+      await isWellMade(app, 'about, backups');
+      await app.button('Copy M1 to M3…').click();
+      await isWellMade(app, 'memories');
+      await app.button('Cancel').click();
+
+      await app.type('DT time', '4:00');
+      await app.type('Function 2, S1', '7');
+      await app.bench((bench) => {
+        bench.content.timers[10] = 21000;
+      });
+      await app.review();
+      await isWellMade(app, 'conflict');
+      await app.bench((bench) => bench.unplugAt('SETTIMERS'));
+      await app.tickSafety();
+      await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
+      await app.result('It is not certain what the timer holds.');
+      await app.close();
+      await app.bench((bench) => bench.replug());
+      await app.isReady();
+      await app.page.locator('summary', { hasText: 'Timer holds now' }).click();
+      await isWellMade(app, 'an interrupted write');
+      await app.memory('M2');
+      await app.button('Make M1 current and look').waitFor();
+      await isWellMade(app, 'an interrupted write into another memory');
     });
   }
 }
@@ -117,7 +127,7 @@ describe('nothing is cut off or covered', () => {
       await app.type('Function 1 time', '1:30.25');
       await app.type('DT', '10:00');
       for (const servo of ['S1', 'S2', 'S3']) await app.type(`Function 2, ${servo}`, '130');
-      await app.text('Line').click();
+      await app.page.getByText('Line', { exact: true }).click();
       await app.expectNoSidewaysScrolling();
       expect(await app.page.evaluate(hidden)).toEqual([]);
     });

@@ -1,34 +1,57 @@
 // Runs in the page before its own scripts, in the place of the browser's serial ports: an adapter, a timer in front of it, and a
 // pilot's hands. Tests reach it as `window.workbench`; see app-page.ts.
 
-import { MockSerial } from '../../src/mock-serial/index.js';
+import { type Fault, MockSerial } from '../../src/mock-serial/index.js';
 import type { CommandName } from '../../src/protocol/index.js';
+import type { TimerQuirks } from '../../src/simulator/index.js';
 import { Adapter } from '../serial/bench.js';
 
 export interface WorkbenchOptions {
   readonly timerClass?: 'Q' | 'B';
   /** The page may use the port already, as after an earlier visit. */
   readonly granted?: boolean;
+  /** The one rate at which the timer answers. Default: every rate. */
+  readonly answersAt?: number;
+  readonly quirks?: TimerQuirks;
+  /** The share of all bytes, in both directions, that are lost, flipped or doubled. Default 0. */
+  readonly damage?: number;
 }
+
+/** An adapter with the chip that most have. */
+const INFO = { usbVendorId: 0x0403, usbProductId: 0x6001 };
+/** What the timer holds while the page is loaded again. */
+const HELD = 'workbench';
 
 export class Workbench {
   readonly adapter: Adapter;
+  /** The rates at which the page has opened the port, in turn. */
+  readonly rates: number[] = [];
   readonly #serial: MockSerial;
   /** The first bytes that reach the page from now on that are to be damaged: how many are let through before, and how many. */
   #intact = Number.POSITIVE_INFINITY;
 
-  constructor(serial: MockSerial, { timerClass = 'Q', granted = false }: WorkbenchOptions) {
+  constructor(serial: MockSerial, { timerClass = 'Q', granted = false, damage = 0, ...options }: WorkbenchOptions) {
     this.#serial = serial;
+    const noise = { toPage: noiseOf(damage, 1), toDevice: noiseOf(damage, 2) };
     this.adapter = new Adapter(serial, {
+      ...options,
       identity: { timerClass },
+      info: INFO,
       plug: {
         granted,
         timing: true,
         latency: 5,
-        fault: { toPage: (byte) => (this.#intact-- === 0 ? [byte ^ 0x10, 0x45, 0x00] : [byte]) },
+        fault: {
+          toPage: (byte, index) => (this.#intact-- === 0 ? [byte ^ 0x10, 0x45, 0x00] : noise.toPage(byte, index)),
+          toDevice: noise.toDevice,
+        },
       },
     });
+    this.adapter.port.device.onopenchange = (opened) => {
+      if (opened) this.rates.push(opened.baudRate);
+    };
     serial.choose(this.adapter.port);
+    this.#outlive();
   }
 
   get opened() {
@@ -85,6 +108,24 @@ export class Workbench {
     this.#intact = bytes;
   }
 
+  /** An error of the line, in front of the answer to this request. */
+  failLineAt(name: CommandName, kind: 'framing' | 'parity'): void {
+    this.#at(name, () => this.adapter.port.device.error(kind));
+  }
+
+  /** A timer does not notice that a page is loaded again. */
+  #outlive(): void {
+    // The page from which every tab begins keeps nothing.
+    if (location.protocol === 'about:') return;
+    const { core } = this.adapter.timer;
+    const { memories, memory } = JSON.parse(sessionStorage.getItem(HELD) ?? '{}') as Partial<typeof core>;
+    if (memories) core.memories.splice(0, memories.length, ...memories);
+    core.memory = memory ?? 0;
+    addEventListener('pagehide', () => {
+      sessionStorage.setItem(HELD, JSON.stringify({ memories: core.memories, memory: core.memory }));
+    });
+  }
+
   #at(name: CommandName, act: () => void): void {
     const { core } = this.adapter.timer;
     core.onAnswer = (request) => {
@@ -93,6 +134,20 @@ export class Workbench {
       act();
     };
   }
+}
+
+/** Damage that is the same in every run. */
+function noiseOf(share: number, seed: number): Fault {
+  let state = seed;
+  const next = (): number => {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    return state / 2 ** 32;
+  };
+  return (byte) => {
+    if (next() >= share) return [byte];
+    const kinds = [[], [byte ^ (1 << (8 * next()))], [byte, byte]];
+    return kinds[Math.floor(3 * next())] ?? [];
+  };
 }
 
 declare global {

@@ -5,7 +5,7 @@ export const recovery = {
   title: 'An earlier write was interrupted',
   when: (memory: string, time: string) => `It was begun on ${time}, into ${memory}.`,
   nothing: (missing: number) =>
-    `The timer holds what it held before: nothing of ${plural(missing, 'the one change', 'changes')} was written.`,
+    `The timer holds what it held before: nothing was written, ${plural(missing, 'change is', 'changes are')} missing.`,
   part: (written: number, missing: number) =>
     `The timer holds ${plural(written, 'value', 'values')} of that write; ${plural(missing, 'value is', 'values are')} still as before.`,
   foreign: (count: number) =>

@@ -81,7 +81,12 @@ export class Memories {
     // What stopped a backup stands in the notice of the page.
     this.current.value =
       plan.kind === 'back-up' && outcome.saved === 0 ? null : { step: 'done', plan, outcome, kept: this.#kept };
-    if (this.#session.connection.value) await this.#session.read();
+    if (!this.#session.connection.value) return;
+    const { notice } = this.#session;
+    const said = notice.value;
+    await this.#session.read();
+    // A reading that has nothing to say does not take back what stopped the job.
+    notice.value ??= said;
   }
 
   async #backUp(client: TimerClient, identity: Identity, options: JobOptions): Promise<number> {

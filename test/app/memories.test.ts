@@ -1,0 +1,226 @@
+import { describe, expect, it } from 'vitest';
+import type { Plan } from '../../src/app/state/memories.js';
+import type { ProgramField } from '../../src/program/index.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from './bench.js';
+
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+
+/** A timer whose second memory is current and whose memories differ. */
+async function bench(options: BenchOptions = {}): Promise<AppBench> {
+  const made = await connectedBench(options);
+  made.timer.core.memory = 1;
+  made.timer.core.memories.forEach(({ positions }, memory) => {
+    (positions[0] as number[])[2] = 50 + memory;
+  });
+  await run(made.session.read());
+  made.timer.core.answered.length = 0;
+  return made;
+}
+
+async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
+  session.safe.value = true;
+  memories.open(plan);
+  expect(memories.current.value).toEqual({ step: 'review', plan });
+  await run(memories.start());
+}
+
+/** The memories that were selected, in order. */
+function selected({ timer }: AppBench): number[] {
+  return timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
+}
+
+function contents({ timer }: AppBench) {
+  return structuredClone(timer.core.memories);
+}
+
+function kept({ session }: AppBench) {
+  return session.backups.list.value.map(({ reason, program: { memory, timers, positions } }) => ({
+    reason,
+    memory,
+    timers,
+    positions,
+  }));
+}
+
+describe('backing up all memories', () => {
+  it('keeps what each holds, and the one that was current is so again', async () => {
+    const made = await bench();
+    const before = contents(made);
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value).toMatchObject({
+      step: 'done',
+      kept: true,
+      outcome: { saved: 4, stopped: null },
+    });
+    expect(kept(made).reverse()).toEqual(before.map((content, memory) => ({ reason: 'memories', memory, ...content })));
+    expect(new Set(made.session.backups.list.value.map(({ savedAt }) => savedAt)).size, 'one set').toBe(1);
+    expect(made.store.backups.records.size).toBe(4);
+    expect([made.timer.core.memory, selected(made).at(-1)]).toEqual([1, 1]);
+    expect([contents(made), made.store.unfinished.records.size]).toEqual([before, 0]);
+    expect([made.editor.working.value?.memory, made.session.busy.value]).toEqual([1, false]);
+  });
+
+  it('has noted the memory to come back to before another is selected', async () => {
+    const made = await bench();
+    const noted: unknown[] = [];
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') noted.push([...made.store.unfinished.records.values()][0]);
+    };
+    await job(made, { kind: 'back-up' });
+    expect(noted[0]).toMatchObject({ kind: 'memories', home: 1 });
+  });
+
+  it('leaves the edits as they are', async () => {
+    const made = await bench();
+    made.editor.type(S1, '7');
+    await job(made, { kind: 'back-up' });
+    expect([made.editor.textOf(S1), made.editor.changes.value.length]).toEqual(['7', 1]);
+  });
+
+  it('that is stopped comes back, and says nothing of having kept them', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.memories.dismiss();
+    };
+    await job(made, { kind: 'back-up' });
+    expect([made.memories.current.value, made.timer.core.memory]).toEqual([null, 1]);
+    expect([kept(made), made.store.unfinished.records.size]).toEqual([[], 0]);
+  });
+
+  it('says when the browser keeps nothing', async () => {
+    const made = await bench();
+    made.store.broken = true;
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { saved: 4 } });
+    expect(kept(made)).toHaveLength(4);
+  });
+
+  it('is refused by a timer that does not say which memory is current', async () => {
+    const made = await connectedBench({ quirks: { memoryReplyEmpty: true } });
+    await job(made, { kind: 'back-up' });
+    expect([selected(made), made.memories.current.value, kept(made)]).toEqual([[], null, []]);
+    expect(made.session.notice.value).toEqual({ kind: 'timer', code: 'memory-unknown' });
+  });
+});
+
+describe('copying a memory', () => {
+  it('writes what the current one holds into another, verified, and keeps what that held', async () => {
+    const made = await bench();
+    const before = contents(made);
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.memories.current.value).toMatchObject({
+      step: 'done',
+      outcome: { stopped: null, written: [{ memory: 3, report: { result: 'verified' } }] },
+    });
+    expect(contents(made)).toEqual([before[0], before[1], before[2], before[1]]);
+    expect([made.timer.core.memory, selected(made)]).toEqual([1, [3, 1]]);
+    expect(kept(made)).toEqual([{ reason: 'write', memory: 3, ...before[3] }]);
+    expect(made.store.unfinished.records.size).toBe(0);
+    expect(made.timer.core.idleThrottle).toBe(30);
+  });
+
+  it('does not take the edits along', async () => {
+    const made = await bench();
+    made.editor.type(S1, '7');
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
+    expect(made.editor.textOf(S1)).toBe('7');
+  });
+});
+
+describe('restoring a set', () => {
+  it('writes each memory as it was, keeps what they held, and comes back', async () => {
+    const made = await bench();
+    const before = contents(made);
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    const backups = [...made.session.backups.list.value].reverse();
+    made.timer.core.memories.forEach(({ positions }, memory) => {
+      (positions[2] as number[])[5] = 90 + memory;
+    });
+    const changed = contents(made);
+    await job(made, { kind: 'restore', backups });
+    expect(made.memories.current.value).toMatchObject({
+      outcome: { stopped: null, written: [0, 1, 2, 3].map((memory) => ({ memory, report: { result: 'verified' } })) },
+    });
+    expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
+    const written = kept(made).filter(({ reason }) => reason === 'write');
+    expect(written.reverse().map(({ positions }) => positions)).toEqual(changed.map(({ positions }) => positions));
+    expect(made.store.unfinished.records.size).toBe(0);
+    expect(made.editor.working.value?.positions[2]?.[5]).toBe(before[1]?.positions[2]?.[5]);
+  });
+});
+
+describe('a plug that is pulled in the middle', () => {
+  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
+  const pulled: [name: string, plan: Plan, at: (bench: AppBench, name: string) => boolean, rest: unknown][] = [
+    ['a backup', { kind: 'back-up' }, ({ timer }, name) => name === 'GETTIMERS' && timer.core.memory === 2, null],
+    // The times are there and the position is not: only that memory can tell.
+    ['a copy', COPY, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
+    // All is there: the first reading tells.
+    ['a copy that was complete', COPY, (_, name) => name === 'SETSERVO', null],
+  ];
+
+  it.each(pulled)('of %s is said; the way home is offered at the next meeting', async (_, plan, at, rest) => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
+    await job(made, plan);
+    expect(made.session.notice.value).toEqual({ kind: 'timer', code: 'memory-left' });
+    made.timer.core.onAnswer = undefined;
+    made.memories.dismiss();
+    const left = made.timer.core.memory;
+    made.adapter.replug();
+    await idle();
+    expect(made.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: left });
+    expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
+    await run(made.session.selectMemory(1));
+    expect(made.timer.core.memory).toBe(1);
+    if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);
+    else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+
+  it('is known after a reload too', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.adapter.unplug();
+    };
+    await job(made, { kind: 'back-up' });
+    const after = await reloaded(made);
+    await run(after.session.connect());
+    expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: 2 });
+    await run(after.session.selectMemory(1));
+    expect([after.session.recovery.offer.value, after.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+});
+
+describe('which memory is current', () => {
+  it('is never changed unasked', async () => {
+    const made = await bench();
+    made.editor.type(S1, '7');
+    await run(made.write.open());
+    made.session.safe.value = true;
+    await run(made.write.start());
+    made.write.dismiss();
+    await run(made.session.read());
+    made.adapter.unplug();
+    await idle();
+    made.adapter.replug();
+    await idle();
+    made.timer.core.sleep();
+    await run(made.session.read());
+    made.timer.core.press();
+    await idle();
+    await run(made.session.disconnect());
+    await run(made.session.connect());
+    made.memories.open({ kind: 'back-up' });
+    made.memories.dismiss();
+    expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
+  });
+
+  it('can be asked for only with a timer', async () => {
+    const made = await bench();
+    await run(made.session.disconnect());
+    made.memories.open({ kind: 'back-up' });
+    expect(made.memories.current.value).toBeNull();
+  });
+});

@@ -1,0 +1,44 @@
+import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { App } from '../../src/app/app.js';
+import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
+
+/** The whole screen, as the page starts. */
+export async function opened(options: BenchOptions = {}): Promise<AppBench> {
+  const bench = await appBench(options);
+  render(<App models={bench.models} />);
+  return bench;
+}
+
+/** The whole screen after Connect. */
+export async function connected(options: BenchOptions = {}): Promise<AppBench> {
+  const bench = await opened(options);
+  await press('Connect');
+  table();
+  return bench;
+}
+
+export async function press(name: string | RegExp): Promise<void> {
+  fireEvent.click(screen.getByRole('button', { name }));
+  await idle();
+}
+
+export function field(name: string): HTMLInputElement {
+  return screen.getByRole<HTMLInputElement>('textbox', { name });
+}
+
+export async function type(name: string, text: string): Promise<void> {
+  const input = field(name);
+  fireEvent.focus(input);
+  fireEvent.input(input, { target: { value: text } });
+  fireEvent.blur(input);
+  await idle();
+}
+
+export function button(name: string | RegExp): HTMLButtonElement {
+  return screen.getByRole<HTMLButtonElement>('button', { name });
+}
+
+/** The program on the screen; the log of the line is another table. */
+export function table() {
+  return within(screen.getByRole('table', { name: 'Time and servo positions of each function' }));
+}

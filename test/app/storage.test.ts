@@ -1,0 +1,119 @@
+import { describe, expect, it, onTestFinished } from 'vitest';
+import { openStorage, Shelf } from '../../src/app/storage/database.js';
+import { browserStorage } from '../../src/app/storage/index.js';
+import { backupSchema, portSchema, unfinishedSchema } from '../../src/app/storage/records.js';
+import { type AppBench, connectedBench, MemoryStore, reloaded, run } from './bench.js';
+
+/** The rates at which the port was opened, by the test's own order: each question is one line of the log. */
+function asked({ session }: AppBench): number {
+  return session.log.entries.value.filter(({ direction, frame }) => direction === 'out' && frame?.code === 0x6b).length;
+}
+
+describe('what is remembered of a port', () => {
+  it('is how its timers were taken to be: the next one is taken so at once', async () => {
+    const before = await connectedBench();
+    expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
+    await run(before.session.assume({ bigEndianTimes: true }));
+    const after = await reloaded(before);
+    let first: unknown;
+    after.session.connection.subscribe((connection) => {
+      first ??= connection && { ...connection.client.quirksAssumed };
+    });
+    await run(after.session.connect());
+    expect(first).toEqual({ bigEndianTimes: true });
+  });
+
+  it('is not how another kind of timer was taken to be', async () => {
+    const before = await connectedBench();
+    await run(before.session.assume({ bigEndianTimes: true }));
+    const after = await connectedBench({ store: before.store, identity: { timerClass: 'B' } });
+    expect(after.session.connection.value?.client.quirksAssumed).toEqual({});
+  });
+
+  it('is nothing of a simulated timer', async () => {
+    const bench = await connectedBench();
+    await run(bench.session.disconnect());
+    bench.store.ports.records.clear();
+    await run(bench.session.trySimulated('Q'));
+    await run(bench.session.assume({ bigEndianTimes: true }));
+    expect(bench.store.ports.records.size).toBe(0);
+  });
+
+  it('is the rate at which a timer answered: it is asked there first', async () => {
+    const bench = await connectedBench({ answersAt: 19_200 });
+    expect(bench.session.connection.value?.settings.baudRate).toBe(19_200);
+    expect(asked(bench)).toBeGreaterThan(2);
+    expect([...bench.store.ports.records.values()]).toMatchObject([
+      { foundRate: 19_200, settings: { baudRate: 'find' } },
+    ]);
+
+    const after = await connectedBench({ store: bench.store, answersAt: 19_200 });
+    expect(after.session.connection.value?.settings.baudRate).toBe(19_200);
+    expect(asked(after)).toBe(1);
+  });
+
+  it('is forgotten with the port', async () => {
+    const bench = await connectedBench({ answersAt: 19_200 });
+    await run(bench.session.disconnect());
+    const [port] = bench.session.link.ports.value;
+    if (!port) throw new Error('no port is known');
+    await run(bench.session.link.forget(port));
+    expect([bench.session.link.ports.value, bench.store.ports.records.size]).toEqual([[], 0]);
+    expect(bench.session.link.recordOf(port.key)).toBeUndefined();
+  });
+
+  it('is not needed: a browser that keeps nothing connects all the same', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const bench = await connectedBench({ store, answersAt: 19_200 });
+    expect(bench.session.connection.value?.settings.baudRate).toBe(19_200);
+    await run(bench.session.disconnect());
+    bench.session.log.clear();
+    await run(bench.session.connect());
+    expect(asked(bench), 'this page remembers').toBe(1);
+  });
+});
+
+// Not every environment has the browser's storage: the real browser of the next project has.
+describe.runIf(typeof indexedDB !== 'undefined')('the storage of the browser', () => {
+  function name(): string {
+    const own = `test ${Math.random()}`;
+    onTestFinished(() => void indexedDB.deleteDatabase(own));
+    return own;
+  }
+
+  const PORT = {
+    key: 'usb 0403:6001',
+    usedAt: 5,
+    settings: { baudRate: 'find', dataBits: 8, parity: 'none', stopBits: 1, dtr: null, rts: null },
+    foundRate: 9600,
+    quirks: { 'timer/Q': { bigEndianTimes: true } },
+  } as const;
+
+  it('gives back what was saved, by key and in the order of the keys, also to the next page', async () => {
+    const own = name();
+    const shelf = browserStorage(own).ports;
+    await shelf.save({ ...PORT, key: 'b' });
+    await shelf.save({ ...PORT, key: 'a' });
+    await shelf.save({ ...PORT, key: 'b', usedAt: 6 });
+    const next = browserStorage(own).ports;
+    expect(await next.load('b')).toEqual({ ...PORT, key: 'b', usedAt: 6 });
+    expect((await next.all()).map(({ key }) => key)).toEqual(['a', 'b']);
+    await next.remove('a');
+    expect([await shelf.load('a'), (await shelf.all()).length]).toEqual([undefined, 1]);
+  });
+
+  it('passes over what another version has stored', async () => {
+    const opened = openStorage(name());
+    const database = await opened;
+    await database.put('ports', { ...PORT, key: 'a', settings: { baudRate: -1 } });
+    await database.put('ports', PORT);
+    const shelf = new Shelf(opened, 'ports', portSchema);
+    expect([await shelf.load('a'), await shelf.all()]).toEqual([undefined, [PORT]]);
+    await database.put('unfinished', { key: 'a', kind: 'memories', home: -1 });
+    await database.put('backups', { key: 'a' });
+    expect(await new Shelf(opened, 'unfinished', unfinishedSchema).all()).toEqual([]);
+    expect(await new Shelf(opened, 'backups', backupSchema).all()).toEqual([]);
+    database.close();
+  });
+});

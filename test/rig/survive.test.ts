@@ -1,0 +1,226 @@
+import { stdout } from 'node:process';
+import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { Pilot } from './pilot.js';
+import { type Direction, Rig, type RigOptions } from './rig.js';
+
+/** What is written in these tests: one SETTIMERS and three SETSERVO. */
+const values = (round: number) => ({
+  'DT time': `2:${10 + round}`,
+  'Function 3, S1': `${round}`,
+  'Function 5, S2': `${30 + round}`,
+  'DT, S3': `${80 + round}`,
+});
+
+/** Where the timer holds these, as it counts. */
+const held = ({ timer: { core } }: Rig) => {
+  const { timers, positions } = core.content;
+  return [timers[10], positions[0]?.[3], positions[1]?.[5], positions[2]?.[10]];
+};
+const wanted = (round: number) => [100 * (130 + round), round, 30 + round, 80 + round];
+
+async function connected(options?: RigOptions): Promise<{ rig: Rig; pilot: Pilot }> {
+  const rig = await Rig.start(options);
+  const pilot = new Pilot(await rig.open());
+  await pilot.clickConnect();
+  await pilot.isConnected();
+  return { rig, pilot };
+}
+
+/** Milliseconds that `work` takes. */
+async function timed(work: () => Promise<void>): Promise<number> {
+  const begin = performance.now();
+  await work();
+  return performance.now() - begin;
+}
+
+/** Finishes what was interrupted, in whatever way the page offers it, and looks that the timer holds it all. */
+async function bringToEnd(rig: Rig, pilot: Pilot, round: number): Promise<'offered' | 'again' | 'complete'> {
+  const way = (await pilot.isOffered())
+    ? 'offered'
+    : held(rig).every((value, at) => value === wanted(round)[at])
+      ? 'complete'
+      : 'again';
+  expect(await pilot.shown(Object.keys(values(round)))).toEqual(values(round));
+  if (way === 'complete') {
+    await pilot.sees(en.notes['write-completed'].title);
+  } else {
+    await (way === 'offered' ? pilot.finish() : pilot.write());
+    expect(await pilot.result()).toContain(en.write.verified.title);
+  }
+  expect(held(rig)).toEqual(wanted(round));
+  return way;
+}
+
+test('plugged in again, also under another name, the connection is back in a moment, with what was typed', async () => {
+  const { rig, pilot } = await connected();
+  await pilot.type(values(1));
+  const times: number[] = [];
+  for (const number of [0, 0, 0, 1, 2, 0]) {
+    await pilot.page.evaluate(async () => Object.assign(globalThis, { before: await navigator.serial.getPorts() }));
+    await rig.unplug();
+    await pilot.isAway();
+    const time = await timed(async () => {
+      await rig.plug(number);
+      await pilot.isConnected();
+    });
+    times.push(Math.round(time));
+    expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
+    await pilot.sees(en.notes['back-same'].title);
+    expect(await isNewObject(pilot), 'Chromium gives a new object each time').toBe(true);
+  }
+  stdout.write(`From plugging in to the program on the screen: ${times.join(', ')} ms.\n`);
+  expect(Math.max(...times)).toBeLessThan(5000);
+  await pilot.write();
+  expect(await pilot.result()).toContain(en.write.verified.title);
+  expect(held(rig)).toEqual(wanted(1));
+});
+
+function isNewObject(pilot: Pilot): Promise<boolean> {
+  return pilot.page.evaluate(async () => {
+    const { before } = globalThis as unknown as { before: SerialPort[] };
+    const [port] = await navigator.serial.getPorts();
+    return port !== undefined && !before.includes(port);
+  });
+}
+
+/** Pseudo-random whole numbers below `limit`, always the same ones (mulberry32). */
+function* below(limit: number, seed: number): Generator<number, never> {
+  for (let state = seed; ; ) {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    yield ((mixed ^ (mixed >>> 14)) >>> 0) % limit;
+  }
+}
+
+test.for<[Direction, number]>([
+  ['fromPage', 1],
+  ['toPage', 2],
+])(
+  'unplugged behind 25 random bytes of a write, counted %s: it comes back by itself, and the write is finished',
+  { timeout: 180_000 },
+  async ([direction, seed]) => {
+    const { rig, pilot } = await connected();
+    // How many bytes a whole write takes.
+    await pilot.type(values(0));
+    await pilot.review();
+    const before = rig.passed[direction].length;
+    await pilot.startWriting();
+    expect(await pilot.result()).toContain(en.write.verified.title);
+    const whole = rig.passed[direction].length - before;
+
+    const cuts = below(whole, seed);
+    const ways = { offered: 0, again: 0, complete: 0 };
+    const time = await timed(async () => {
+      for (let round = 1; round <= 25; round++) {
+        const bytes = 1 + cuts.next().value;
+        await pilot.type(values(round));
+        await pilot.review();
+        const unplugged = rig.unplugAfter(bytes, direction);
+        await pilot.startWriting();
+        await unplugged;
+        await pilot.writeEnds();
+        await pilot.isAway();
+        await rig.plug();
+        await pilot.isConnected();
+        ways[await bringToEnd(rig, pilot, round)]++;
+      }
+    });
+    const counts = Object.entries(ways).map(([way, count]) => `${way} ${count}`);
+    stdout.write(
+      `A write of ${whole} bytes ${direction}, cut 25 times in ${Math.round(time / 1000)} s: ${counts.join(', ')}.\n`,
+    );
+    expect(ways.offered).toBeGreaterThan(0);
+  },
+);
+
+/** Begins a write and covers the infra-red head in the middle of it: after the times, and before the last position. */
+async function halfWritten(): Promise<{ rig: Rig; pilot: Pilot }> {
+  const { rig, pilot } = await connected();
+  await pilot.type(values(1));
+  await pilot.review();
+  const covered = rig.coverAfter(60, 'fromPage');
+  await pilot.startWriting();
+  await covered;
+  const [time, , , last] = held(rig);
+  expect([time === wanted(1)[0], last === wanted(1)[3]], 'in the middle').toEqual([true, false]);
+  return { rig, pilot };
+}
+
+test('the page is loaded again in the middle of a write: it warns, and offers to finish', async () => {
+  const { rig, pilot } = await halfWritten();
+  const warned = pilot.page.waitForEvent('dialog').then(async (dialog) => {
+    await dialog.accept();
+    return dialog.type();
+  });
+  await pilot.page.reload();
+  expect(await warned).toBe('beforeunload');
+  rig.uncover();
+  await pilot.clickConnect();
+  await pilot.isConnected();
+  expect(await bringToEnd(rig, pilot, 1)).toBe('offered');
+});
+
+test.for(['crashes', 'is closed'])('the page %s in the middle of a write: a new tab offers to finish', async (end) => {
+  const { rig, pilot } = await halfWritten();
+  const { page } = pilot;
+  await page.context().newPage();
+  if (end === 'crashes') {
+    const crashed = page.waitForEvent('crash');
+    const devTools = await page.context().newCDPSession(page);
+    // There is nobody left to answer.
+    void devTools.send('Page.crash').catch(() => {});
+    await crashed;
+  }
+  await page.close();
+  rig.uncover();
+  const next = new Pilot(await rig.open());
+  await next.clickConnect();
+  await next.isConnected();
+  expect(await bringToEnd(rig, next, 1)).toBe('offered');
+});
+
+test('a port that fails without an event is said to be gone, and goes on by itself when it works again', async () => {
+  const { rig, pilot } = await connected();
+  await pilot.type(values(1));
+  await rig.breakAdapter();
+  // It is still listed, so it is tried again and again.
+  await pilot.sees(en.link.refused.title);
+  await rig.mendAdapter();
+  await pilot.isConnected();
+  expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
+  await pilot.write();
+  expect(await pilot.result()).toContain(en.write.verified.title);
+  expect(held(rig)).toEqual(wanted(1));
+});
+
+test('a timer that answers at 19200 baud only is found, and the next time asked there first', async () => {
+  const { rig, pilot } = await connected({ rate: 19200 });
+  await pilot.sees('firmware 536');
+  expect(rig.settings?.baudRate).toBe(19200);
+  await pilot.button(en.header.disconnect).click();
+  await expect.poll(() => rig.sessions.closed, { timeout: 10_000 }).toBe(rig.sessions.opened);
+  const { opened } = rig.sessions;
+  await pilot.clickConnect();
+  await pilot.isConnected();
+  expect(rig.sessions.opened, 'opened once, at the rate that is known').toBe(opened + 1);
+});
+
+test('a timer that sleeps is found when it wakes, and waited for when it falls asleep', async () => {
+  const rig = await Rig.start();
+  const pilot = new Pilot(await rig.open());
+  rig.timer.core.sleep();
+  await pilot.clickConnect();
+  await pilot.sees(en.link.waiting.title);
+  rig.timer.core.press();
+  await pilot.isConnected();
+  await pilot.type(values(1));
+
+  rig.timer.core.sleep();
+  await pilot.button(en.program.read).click();
+  await pilot.sees(en.link.waiting.title);
+  rig.timer.core.press();
+  await pilot.isConnected();
+  expect(await pilot.shown(Object.keys(values(1)))).toEqual(values(1));
+});

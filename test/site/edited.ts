@@ -1,0 +1,23 @@
+import { AppPage } from './app-page.js';
+import type { WorkbenchOptions } from './workbench.js';
+
+/** Milliseconds for what takes several readings, or the 15 s for which a port is tried again. */
+export const LONG = 40_000;
+
+/** A pilot who has connected, and has edited a time and a position. */
+export async function edited(bench: WorkbenchOptions = { granted: true }): Promise<AppPage> {
+  const app = await AppPage.open({ bench });
+  await app.connect();
+  await app.type('DT time', '4:00');
+  await app.type('Function 2, S1', '7');
+  return app;
+}
+
+export const edits = async (app: AppPage): Promise<string[]> => [
+  await app.valueOf('DT time'),
+  await app.valueOf('Function 2, S1'),
+];
+
+/** DT and the position of S1 at function 2, as the timer holds them. */
+export const held = (app: AppPage): Promise<(number | undefined)[]> =>
+  app.bench(({ content: { timers, positions } }) => [timers[10], positions[0]?.[2]]);

@@ -1,0 +1,168 @@
+import { readFile } from 'node:fs/promises';
+import { source } from 'axe-core';
+import { describe, expect, test } from 'vitest';
+import { parseCapture } from '../../src/protocol/index.js';
+import { AppPage, FIRST_POSITIONS } from './app-page.js';
+
+/** A pilot who has read the timer and opened the line. */
+async function opened(options: Parameters<typeof AppPage.open>[0] = {}): Promise<AppPage> {
+  const app = await AppPage.open({ bench: {}, ...options });
+  await app.connect();
+  await app.openLine();
+  return app;
+}
+
+/** The file that the page gives when Save is clicked. */
+async function saved(app: AppPage): Promise<{ name: string; text: string }> {
+  const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Save').click()]);
+  return { name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8') };
+}
+
+async function load(app: AppPage, text: string): Promise<void> {
+  const file = { name: 'field.txt', mimeType: 'text/plain', buffer: Buffer.from(text) };
+  await app.line.locator('input[type=file]').setInputFiles(file);
+}
+
+describe('the line', () => {
+  test('is saved, loaded and replayed as a timer, within the rules of the page', async () => {
+    const app = await opened({ acceptDownloads: true });
+    await app.type('DT', '6:00');
+    await app.write();
+    await app.result('Verified.');
+    await app.close();
+    const { name, text } = await saved(app);
+    expect(name).toBe('sidus-line-Q536.txt');
+    expect(parseCapture(text).length).toBeGreaterThan(10);
+    await app.button('Disconnect').click();
+
+    await load(app, text);
+    await app.text('field.txt: a recording of').waitFor();
+    await app.button('Replay it as a timer').click();
+    await app.hasRead();
+    await app.page.getByRole('banner').getByText('simulated').waitFor();
+    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
+    expect(await app.valueOf('DT')).toBe('3:00');
+  });
+
+  test('shows damage as such, and only that when asked', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.damageAfter(70));
+    await app.connect();
+    await app.openLine();
+    await app.page.getByRole('combobox', { name: 'Show' }).selectOption('Damaged');
+    await expect.poll(() => app.line.locator('tbody tr:not(.damaged)').count()).toBe(0);
+    expect(await app.line.locator('tbody tr.damaged').count()).toBeGreaterThan(0);
+    await app.page.getByRole('searchbox', { name: 'Search' }).fill('nothing like this');
+    await app.text('Nothing to show.').waitFor();
+  });
+
+  test('stands still while it is paused', async () => {
+    const app = await opened();
+    await app.button('Pause').click();
+    const before = await app.line.locator('tbody tr').count();
+    await app.readAgain();
+    await app.text('Paused. 8 entries since.').waitFor();
+    expect(await app.line.locator('tbody tr').count()).toBe(before);
+    await app.button('Go on').click();
+    await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 8);
+  });
+
+  test('refuses a bad file with the line that is wrong', async () => {
+    const app = await opened();
+    await load(app, '# Sidus capture 1\n0.000 > 00\nnonsense\n');
+    await app.page.getByRole('alert').getByText('Line 3 of this file cannot be read.').waitFor();
+  });
+});
+
+describe('copying', () => {
+  test('a report goes to the clipboard', async () => {
+    const app = await opened({ permissions: ['clipboard-read', 'clipboard-write'] });
+    await app.button('Copy report').click();
+    await app.text('Copied.').waitFor();
+    const text = await app.page.evaluate(() => navigator.clipboard.readText());
+    expect(text.split('\n')[1]).toMatch(/^# Sidus Timer \d+\.\d+\.\d+$/);
+    expect(text).toContain('# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos');
+    expect(parseCapture(text)).toHaveLength(10);
+  });
+
+  test('is done by hand where the clipboard is refused', async () => {
+    const refuse = (): void => {
+      navigator.clipboard.writeText = () => Promise.reject(new DOMException('no', 'NotAllowedError'));
+    };
+    const app = await opened({ before: refuse });
+    await app.button('Copy').click();
+    const dialog = app.page.getByRole('dialog', { name: 'The browser does not let this page copy.' });
+    const marked = await dialog
+      .getByRole('textbox')
+      .evaluate((area: HTMLTextAreaElement) => area.value.slice(area.selectionStart, area.selectionEnd));
+    expect(parseCapture(marked)).toHaveLength(10);
+    await app.page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+  });
+});
+
+describe('a frame by hand', () => {
+  test('goes out once for two clicks and a yes, and the program is read again', async () => {
+    const app = await opened();
+    await app.text('Send a frame by hand').click();
+    await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('SETSERVO');
+    await app.field('Data, in hex').fill('04 01 46');
+    // An eager finger: the second click does not count as the yes.
+    await app.button('Send…').dblclick();
+    await app.page.getByRole('alertdialog', { name: 'Send this frame to the timer?' }).waitFor();
+    await app.page.keyboard.press('Enter');
+    expect(await app.bench((bench) => bench.sets)).toEqual([]);
+    await app.button('Yes, send it once').click();
+    await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
+    expect(await app.bench((bench) => bench.sets)).toEqual(['SETSERVO']);
+  });
+});
+
+for (const [size, viewport] of Object.entries({
+  phone: { width: 390, height: 844 },
+  small: { width: 320, height: 640 },
+  desktop: { width: 1280, height: 800 },
+})) {
+  for (const colorScheme of ['light', 'dark'] as const) {
+    test(`the line can be used by everyone: ${size}, ${colorScheme}`, async () => {
+      const app = await opened({ viewport, colorScheme });
+      await isWellMade(app, 'live');
+      await app.text('Send a frame by hand').click();
+      await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('UNLOCK');
+      await app.button('Send…').click();
+      await isWellMade(app, 'asking twice');
+      await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('Another letter');
+      await app.field('Letter, in hex').fill('7');
+      await app.field('Data, in hex').fill('x');
+      await isWellMade(app, 'refusing');
+      await load(app, `# Sidus capture 1\n0.000 > 00 00 00 00 00 03 6b 6b 45\n9.000 < ${'ff '.repeat(200)}`);
+      await app.button('Back to the live line').waitFor();
+      await isWellMade(app, 'a recording');
+      await load(app, 'no');
+      await app.page.getByRole('alert').waitFor();
+      await isWellMade(app, 'a refused file');
+    });
+  }
+}
+
+/** What axe finds wrong, what a finger would miss, and what stands over the edge. */
+async function isWellMade(app: AppPage, screen: string): Promise<void> {
+  // Without what moves: halfway between two colours the contrast is of neither.
+  await app.page.emulateMedia({ reducedMotion: 'reduce' });
+  await app.page.evaluate(source);
+  const found = await app.page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: typeof import('axe-core') };
+    return (await axe.run()).violations.map(
+      ({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(', ')}`,
+    );
+  });
+  expect(found, screen).toEqual([]);
+  const small = await app.line.locator('button, input, select, summary').evaluateAll((targets) =>
+    targets.flatMap((element) => {
+      const { width, height } = element.getBoundingClientRect();
+      return width > 0 && (width < 44 || height < 44) ? [`${element.outerHTML.slice(0, 90)} ${width} x ${height}`] : [];
+    }),
+  );
+  expect(small, screen).toEqual([]);
+  await app.expectNoSidewaysScrolling();
+}

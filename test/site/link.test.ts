@@ -1,0 +1,242 @@
+import { describe, expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { edited, edits, held, LONG } from './edited.js';
+
+/** Waits in the page itself until the timer is there. @returns milliseconds. */
+const untilOn = (app: AppPage, act: string): Promise<number> =>
+  app.page.evaluate(`(async () => {
+    const began = performance.now();
+    const on = new Promise((resolve) => {
+      const look = () => document.querySelector('.link-state.on') && resolve();
+      new MutationObserver(look).observe(document.body, { subtree: true, childList: true, attributes: true });
+    });
+    ${act};
+    await on;
+    return performance.now() - began;
+  })()`);
+
+describe('finding the timer', () => {
+  test('one that answers only at 19200 baud is found by itself, and asked there first from then on', async () => {
+    const app = await AppPage.open({ bench: { granted: true, answersAt: 19200 } });
+    await app.page.getByRole('heading', { name: 'Known adapters' }).waitFor();
+    await app.button('Connect to FTDI adapter').click();
+    await app.hasRead();
+    expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200]);
+    await app.button('Disconnect').click();
+    await app.text('last at 19200 baud').waitFor();
+    await app.connect();
+    expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200, 19200]);
+
+    await app.reload();
+    await app.connect();
+    expect(await app.bench(({ rates }) => rates)).toEqual([19200]);
+    await app.text('About this timer').click();
+    await app.text('19200 baud').waitFor();
+  });
+
+  test('one that sleeps is asked quietly, and read as soon as its switch is pressed', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.sleep());
+    await app.button('Connect').click();
+    await app.says('No answer yet.');
+    await app.text('Waiting for the timer').waitFor();
+    await app.text('asked 2 times').waitFor();
+    await app.bench((bench) => bench.press());
+    await app.hasRead();
+    await app.text('No answer yet.').waitFor({ state: 'detached' });
+  });
+
+  test('the asking can be stopped, and the port is free then', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.sleep());
+    await app.button('Connect').click();
+    await app.says('No answer yet.');
+    await app.button('Stop').click();
+    await app.text('Not connected').waitFor();
+    expect(await app.bench(({ opened }) => opened)).toBeNull();
+    await app.bench((bench) => bench.press());
+    await app.connect();
+  });
+
+  test('settings by hand reach the port', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.text('Serial settings').click();
+    await app.page.getByRole('combobox', { name: 'Rate' }).selectOption('57600 baud');
+    await app.page.getByRole('combobox', { name: 'Parity' }).selectOption('Even');
+    await app.page.getByRole('combobox', { name: 'Stop bits' }).selectOption('2');
+    await app.page.getByRole('combobox', { name: 'DTR' }).selectOption('Off');
+    await app.connect();
+    expect(await app.bench(({ rates }) => rates)).toEqual([57600]);
+    expect(await app.bench(({ opened }) => opened)).toMatchObject({ baudRate: 57600, parity: 'even', stopBits: 2 });
+    expect(await app.bench(({ adapter }) => adapter.port.device.signals)).toMatchObject({ dataTerminalReady: false });
+  });
+
+  test('a known adapter is forgotten: the browser asks again', async () => {
+    const app = await AppPage.open({ bench: { granted: true } });
+    await app.button('Forget FTDI adapter').click();
+    await app.page.getByRole('heading', { name: 'Known adapters' }).waitFor({ state: 'detached' });
+    expect(await app.page.evaluate(async () => (await navigator.serial.getPorts()).length)).toBe(0);
+    await app.bench((bench) => bench.dismissChooser());
+    await app.button('Connect').click();
+    await app.says('No port was chosen.');
+  });
+});
+
+describe('the adapter comes back', () => {
+  for (const [how, act] of [
+    ['at the same port', 'workbench.replug()'],
+    ['where the browser does not recognise it', 'workbench.adapter.returnAsNew()'],
+  ] as const) {
+    test(`${how}: without a click, in less than a second, with the edits`, async () => {
+      const app = await edited();
+      await app.bench((bench) => bench.adapter.unplug());
+      await app.says('The adapter is unplugged.');
+      expect(await app.button('Write…').isDisabled()).toBe(true);
+      expect(await edits(app)).toEqual(['4:00', '7']);
+      expect(await untilOn(app, act)).toBeLessThan(1000);
+      await app.says('The timer is back.');
+      await app.isReady();
+      expect(await edits(app)).toEqual(['4:00', '7']);
+      await app.write();
+      await app.result('Verified.');
+      expect(await held(app)).toEqual([24000, 7]);
+    });
+  }
+
+  test('and the timer holds something else: the write is shown beside it', async () => {
+    const app = await edited();
+    await app.bench((bench) => {
+      bench.adapter.unplug();
+      bench.content.timers[10] = 21000;
+      bench.replug();
+    });
+    await app.says('The timer holds something else than when you made your edits.');
+    await app.isReady();
+    await app.review();
+    const conflicts = app.dialog.getByRole('table').first();
+    expect(await conflicts.locator('thead th').allInnerTexts()).toEqual([
+      'Value',
+      'Was read',
+      'Timer holds now',
+      'Will hold',
+    ]);
+    expect(await conflicts.locator('tbody tr').locator('th, td').allInnerTexts()).toEqual([
+      'DT time',
+      '3:00',
+      '3:30',
+      '4:00',
+    ]);
+    await app.tickSafety();
+    await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
+    await app.result('Verified.');
+    expect(await held(app)).toEqual([24000, 7]);
+  });
+});
+
+describe('the port is taken', () => {
+  test('by another tab: it is named, and lets go when asked', async () => {
+    const app = await edited();
+    const other = await app.sibling();
+    // One adapter for both: what one tab holds, the other finds busy.
+    await other.bench((bench) => bench.setBusy(true));
+    await other
+      .button(/^Connect/)
+      .first()
+      .click();
+    await other.text('Another tab of this program holds the port: F1Q, M1, since').waitFor({ timeout: LONG });
+    await other.button('Take over').click();
+    await app.says('Another tab of this program has taken the port over.');
+    expect(await app.bench(({ opened }) => opened)).toBeNull();
+    expect(await edits(app), 'kept').toEqual(['4:00', '7']);
+    await other.bench((bench) => bench.setBusy(false));
+    await other.hasRead();
+    expect(await edits(other), 'and here too').toEqual(['4:00', '7']);
+  });
+
+  test('by another program: what to do is said, with a rule for this very adapter to copy', async () => {
+    const app = await AppPage.open({
+      bench: { granted: true },
+      permissions: ['clipboard-read', 'clipboard-write'],
+      // The steps are for the system that the browser names.
+      before: () =>
+        Object.defineProperty(navigator, 'userAgentData', {
+          value: { platform: 'Linux', brands: [] },
+          configurable: true,
+        }),
+    });
+    await app.bench((bench) => bench.setBusy(true));
+    await app.button('Connect').click();
+    await app.says('It is tried again for 15 seconds.');
+    await app.text('Close other programs and tabs that talk to the timer').waitFor({ timeout: LONG });
+    await app.page.getByText('What to do').first().click();
+    const rule = app.page.getByRole('listitem').filter({ hasText: 'allow this kind of adapter only' });
+    await rule.getByRole('button', { name: /Copy/ }).first().click();
+    await rule.getByText('Copied').first().waitFor();
+    const copied = await app.page.evaluate(() => navigator.clipboard.readText());
+    expect(copied).toContain('ATTRS{idVendor}=="0403"');
+    expect(copied).toContain('ATTRS{idProduct}=="6001"');
+    await app.bench((bench) => bench.setBusy(false));
+    await app.connect();
+  });
+});
+
+describe('about this timer', () => {
+  test('times with their bytes exchanged are asked about, shown, and remembered', async () => {
+    const app = await AppPage.open({ bench: { granted: true, quirks: { bigEndianTimes: true } } });
+    await app.connect();
+    await app.says('The times of this timer fall.');
+    await app.button('Exchange and read again').click();
+    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
+    await app.text('About this timer').click();
+    await app.text('Its times fall, and would rise with their bytes exchanged.').waitFor();
+    const assumed = app.page.getByRole('checkbox', { name: 'Times have their bytes exchanged' });
+    expect(await assumed.isChecked()).toBe(true);
+
+    await app.reload();
+    await app.connect();
+    expect(await app.valueOf('DT')).toBe('3:00');
+    expect(await app.text('The times of this timer fall.').count()).toBe(0);
+  });
+
+  test('rounded times are found by writing', async () => {
+    const app = await AppPage.open({ bench: { quirks: { timeStep: 10 } } });
+    await app.connect();
+    await app.type('DT time', '4:00.05');
+    await app.write();
+    await app.result('Not everything was taken.');
+    await app.close();
+    await app.text('About this timer').click();
+    await app.text('It rounds times.').waitFor();
+  });
+
+  test('errors of the line are counted, and the reading goes on', async () => {
+    const app = await AppPage.open({ bench: {} });
+    await app.bench((bench) => bench.failLineAt('GETTIMERS', 'framing'));
+    await app.connect();
+    expect(await app.valueOf('DT')).toBe('3:00');
+    await app.text('About this timer').click();
+    await app.text('framing 1').waitFor();
+  });
+});
+
+test('with one byte in a hundred damaged it is read, written and verified, and the repeats are told', async () => {
+  const app = await AppPage.open({ bench: { damage: 0.01 } });
+  await app.button('Connect').click();
+  await app.table.waitFor({ timeout: LONG });
+  await app.page.locator('button:enabled', { hasText: /^Read again$/ }).waitFor({ timeout: LONG });
+  await app.type('DT time', '4:00');
+  await app.type('Function 2, S1', '7');
+  await app.button('Write…').click();
+  await app.dialog.waitFor({ timeout: LONG });
+  await app.tickSafety();
+  await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
+  await app.dialog.getByRole('alert').getByText('Verified.').waitFor({ timeout: LONG });
+  await app.dialog.getByText(/^The line was disturbed: \d+ requests? (was|were) repeated\.$/).waitFor();
+  expect(await held(app)).toEqual([24000, 7]);
+  await app.close();
+  await app.text('About this timer').click();
+  await app.page
+    .getByRole('definition')
+    .filter({ hasText: /^[1-9]\d*$/ })
+    .waitFor();
+}, 120_000);

@@ -1,0 +1,117 @@
+import { describe, expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { edited, edits, held, LONG } from './edited.js';
+
+describe('a write that the page did not survive', () => {
+  /** The page is loaded again when the times are written and the position is not. */
+  async function interrupted(): Promise<AppPage> {
+    const app = await edited();
+    app.page.on('dialog', (dialog) => void dialog.accept());
+    await app.bench((bench) => bench.sleepAt('SETTIMERS'));
+    await app.write();
+    await expect.poll(() => held(app)).toEqual([24000, 35]);
+    await app.reload();
+    await app.says('Your edits are back.');
+    return app;
+  }
+  const panel = (app: AppPage) => app.page.getByRole('region', { name: 'An earlier write was interrupted' });
+
+  test('is finished', async () => {
+    const app = await interrupted();
+    await app.button('Connect').click();
+    await app.isReady();
+    await panel(app).getByText('The timer holds 1 value of that write; 1 value is still as before.').waitFor();
+    await panel(app).getByRole('button', { name: 'Finish it…' }).click();
+    await app.dialog.waitFor();
+    expect(await app.difference()).toEqual(['Function 2, S1 | 35 | 7']);
+    await app.tickSafety();
+    await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
+    await app.result('Verified.');
+    expect(await held(app)).toEqual([24000, 7]);
+    await app.close();
+    expect(await panel(app).count()).toBe(0);
+  });
+
+  test('is taken back', async () => {
+    const app = await interrupted();
+    await app.button('Connect').click();
+    await panel(app).getByRole('button', { name: 'Go back…' }).click();
+    await app.dialog.waitFor();
+    expect(await app.difference()).toEqual(['DT time | 4:00 | 3:00']);
+    await app.tickSafety();
+    await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
+    await app.result('Verified.');
+    expect(await held(app)).toEqual([18000, 35]);
+    await app.close();
+    expect(await panel(app).count()).toBe(0);
+    await app.text('No changes').waitFor();
+  });
+
+  test('and the timer holds what nothing explains: which timer this is has to be said', async () => {
+    const app = await interrupted();
+    await app.bench((bench) => {
+      bench.content.timers[3] = 1234;
+    });
+    await app.button('Connect').click();
+    await panel(app).getByText('Is it another timer, or did something else change it?').waitFor();
+    expect(
+      await panel(app)
+        .getByRole('button', { name: /^(Finish|Go back)/ })
+        .count(),
+    ).toBe(0);
+    await panel(app).getByRole('button', { name: 'It is another timer' }).click();
+    expect(await panel(app).count()).toBe(0);
+
+    await app.button('Disconnect').click();
+    await app.reload();
+    await app.button('Connect').click();
+    await panel(app)
+      .getByRole('button', { name: /^It is the same timer/ })
+      .click();
+    expect(await panel(app).count()).toBe(0);
+    expect(await edits(app)).toEqual(['4:00', '7']);
+    expect(await app.valueOf('Function 3 time'), 'as before').toBe('11.50');
+    expect(await app.bench(({ sets }) => sets), 'nothing is written unasked').toEqual([]);
+  });
+});
+
+test('all memories are backed up, one is copied to another, and the backup is restored', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await app.bench(({ adapter }) => {
+    const [first] = adapter.timer.core.memories;
+    if (first) first.timers[3] = 1234;
+  });
+  const memories = (): Promise<unknown[]> => app.bench(({ adapter }) => adapter.timer.core.memories);
+  const before = await memories();
+  const job = (name: string) => app.page.getByRole('dialog', { name });
+
+  await app.button('Back up all…').click();
+  await job('Back up all memories').getByRole('button', { name: 'Back up' }).click();
+  await job('Back up all memories').getByText('4 memories were read and kept.').waitFor({ timeout: LONG });
+  await app.button('Close').click();
+  expect(await memories(), 'nothing is changed').toEqual(before);
+
+  await app.button('Copy M1 to M3…').click();
+  const copy = job('Copy a memory');
+  expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'not before the tick').toBe(true);
+  await copy.getByRole('checkbox', { name: 'The propeller is off' }).check();
+  await copy.getByRole('button', { name: 'Copy' }).click();
+  await copy.getByText('M3: verified.').waitFor({ timeout: LONG });
+  await app.button('Close').click();
+  expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);
+  expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'current again').toBe(0);
+
+  await app.text('Backups').click();
+  await app.page
+    .getByRole('listitem')
+    .filter({ hasText: '4 memories' })
+    .getByRole('button', { name: 'Restore all…' })
+    .click();
+  const restore = job('Restore a backup');
+  await restore.getByRole('button', { name: 'Restore' }).click();
+  await restore.getByText('M4: verified.').waitFor({ timeout: LONG });
+  await app.button('Close').click();
+  expect(await memories()).toEqual(before);
+  expect(await app.bench(({ adapter }) => adapter.timer.core.memory)).toBe(0);
+}, 120_000);
