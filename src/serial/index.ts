@@ -5,5 +5,5 @@ export { type RememberedPort, TimerLink, type TimerLinkOptions } from './link.js
 export type { LinkState, TimerConnection } from './link-state.js';
 export { LINK_TABLE, type LinkEvent, type LinkStatus } from './link-table.js';
 export { type KnownPort, type PortKind, portKey, portKind } from './ports.js';
-export { DEFAULT_SETTINGS, type OpenedSettings, RATES, type SerialSettings } from './settings.js';
+export { DEFAULT_SETTINGS, type OpenedSettings, RATES, type Rates, type SerialSettings } from './settings.js';
 export type { PortInfo, SerialLike, SerialPortLike } from './types.js';

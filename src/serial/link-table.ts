@@ -52,9 +52,7 @@ export const LINK_TABLE = {
 
 export type LinkStatus = keyof typeof LINK_TABLE;
 
-type EventsOf<Table> = Table extends unknown ? keyof Table : never;
-
-export type LinkEvent = EventsOf<(typeof LINK_TABLE)[LinkStatus]>;
+export type LinkEvent = { [Status in LinkStatus]: keyof (typeof LINK_TABLE)[Status] }[LinkStatus];
 
 /**
  * Where an event leads.
