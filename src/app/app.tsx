@@ -1,6 +1,7 @@
 import { type AppModels, Models } from './models.js';
 import { Header } from './parts/header.js';
 import { RecoveryPanel } from './parts/recovery-panel.js';
+import { ThemeChoice } from './parts/theme-choice.js';
 import { LinePanel } from './screens/line-panel.js';
 import { MemoriesDialog } from './screens/memories-dialog.js';
 import { ProgramScreen } from './screens/program-screen.js';
@@ -19,6 +20,9 @@ export function App({ models }: { models: AppModels }) {
         {hasProgram ? <ProgramScreen /> : <StartScreen />}
         {hasLine && <LinePanel />}
       </main>
+      <footer class="foot">
+        <ThemeChoice />
+      </footer>
       <WriteDialog />
       <MemoriesDialog />
     </Models.Provider>

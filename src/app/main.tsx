@@ -8,11 +8,14 @@ import { plugRecording, plugSimulatedTimer } from './simulated-timer.js';
 import { openTabChannel } from './state/other-tabs.js';
 import { browserStorage } from './storage/index.js';
 import './styles/base.css';
+import './styles/bench.css';
 import './styles/frame.css';
 import './styles/help.css';
 import './styles/line.css';
 import './styles/link.css';
 import './styles/program.css';
+import './styles/table.css';
+import './styles/timeline.css';
 import './styles/write.css';
 import { onWake } from './wake.js';
 
@@ -41,5 +44,7 @@ effect(() => {
 
 registerOffline({ onUpdateReady: models.update.offer, whenFree: models.update.whenFree });
 onWake(() => session.link.recheck());
+document.addEventListener('visibilitychange', () => document.hidden && void models.bench.stopFollowing());
+models.theme.follow(document);
 await session.start();
 render(<App models={models} />, document.getElementById('app') as HTMLElement);

@@ -1,11 +1,14 @@
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Platform } from './platform.js';
+import { Bench } from './state/bench.js';
 import { Memories } from './state/memories.js';
 import type { TabChannel } from './state/other-tabs.js';
+import { Preferences } from './state/preferences.js';
 import { Recover } from './state/recover.js';
 import { Session, type SessionOptions } from './state/session.js';
 import { Tabs } from './state/tabs.js';
+import { Theme } from './state/theme.js';
 import { UpdateOffer } from './state/update-offer.js';
 import { WriteFlow } from './state/write-flow.js';
 
@@ -15,6 +18,9 @@ export interface AppModels {
   readonly write: WriteFlow;
   readonly recover: Recover;
   readonly memories: Memories;
+  readonly bench: Bench;
+  readonly theme: Theme;
+  readonly preferences: Preferences;
   readonly update: UpdateOffer;
   readonly tabs: Tabs;
   /** What the pilot sits at: it chooses sentences, nothing else. */
@@ -47,6 +53,9 @@ export function createModels({ platform, channel, ...options }: ModelOptions): A
     session,
     write,
     memories,
+    bench: new Bench(session, () => write.current.value !== null || memories.current.value !== null),
+    theme: new Theme(),
+    preferences: new Preferences(session.editor),
     recover: new Recover(session, write),
     update: new UpdateOffer(session),
     tabs: new Tabs(session, isWriting, channel),

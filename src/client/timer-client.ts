@@ -225,6 +225,17 @@ export class TimerClient {
   }
 
   /**
+   * Stores one position in the current memory (SETSERVO). The acknowledgement is all that is known of it until the next read.
+   * @param servo counted from 0.
+   * @param column 0 start, 1 .. NF-1 functions, NF is DT.
+   * @param position steps, 0..130.
+   * @throws CodecError before anything is sent when the value cannot be carried; else TimerError, after which it may have been stored.
+   */
+  setPosition(servo: number, column: number, position: number, options: JobOptions = {}): Promise<void> {
+    return this.#command({ name: 'SETSERVO', servo, function: column, position }, options);
+  }
+
+  /**
    * Sets the idle throttle (SETLOWRPM) and reads it back (GETLOWRPM).
    * @param idleThrottle 0..255, unit unknown.
    * @returns what the timer holds now.

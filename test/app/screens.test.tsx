@@ -95,7 +95,7 @@ describe('the table', () => {
       table()
         .getAllByRole('columnheader')
         .map(({ textContent }) => textContent),
-    ).toEqual(['Function', 'Time', 'S1', 'S2', 'S3', 'S4']);
+    ).toEqual(['Function', 'Time', 'Interval', 'S1', 'S2', 'S3', 'S4']);
     expect(screen.getAllByRole('button', { name: /^M\d$/ })).toHaveLength(2);
   });
 
@@ -234,7 +234,11 @@ describe('the large figures', () => {
 });
 
 describe('the memories', () => {
-  const pressed = () => screen.queryAllByRole('button', { pressed: true }).map(({ textContent }) => textContent);
+  const memories = () => within(screen.getByRole('group', { name: 'Memory' }));
+  const pressed = () =>
+    memories()
+      .queryAllByRole('button', { pressed: true })
+      .map(({ textContent }) => textContent);
 
   it('are not changed by passing over them with the keys', async () => {
     const { timer } = await connected();

@@ -39,10 +39,72 @@ const refused: Record<
   'too-large': ({ cells }) => `The table is too large: the rest was not read. At most ${cells} cells are.`,
 };
 
+const cells = (count: number): string => `${count} ${count === 1 ? 'value' : 'values'}`;
+
 /** Undo, redo, and edits of many fields at once. */
 export const edits = {
+  undoButton: 'Undo',
+  redoButton: 'Redo',
   undo: (step: string) => `Undo ${step}`,
   redo: (step: string) => `Redo ${step}`,
   steps,
   refused,
+  /** A text in a field of the table is in the way of an edit of many. */
+  unreadable: 'The text in this field is no value. Put it right first.',
+  beforeLaunch: 'This would be before launch.',
+  nothingDone: 'Nothing was changed.',
+  cells,
+  /** “DT time 3:00 → 6:00”. */
+  change: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
+  inWords: 'In words',
+  field: {
+    up: (field: string) => `Step up ${field}`,
+    down: (field: string) => `Step down ${field}`,
+    putBack: (field: string) => `Put back ${field}`,
+    signs: { up: '+', down: '−', putBack: '↺' },
+  },
+  table: {
+    interval: 'Interval',
+    intervalOf: (column: string) => `${column} interval`,
+    selected: (count: number) => `${cells(count)} selected`,
+    keys: 'Arrows and Enter go from cell to cell, Alt with up or down steps a value, Shift with an arrow selects, Ctrl+D fills down.',
+    tools: (servo: string) => `Tools for ${servo}`,
+    copyTo: (servo: string) => `Copy to ${servo}`,
+    reverse: 'Reverse',
+    revertColumn: 'Put column back',
+    revertRow: (column: string) => `Put back ${column} with its positions`,
+  },
+  shift: {
+    title: 'Shift in time',
+    from: 'This and all later, from',
+    by: 'By, in seconds',
+    earlier: 'Earlier',
+    later: 'Later',
+    moveDt: 'Move DT too',
+  },
+  pasting: {
+    title: 'Paste',
+    lead: (count: number) => (count === 0 ? 'This changes nothing.' : `This changes ${cells(count)}.`),
+    ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
+    problems: 'This cannot be taken',
+    problem: (row: number, column: number, text: string, reason: string) =>
+      `Row ${row}, column ${column}${text === '' ? '' : `, “${text}”`}: ${reason}`,
+    more: (count: number) => `And ${count} more.`,
+    apply: 'Paste',
+    applyRest: 'Paste the rest',
+    cancel: 'Cancel',
+  },
+  presets: {
+    title: 'DT presets',
+    change: 'Change presets',
+    done: 'Done',
+    use: (time: string) => `DT ${time}`,
+    remove: (time: string) => `Remove ${time}`,
+    add: 'New preset',
+    addButton: 'Add',
+    shortDt: 'DT is short below',
+    refused: 'Type a time up to 10:55.35. At most 24 presets are kept.',
+  },
+  fix: (value: string) => `Set to ${value}`,
+  fixOf: (field: string, value: string) => `Set ${field} to ${value}`,
 };

@@ -2,6 +2,7 @@ import type { TimerErrorCode } from '../../client/index.js';
 import type { FindingCode } from '../../program/index.js';
 import type { ConnectionErrorCode } from '../../serial/index.js';
 import type { UnreadableReason } from '../units.js';
+import { bench, overview, theme } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
 import { line, report } from './en-line.js';
@@ -325,8 +326,14 @@ export const en = {
   dateTime: { dateStyle: 'medium', timeStyle: 'short' } as const,
   locale: 'en-GB',
   edits,
+  bench,
+  overview,
+  theme,
   timeline: {
     title: 'Timeline',
+    heldByTimer: 'Timer holds',
+    compareWith: 'Behind it',
+    compareNothing: 'Nothing',
     picture: 'Servo positions over time',
     description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
       `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,

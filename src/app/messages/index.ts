@@ -1,8 +1,12 @@
 import { signal } from '@preact/signals';
-import { columnKind, type Finding, type ProgramField } from '../../program/index.js';
+import { type Change, columnKind, type Finding, fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { KnownPort } from '../../serial/index.js';
-import { formatTime } from '../units.js';
+import type { Obstacle } from '../state/attempt.js';
+import { formatValue } from '../state/editing.js';
+import type { StepName } from '../state/history.js';
+import type { PasteProblem } from '../state/paste.js';
+import { formatInterval, formatTime } from '../units.js';
 import { en } from './en.js';
 
 export type { Said, TimelineFacts } from './en.js';
@@ -54,4 +58,60 @@ export function portName({ kind, info }: Pick<KnownPort, 'kind' | 'info'>): stri
 export function dateText(time: number): string {
   const { locale, dateTime } = messages.value;
   return new Date(time).toLocaleString(locale, dateTime);
+}
+
+/** What a step is called: “shift from Function 3 by 0.50 s”. */
+export function stepText(identity: Identity, { code, params }: StepName): string {
+  const { edits, servoName, seconds } = messages.value;
+  const shown = Object.entries(params).map(([name, value]): [string, string] => {
+    if (name === 'field') {
+      const field = fieldsOf(identity).find((each) => fieldKey(each) === value);
+      return [name, field ? fieldLabel(identity, field) : String(value)];
+    }
+    if (typeof value === 'string') return [name, value];
+    if (name === 'column') return [name, columnLabel(identity, value)];
+    if (name === 'servo' || name === 'from' || name === 'to') return [name, servoName(value)];
+    if (name === 'by') return [name, seconds(formatInterval(value))];
+    return [name, name === 'count' ? edits.cells(value) : String(value)];
+  });
+  return edits.steps[code](Object.fromEntries(shown));
+}
+
+/** The sentence for why an edit was not done. */
+export function obstacleText(identity: Identity, obstacle: Obstacle): string {
+  const { edits, about } = messages.value;
+  const where = about(fieldLabel(identity, obstacle.field));
+  if (obstacle.code === 'unreadable') return `${where} ${edits.unreadable}`;
+  if (obstacle.field.kind === 'time' && obstacle.params.value < 0) return `${where} ${edits.beforeLaunch}`;
+  return `${where} ${reasonText(obstacle.code, obstacle.params, obstacle.field.kind === 'time')}`;
+}
+
+/** The sentence for what is wrong with a pasted cell. */
+export function pasteProblemText({ code, params, field }: PasteProblem): string {
+  return reasonText(code, params, field !== null && field.kind !== 'position');
+}
+
+/** A reason stands where it was needed first: with the checks, with the fields, or with the edits. */
+function reasonText(
+  code: Exclude<Obstacle['code'], 'unreadable'> | PasteProblem['code'],
+  params: Readonly<Record<string, number>>,
+  isTime: boolean,
+): string {
+  const { findings, unreadable, edits, seconds } = messages.value;
+  const shown = Object.fromEntries(
+    Object.entries(params).map(([name, value]): [string, string] => [
+      name,
+      isTime ? seconds(formatInterval(value)) : String(value),
+    ]),
+  );
+  if (code in edits.refused) return edits.refused[code as keyof typeof edits.refused](shown);
+  if (code in unreadable) return unreadable[code as keyof typeof unreadable];
+  return findings[code as keyof typeof findings](shown);
+}
+
+/** A difference in words: “DT time: 3:00 → 6:00”. */
+export function changeText(identity: Identity, { field, from, to }: Change): string {
+  const { edits, write } = messages.value;
+  const shown = (value: number | null): string => (value === null ? write.status.unknown : formatValue(field, value));
+  return edits.change(fieldLabel(identity, field), shown(from), shown(to));
 }

@@ -1,4 +1,4 @@
-import { fieldKey, type ProgramField, type Severity } from '../../program/index.js';
+import { type Finding, fieldKey, type ProgramField, type Severity } from '../../program/index.js';
 import { findingText, messages } from '../messages/index.js';
 import type { Editor } from '../state/editor.js';
 
@@ -20,7 +20,9 @@ export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
 }
 
 /** Everything that is to be said about the fields, and about the program as a whole. */
-export function allNotes(editor: Editor): { field: ProgramField | null; severity: Severity; text: string }[] {
+export function allNotes(
+  editor: Editor,
+): { field: ProgramField | null; severity: Severity; text: string; finding: Finding | null }[] {
   const unreadable = [...editor.unreadable.value.values()];
   const typed = new Set(unreadable.map(({ field }) => fieldKey(field)));
   return [
@@ -28,9 +30,10 @@ export function allNotes(editor: Editor): { field: ProgramField | null; severity
       field,
       severity: 'error' as const,
       text: messages.value.unreadable[reason],
+      finding: null,
     })),
     ...editor.findings.value
       .filter(({ field }) => !field || !typed.has(fieldKey(field)))
-      .map((finding) => ({ field: finding.field, severity: finding.severity, text: findingText(finding) })),
+      .map((finding) => ({ field: finding.field, severity: finding.severity, text: findingText(finding), finding })),
   ];
 }

@@ -1,39 +1,129 @@
 import { useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
-import { columnLabel, fieldLabel, messages } from '../messages/index.js';
+import { columnLabel, fieldLabel, messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { attempt } from '../state/attempt.js';
+import { formatTable } from '../state/clipboard-table.js';
+import { fillDown } from '../state/edits.js';
+import { FIRST_SERVO_COLUMN, fieldsIn, type GridRange, INTERVAL_COLUMN, TIME_COLUMN } from '../state/grid.js';
+import { Selection } from '../state/selection.js';
+import { ColumnMenu } from './column-menu.js';
 import { notesFor } from './field-notes.js';
+import { IntervalField } from './interval-field.js';
+import { PasteDialog, type Pasting } from './paste-dialog.js';
+import { cellOf, onTableKey } from './table-keys.js';
 import { ValueField } from './value-field.js';
 
-/** Start to DT as rows; time and servos as columns. Enter and the arrows move like in a spreadsheet. */
+/** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
 export function ProgramTable() {
   const { session } = useModels();
-  const { program, servoName } = messages.value;
-  const identity = session.editor.working.value?.identity;
+  const { editor } = session;
+  const { program, edits, servoName } = messages.value;
+  const selection = useMemo(() => new Selection(), []);
+  const pasting = useSignal<Pasting | null>(null);
+  const obstacle = useSignal<string | null>(null);
+  const identity = editor.working.value?.identity;
   if (!identity) return null;
   const columns = Array.from({ length: columnCount(identity) }, (_, column) => column);
   const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
+  const range = selection.range.value;
+
+  /** A single cell is filled from the one above it. */
+  const fill = (): void => {
+    const { working } = editor;
+    const range = selection.range.value;
+    if (!range || !working.value) return;
+    const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
+    if (from.top < 0) return;
+    const edit = fillDown(working.value, from);
+    const count = 'values' in edit ? edit.values.length : 0;
+    const found = attempt(editor, edit, { code: 'fill', params: { count } });
+    obstacle.value = found && obstacleText(identity, found);
+  };
+  const copy = (event: ClipboardEvent): void => {
+    const { working } = editor;
+    const range = selection.range.value;
+    if (!selection.isWide.value || !range || !working.value || !event.clipboardData) return;
+    event.preventDefault();
+    event.clipboardData.setData('text/plain', formatTable(working.value, range));
+  };
+  const paste = (event: ClipboardEvent): void => {
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    const range = selection.range.value;
+    // One value into one cell is typing.
+    if (!range || text === '' || !(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
+    event.preventDefault();
+    pasting.value = { range, text };
+  };
   return (
-    <table class="program-table" onKeyDown={moveByKey}>
-      <caption class="visually-hidden">{program.tableCaption}</caption>
-      <thead>
-        <tr>
-          <th scope="col">{program.column}</th>
-          <th scope="col">{program.time}</th>
-          {servos.map((servo) => (
-            <th scope="col" key={servo}>
-              {servoName(servo)}
-            </th>
+    <div class="table-box">
+      <table
+        class="program-table"
+        aria-describedby="table-keys"
+        onKeyDown={(event) => onTableKey(event, { editor, selection, fillDown: fill })}
+        onFocusIn={({ target }) => {
+          obstacle.value = null;
+          const cell = cellOf(target);
+          const active = selection.active.value;
+          if (cell && (cell.row !== active?.row || cell.column !== active.column)) selection.enter(cell);
+        }}
+        onInput={() => selection.collapse()}
+        onMouseDown={(event) => {
+          const cell = cellOf(event.target);
+          if (!cell || event.button !== 0) return;
+          if (!event.shiftKey || !selection.active.value) return selection.enter(cell);
+          event.preventDefault();
+          selection.extendTo(cell);
+        }}
+        onPointerOver={(event) => {
+          const cell = cellOf(event.target);
+          if (
+            !cell ||
+            event.pointerType !== 'mouse' ||
+            event.buttons !== 1 ||
+            !(document.activeElement instanceof HTMLInputElement)
+          )
+            return;
+          if (cellOf(document.activeElement)) selection.extendTo(cell);
+        }}
+        onCopy={copy}
+        onPaste={paste}
+      >
+        <caption class="visually-hidden">{program.tableCaption}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{program.column}</th>
+            <th scope="col">{program.time}</th>
+            <th scope="col">{edits.table.interval}</th>
+            {servos.map((servo) => (
+              <th scope="col" key={servo} aria-label={servoName(servo)}>
+                {servoName(servo)}
+                <ColumnMenu identity={identity} servo={servo} />
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {columns.map((column) => (
+            <ProgramRow key={column} identity={identity} column={column} servos={servos} range={range} />
           ))}
-        </tr>
-      </thead>
-      <tbody>
-        {columns.map((column) => (
-          <ProgramRow key={column} identity={identity} column={column} servos={servos} />
-        ))}
-      </tbody>
-    </table>
+        </tbody>
+      </table>
+      <p class="hint keys-hint" id="table-keys">
+        {edits.table.keys}
+      </p>
+      <p class="visually-hidden" role="status">
+        {selection.isWide.value && range && edits.table.selected(fieldsIn(identity, range).length)}
+      </p>
+      {obstacle.value && (
+        <p class="notes bad-text" role="alert">
+          {edits.nothingDone} {obstacle.value}
+        </p>
+      )}
+      <PasteDialog pasting={pasting} />
+    </div>
   );
 }
 
@@ -41,30 +131,62 @@ interface ProgramRowProps {
   readonly identity: Identity;
   readonly column: number;
   readonly servos: readonly number[];
+  readonly range: GridRange | null;
 }
 
-function ProgramRow({ identity, column, servos }: ProgramRowProps) {
+function ProgramRow({ identity, column, servos, range }: ProgramRowProps) {
   const { session } = useModels();
-  const { about } = messages.value;
+  const { editor } = session;
+  const { about, program, edits, servoName } = messages.value;
   const time: ProgramField = { kind: 'time', column };
   const positions = servos.map((servo): ProgramField => ({ kind: 'position', servo, column }));
-  const notes = [time, ...positions].flatMap((field) => notesFor(session.editor, field));
+  const fields = [time, ...positions];
+  const notes = fields.flatMap((field) => notesFor(editor, field));
+  const changed = fields.some(
+    (field) => editor.changed.value.has(fieldKey(field)) || editor.unreadable.value.has(fieldKey(field)),
+  );
+  const name = columnLabel(identity, column);
+  const isWide = range !== null && (range.top !== range.bottom || range.left !== range.right);
+  const cell = (at: number, label: string) => ({
+    'data-cell': at,
+    'data-name': label,
+    class:
+      isWide && column >= range.top && column <= range.bottom && at >= range.left && at <= range.right
+        ? 'selected'
+        : '',
+  });
+  const timeCell = cell(TIME_COLUMN, program.time);
   return (
     <>
       <tr class={columnKind(identity, column)} data-column={column}>
-        <th scope="row">{columnLabel(identity, column)}</th>
-        <td class="time">
+        <th scope="row">
+          {name}
+          {changed && (
+            <button
+              type="button"
+              class="put-back"
+              tabIndex={-1}
+              title={edits.table.revertRow(name)}
+              aria-label={edits.table.revertRow(name)}
+              onClick={() => editor.revertFields(fields, { code: 'revert-row', params: { column } })}
+            />
+          )}
+        </th>
+        <td {...timeCell} class={`time ${timeCell.class}`}>
           <TimeCell identity={identity} column={column} />
         </td>
-        {positions.map((field) => (
-          <td key={fieldLabel(identity, field)}>
+        <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
+          {column > 0 && <IntervalField column={column} label={edits.table.intervalOf(name)} />}
+        </td>
+        {positions.map((field, servo) => (
+          <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
             <ValueField field={field} label={fieldLabel(identity, field)} place="table" />
           </td>
         ))}
       </tr>
       {notes.length > 0 && (
         <tr class="row-notes">
-          <td colSpan={servos.length + 2}>
+          <td colSpan={servos.length + 3}>
             {notes.map(({ field, severity, text }) => (
               <p key={`${fieldKey(field)} ${text}`} class={severity}>
                 <strong>{about(fieldLabel(identity, field))}</strong> {text}
@@ -105,20 +227,4 @@ function TimeCell({ identity, column }: { identity: Identity; column: number }) 
       )}
     </>
   );
-}
-
-const STEPS: Readonly<Record<string, number>> = { Enter: 1, 'Shift+Enter': -1, ArrowDown: 1, ArrowUp: -1 };
-
-/** Moves to the field above or below. */
-function moveByKey(event: KeyboardEvent): void {
-  const step = STEPS[event.shiftKey ? `Shift+${event.key}` : event.key];
-  const { target } = event;
-  if (step === undefined || !(target instanceof HTMLInputElement)) return;
-  const cell = target.closest('td');
-  const rows = [...(target.closest('tbody')?.querySelectorAll('tr[data-column]') ?? [])];
-  const row = rows[rows.indexOf(target.closest('tr') as HTMLTableRowElement) + step];
-  const next = row?.children[cell?.cellIndex ?? 0]?.querySelector('input');
-  if (!next) return;
-  event.preventDefault();
-  next.focus();
 }

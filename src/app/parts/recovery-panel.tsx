@@ -1,7 +1,7 @@
 import { fieldKey, type TimerProgram, valueAt } from '../../program/index.js';
 import { dateText, fieldLabel, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { formatValue } from '../state/editor.js';
+import { formatValue } from '../state/editing.js';
 import type { Offer } from '../state/recovery.js';
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */

@@ -1,13 +1,17 @@
+import { useSignal } from '@preact/signals';
+import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { formatValue } from '../state/editor.js';
+import { stepField } from '../state/attempt.js';
+import { formatValue } from '../state/editing.js';
 import { notesFor } from './field-notes.js';
+import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 
 interface ValueFieldProps {
   readonly field: ProgramField;
   readonly label: string;
-  /** Which of several fields for the same value this is, to keep their ids apart. */
+  /** Which of several fields for the same value this is, to keep their ids apart. In the table the arrows alone go to other cells. */
   readonly place: 'table' | 'large';
   readonly readOnly?: boolean;
   /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
@@ -21,6 +25,8 @@ const LONG = 6;
 export function ValueField({ field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
   const { session } = useModels();
   const { editor } = session;
+  const input = useRef<HTMLInputElement>(null);
+  const focused = useSignal(false);
   const key = fieldKey(field);
   const change = editor.changed.value.get(key);
   const notes = notesFor(editor, field);
@@ -29,9 +35,15 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   const wasId = `${place}-was-${key}`;
   const notesId = `${place}-notes-${key}`;
   const described = [change && wasId, notes.length > 0 && notesId].filter(Boolean).join(' ');
+  const revert = (): void => editor.revert(field);
+  const step: OnStep = (direction, options) => {
+    if (!readOnly) stepField(editor, field, direction, options);
+  };
+  useWheel(input, step);
   return (
     <span class={`value ${change ? 'changed' : ''} ${wrong ? 'wrong' : ''}`}>
       <input
+        ref={input}
         type="text"
         inputMode={field.kind === 'time' ? 'decimal' : 'numeric'}
         autocomplete="off"
@@ -42,20 +54,43 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
         readOnly={readOnly}
         class={text.length > LONG ? 'long' : ''}
         value={text}
-        onFocus={(event) => event.currentTarget.select()}
+        onFocus={(event) => {
+          focused.value = true;
+          event.currentTarget.select();
+        }}
         onInput={(event) => editor.type(field, event.currentTarget.value)}
-        onBlur={() => editor.leave(field)}
-        onKeyDown={(event) => event.key === 'Escape' && editor.revert(field)}
+        onBlur={() => {
+          focused.value = false;
+          editor.leave(field);
+        }}
+        onKeyDown={(event) => {
+          if (event.defaultPrevented || stepByKey(event, step, place === 'large')) return;
+          if (event.key === 'Escape') editor.escape(field);
+        }}
       />
       {change && change.from !== null && (
-        <span class="was" id={wasId}>
-          {messages.value.program.was(formatValue(field, change.from))}
-        </span>
+        <button
+          type="button"
+          tabIndex={-1}
+          class="was"
+          title={messages.value.edits.field.putBack(label)}
+          onPointerDown={(event) => event.preventDefault()}
+          onClick={revert}
+        >
+          <span id={wasId}>{messages.value.program.was(formatValue(field, change.from))}</span>
+        </button>
       )}
       {notes.length > 0 && (
         <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={notesId}>
           {notes.map(({ text }) => text).join(' ')}
         </span>
+      )}
+      {focused.value && !readOnly && (
+        <FieldTools
+          label={label}
+          onStep={step}
+          onRevert={change || editor.unreadable.value.has(key) ? revert : undefined}
+        />
       )}
     </span>
   );

@@ -1,10 +1,19 @@
-import { fieldKey } from '../../program/index.js';
+import { useSignal } from '@preact/signals';
+import { useCallback } from 'preact/hooks';
+import { fieldsOf, type ProgramField } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, messages, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { AboutTimer } from '../parts/about-timer.js';
-import { allNotes } from '../parts/field-notes.js';
+import { BenchPanel, FollowNote } from '../parts/bench-panel.js';
+import { ChecksPanel } from '../parts/checks-panel.js';
+import { MemoriesOverview } from '../parts/memories-overview.js';
 import { BackupsPanel, MemoriesPanel } from '../parts/memories-panel.js';
+import { DtPresets } from '../parts/presets.js';
 import { ProgramTable } from '../parts/program-table.js';
+import { ShiftTool } from '../parts/shift-tool.js';
+import { TimelinePanel } from '../parts/timeline-panel.js';
+import { UndoButtons } from '../parts/undo-buttons.js';
 import { ValueField } from '../parts/value-field.js';
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
@@ -12,27 +21,46 @@ export function ProgramScreen() {
   const { session } = useModels();
   const { program, header, about } = messages.value;
   const identity = session.editor.working.value?.identity;
+  const selected = useSignal<ProgramField | null>(null);
+  const select = useCallback((field: ProgramField | null) => {
+    selected.value = field;
+  }, []);
   if (!identity) return null;
   return (
     <div class="program">
       <h1 class="visually-hidden">
         {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
-      <div class="program-main">
+      <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         <MemoryChoice />
         <LargeFigures />
+        <DtPresets column={identity.functions} />
         {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
         <ProgramTable />
+        <ShiftTool />
+        <TimelinePanel selected={selected.value} onSelect={select} />
+        <MemoriesOverview />
       </div>
       <aside class="program-side">
         <Actions />
-        <Checks />
+        <ChecksPanel />
+        <BenchPanel />
         <MemoriesPanel />
         <BackupsPanel />
         <AboutTimer />
       </aside>
     </div>
   );
+}
+
+/** The field that a place on the screen is for: a field has the same name wherever it stands. */
+function fieldAt(target: EventTarget | null, identity: Identity): ProgramField | null {
+  if (!(target instanceof HTMLInputElement)) return null;
+  const { program } = messages.value;
+  const name = target.getAttribute('aria-label');
+  if (name === program.dt) return { kind: 'time', column: identity.functions };
+  if (name === program.motorStop) return { kind: 'time', column: 0 };
+  return fieldsOf(identity).find((field) => fieldLabel(identity, field) === name) ?? null;
 }
 
 /** Which memory is current is what flies next: it changes by a click or by Enter on one, never by passing over it. */
@@ -115,7 +143,9 @@ function Actions() {
         <strong>{program.changes(count)}</strong> {count > 0 && <span>{program.changesHint}</span>}
       </p>
       {!connected && <p class="hint">{program.notConnected}</p>}
+      <FollowNote />
       {editor.blocked.value && <p class="hint bad-text">{program.blocked}</p>}
+      <UndoButtons />
       <div class="buttons">
         <button
           type="button"
@@ -134,32 +164,6 @@ function Actions() {
           </button>
         )}
       </div>
-    </section>
-  );
-}
-
-function Checks() {
-  const { session } = useModels();
-  const { program } = messages.value;
-  const identity = session.editor.working.value?.identity;
-  const notes = allNotes(session.editor);
-  if (!identity) return null;
-  return (
-    <section class="checks">
-      <h2>{program.findings}</h2>
-      {notes.length === 0 ? (
-        <p class="hint">{program.noFindings}</p>
-      ) : (
-        <ul>
-          {notes.map(({ field, severity, text }) => (
-            <li key={`${field ? fieldKey(field) : ''} ${text}`} class={severity}>
-              <strong>{program.severity[severity]}</strong>
-              {field && <span class="where">{fieldLabel(identity, field)}</span>}
-              <span>{text}</span>
-            </li>
-          ))}
-        </ul>
-      )}
     </section>
   );
 }

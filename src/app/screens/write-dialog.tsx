@@ -1,13 +1,14 @@
 import type { WriteReport } from '../../client/index.js';
-import { type Change, fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, findingText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { DifferenceInWords, DifferenceTable } from '../parts/difference-table.js';
 import { Modal } from '../parts/modal.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
 import { SafetyCheck } from '../parts/safety-check.js';
-import { formatValue } from '../state/editor.js';
+import { formatValue } from '../state/editing.js';
 
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog() {
@@ -51,7 +52,12 @@ function Review({ identity }: { identity: Identity }) {
           ? words.nothing
           : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
       </p>
-      {changes.value.length > 0 && <Difference identity={identity} changes={changes.value} />}
+      {changes.value.length > 0 && (
+        <>
+          <DifferenceTable identity={identity} changes={changes.value} />
+          <DifferenceInWords identity={identity} changes={changes.value} />
+        </>
+      )}
       {serious.length > 0 && (
         <div class="notice bad">
           <ul>
@@ -121,32 +127,6 @@ function Conflicts({ identity }: { identity: Identity }) {
         </tbody>
       </table>
     </div>
-  );
-}
-
-function Difference({ identity, changes }: { identity: Identity; changes: readonly Change[] }) {
-  const { write } = messages.value;
-  return (
-    <table class="difference">
-      <thead>
-        <tr>
-          <th scope="col">{write.field}</th>
-          <th scope="col">{write.from}</th>
-          <th scope="col">{write.to}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {changes.map(({ field, from, to }) => (
-          <tr key={fieldKey(field)}>
-            <th scope="row">{fieldLabel(identity, field)}</th>
-            <td>{from === null ? write.status.unknown : formatValue(field, from)}</td>
-            <td>
-              <strong>{to === null ? write.status.unknown : formatValue(field, to)}</strong>
-            </td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
   );
 }
 

@@ -11,21 +11,28 @@ import {
   sameLayout,
   type TimerProgram,
   valueAt,
-  withValue,
 } from '../../program/index.js';
-import { formatTime, type Parsed, parseSteps, parseTime, type UnreadableReason } from '../units.js';
-
-/** A text in a field, as it was typed. */
-interface Typed {
-  readonly field: ProgramField;
-  readonly text: string;
-}
+import {
+  applied,
+  type Content,
+  conflictsWith,
+  followed,
+  formatValue,
+  textsFor,
+  typed,
+  type UnreadableField,
+  unreadableIn,
+  valuesOf,
+  without,
+} from './editing.js';
+import { type FieldValue, withValues } from './edits.js';
+import type { History, StepName, Turned } from './history.js';
+import * as histories from './history.js';
 
 /** What can be put back into an editor: see {@link Editor.snapshot}. */
-export interface EditorContent {
+export interface EditorContent extends Content {
   readonly baseline: TimerProgram;
-  readonly working: TimerProgram;
-  readonly texts: Readonly<Record<string, string>>;
+  readonly history?: History<Content> | undefined;
 }
 
 /**
@@ -35,7 +42,8 @@ export interface EditorContent {
 export class Editor {
   readonly baseline = signal<TimerProgram | null>(null, { name: 'baseline' });
   readonly working = signal<TimerProgram | null>(null, { name: 'working' });
-  readonly #typed = signal<ReadonlyMap<string, Typed>>(new Map(), { name: 'typed' });
+  readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
+  readonly #history = signal<History<Content>>(histories.EMPTY_HISTORY, { name: 'history' });
   /** What the timer held where it has changed under the pilot's edits, by field: `from` when they were made, `to` by the last read. */
   readonly conflicts = signal<ReadonlyMap<string, Change>>(new Map(), { name: 'conflicts' });
 
@@ -49,18 +57,17 @@ export class Editor {
     () => new Map(this.changes.value.map((change) => [fieldKey(change.field), change])),
   );
   /** Fields whose text is no value. */
-  readonly unreadable: ReadonlySignal<ReadonlyMap<string, { field: ProgramField; reason: UnreadableReason }>> =
-    computed(() => {
-      const found = new Map<string, { field: ProgramField; reason: UnreadableReason }>();
-      for (const [key, { field, text }] of this.#typed.value) {
-        const parsed = parse(field, text);
-        if ('unreadable' in parsed) found.set(key, { field, reason: parsed.unreadable });
-      }
-      return found;
-    });
+  readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(() => {
+    const working = this.working.value;
+    return working ? unreadableIn({ working, texts: this.#texts.value }) : new Map();
+  });
+  /** A DT below this is called short, in hundredths of a second. */
+  readonly shortDt = signal(6000, { name: 'shortDt' });
   readonly findings: ReadonlySignal<readonly Finding[]> = computed(() => {
     const working = this.working.value;
-    return working ? checkProgram(working, { baseline: this.baseline.value ?? undefined }) : [];
+    return working
+      ? checkProgram(working, { baseline: this.baseline.value ?? undefined, shortDt: this.shortDt.value })
+      : [];
   });
   /** Whether something stands in the way of a write. */
   readonly blocked: ReadonlySignal<boolean> = computed(
@@ -71,54 +78,104 @@ export class Editor {
     () => this.changes.value.length > 0 || this.unreadable.value.size > 0,
   );
 
+  /** What would be undone, and redone, next; null when there is nothing. */
+  readonly undoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.past.at(-1)?.name ?? null);
+  readonly redoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.future.at(-1)?.name ?? null);
+
   /** What stands in a field: the text as typed, else its value. */
   textOf(field: ProgramField): string {
-    const typed = this.#typed.value.get(fieldKey(field));
-    if (typed) return typed.text;
+    const text = this.#texts.value[fieldKey(field)];
+    if (text !== undefined) return text;
     const value = this.working.value && valueAt(this.working.value, field);
     return value === null ? '' : formatValue(field, value);
   }
 
-  /** A key was pressed in a field: the text is kept, and its value taken over if it has one. */
+  /** Whether a text that was typed stands in a field: it may not be finished. */
+  isTyped(field: ProgramField): boolean {
+    return this.#texts.value[fieldKey(field)] !== undefined;
+  }
+
+  /** A key was pressed in a field: the text is kept, and its value taken over if it has one. One step until the field is left. */
   type(field: ProgramField, text: string): void {
-    const parsed = parse(field, text);
-    batch(() => {
-      this.#typed.value = new Map(this.#typed.value).set(fieldKey(field), { field, text });
-      if ('value' in parsed && this.working.value) {
-        this.working.value = withValue(this.working.value, field, parsed.value);
-      }
-    });
+    const key = fieldKey(field);
+    this.#change({ code: 'type', params: { field: key } }, groupOf(field), (content) => typed(content, field, text));
   }
 
   /** The field was left: a text that has a value gives way to that value's usual form. */
   leave(field: ProgramField): void {
     const key = fieldKey(field);
-    if (this.unreadable.value.has(key)) return;
-    this.#forget([key]);
+    batch(() => {
+      this.settle();
+      if (!this.unreadable.value.has(key)) this.#texts.value = without(this.#texts.value, [key]);
+    });
+  }
+
+  /**
+   * Escape in a field: what was typed since it was entered will not have been; if nothing was, the field is put back to what the timer
+   * holds.
+   */
+  escape(field: ProgramField): void {
+    if (!this.abandon(groupOf(field))) this.revert(field);
+  }
+
+  /**
+   * Takes the step back that is still growing, if it is of this group.
+   * @returns whether it was.
+   */
+  abandon(group: string): boolean {
+    const growing = this.#history.value.open === group ? histories.abandon(this.#history.value) : null;
+    this.#turn(growing);
+    return growing !== null;
+  }
+
+  /** Sets values, as one step. Steps of one group that follow each other become one, until {@link settle}. */
+  apply(values: readonly FieldValue[], step: StepName, group: string | null = null): void {
+    this.#change(step, group, (content) => applied(content, values));
+  }
+
+  /** The field was left, the drag has ended: what follows is a step of its own. */
+  settle(): void {
+    this.#history.value = histories.settle(this.#history.value);
+  }
+
+  undo(): void {
+    const now = this.#content();
+    if (now) this.#turn(histories.undo(this.#history.value, now));
+  }
+
+  redo(): void {
+    const now = this.#content();
+    if (now) this.#turn(histories.redo(this.#history.value, now));
   }
 
   /** Puts one field back to what the timer holds. */
   revert(field: ProgramField): void {
-    const { baseline, working } = this;
-    const held = baseline.value && valueAt(baseline.value, field);
-    batch(() => {
-      this.#forget([fieldKey(field)]);
-      if (held !== null && working.value) working.value = withValue(working.value, field, held);
+    this.revertFields([field], { code: 'revert', params: { field: fieldKey(field) } });
+  }
+
+  /** Puts some fields back to what the timer holds, as one step. */
+  revertFields(fields: readonly ProgramField[], step: StepName): void {
+    const baseline = this.baseline.value;
+    if (!baseline) return;
+    const keys = fields.map(fieldKey);
+    this.#change(step, null, (content) => {
+      const { working, texts } = applied(content, valuesOf(baseline, fields));
+      return { working, texts: without(texts, keys) };
     });
   }
 
   /** Puts everything back to what the timer holds. */
   revertAll(): void {
-    if (this.baseline.value) this.replace(this.baseline.value);
+    const { baseline, working } = this;
+    if (baseline.value && working.value) {
+      this.revertFields(fieldsOf(working.value.identity), { code: 'revert-all', params: {} });
+    }
     this.conflicts.value = new Map();
   }
 
-  /** Puts a whole program of the same layout in the place of what the pilot wants. */
-  replace(program: TimerProgram): void {
-    batch(() => {
-      this.#typed.value = new Map();
-      this.working.value = program;
-    });
+  /** Puts a whole program of the same layout in the place of what the pilot wants, as one step. */
+  replace(program: TimerProgram, step: StepName = { code: 'restore', params: {} }): void {
+    this.#change(step, null, () => ({ working: program, texts: {} }));
   }
 
   /**
@@ -128,24 +185,37 @@ export class Editor {
    */
   rebase(read: TimerProgram): boolean {
     const before = this.baseline.value;
-    const edits = before && sameLayout(before.identity, read.identity) ? this.changes.value : [];
     const wanted = this.working.value;
-    const moved =
-      edits.length > 0 &&
-      before !== null &&
-      wanted !== null &&
-      differences(before, read).some(({ field, to }) => valueAt(wanted, field) !== to);
+    const fits = before !== null && wanted !== null && sameLayout(before.identity, read.identity);
+    if (!fits) {
+      batch(() => {
+        this.clear();
+        this.baseline.value = read;
+        this.working.value = read;
+      });
+      return false;
+    }
+    const edits = this.changes.value;
+    const unforeseen = differences(before, read).filter(({ field, to }) => valueAt(wanted, field) !== to);
+    const moved = edits.length > 0 && unforeseen.length > 0;
     batch(() => {
-      this.#noteConflicts(moved && before ? differences(before, read) : []);
+      if (moved) this.conflicts.value = conflictsWith(this.conflicts.value, differences(before, read));
       this.baseline.value = read;
-      this.working.value = edits.reduce(
-        (program, { field, to }) => (to === null ? program : withValue(program, field, to)),
-        read,
-      );
-      if (!before || !sameLayout(before.identity, read.identity)) this.#typed.value = new Map();
+      const onTop = edits.flatMap(({ field, to }): FieldValue[] => (to === null ? [] : [{ field, value: to }]));
+      this.working.value = withValues(read, onTop);
       // A text that says what the timer held before must not stand for what it holds now.
       const stays = new Set([...this.unreadable.value.keys(), ...this.changed.value.keys()]);
-      this.#forget([...this.#typed.value.keys()].filter((key) => !stays.has(key)));
+      this.#texts.value = without(
+        this.#texts.value,
+        Object.keys(this.#texts.value).filter((key) => !stays.has(key)),
+      );
+      // Undo must not bring back what nobody typed; what the pilot wrote is no surprise and can be undone.
+      const { memory, idleThrottle } = read;
+      this.#history.value = histories.mapStates(this.#history.value, (state) => {
+        const content = followed(state, unforeseen);
+        const { working } = content;
+        return { ...content, working: { ...working, memory, idleThrottle: working.idleThrottle ?? idleThrottle } };
+      });
     });
     return moved;
   }
@@ -158,28 +228,32 @@ export class Editor {
     });
   }
 
+  /** The timer has acknowledged a value: it is what the timer holds, whatever the pilot wants by now. */
+  acknowledge(field: ProgramField, value: number): void {
+    const baseline = this.baseline.value;
+    if (baseline) this.baseline.value = withValues(baseline, [{ field, value }]);
+  }
+
   /** What has to be kept to come back to this point. */
   snapshot(): EditorContent | null {
-    const { baseline, working } = this;
-    if (!baseline.value || !working.value) return null;
-    const texts = Object.fromEntries([...this.#typed.value].map(([key, { text }]) => [key, text]));
-    return { baseline: baseline.value, working: working.value, texts };
+    const baseline = this.baseline.value;
+    const content = this.#content();
+    return baseline && content && { baseline, ...content, history: this.#history.value };
   }
 
   /**
-   * Comes back to what was kept. Texts of fields that do not exist are dropped.
+   * Comes back to what was kept. Texts of fields that do not exist are dropped, and a history that does not fit.
    * @returns false, and nothing is changed, when the two programs do not fit together.
    */
-  restore({ baseline, working, texts }: EditorContent): boolean {
+  restore({ baseline, working, texts, history = histories.EMPTY_HISTORY }: EditorContent): boolean {
     if (!sameLayout(baseline.identity, working.identity)) return false;
+    const steps = [...history.past, ...history.future];
+    const fits = steps.every(({ state }) => sameLayout(baseline.identity, state.working.identity));
     batch(() => {
       this.baseline.value = baseline;
       this.working.value = working;
-      const typed = fieldsOf(working.identity).flatMap((field): [string, Typed][] => {
-        const text = texts[fieldKey(field)];
-        return text === undefined ? [] : [[fieldKey(field), { field, text }]];
-      });
-      this.#typed.value = new Map(typed);
+      this.#texts.value = textsFor(working, texts);
+      this.#history.value = fits ? histories.settle(history) : histories.EMPTY_HISTORY;
       this.conflicts.value = new Map();
     });
     return true;
@@ -190,35 +264,36 @@ export class Editor {
     batch(() => {
       this.baseline.value = null;
       this.working.value = null;
-      this.#typed.value = new Map();
+      this.#texts.value = {};
+      this.#history.value = histories.EMPTY_HISTORY;
       this.conflicts.value = new Map();
     });
   }
 
-  /** Several readings one after the other: what counts is what was held when the edits were made. */
-  #noteConflicts(changes: readonly Change[]): void {
-    if (changes.length === 0) return;
-    const noted = new Map(this.conflicts.value);
-    for (const change of changes) {
-      const key = fieldKey(change.field);
-      noted.set(key, { ...change, from: noted.get(key)?.from ?? change.from });
-    }
-    this.conflicts.value = new Map([...noted].filter(([, { from, to }]) => from !== to));
+  #content(): Content | null {
+    const working = this.working.value;
+    return working && { working, texts: this.#texts.value };
   }
 
-  #forget(keys: readonly string[]): void {
-    if (!keys.some((key) => this.#typed.value.has(key))) return;
-    const typed = new Map(this.#typed.value);
-    for (const key of keys) typed.delete(key);
-    this.#typed.value = typed;
+  /** Takes an edit over and keeps what was before it; one that changes nothing is no step. */
+  #change(step: StepName, group: string | null, edit: (content: Content) => Content): void {
+    const before = this.#content();
+    if (!before) return;
+    const after = edit(before);
+    if (after.working === before.working && after.texts === before.texts) return;
+    this.#turn({ history: histories.record(this.#history.value, step, before, group), state: after });
+  }
+
+  #turn(turned: Turned<Content> | null): void {
+    if (!turned) return;
+    batch(() => {
+      this.#history.value = turned.history;
+      this.working.value = turned.state.working;
+      this.#texts.value = turned.state.texts;
+    });
   }
 }
 
-function parse(field: ProgramField, text: string): Parsed {
-  return field.kind === 'time' ? parseTime(text) : parseSteps(text);
-}
-
-/** A value in the form in which a pilot reads and types it. */
-export function formatValue(field: ProgramField, value: number): string {
-  return field.kind === 'time' ? formatTime(value) : String(value);
+function groupOf(field: ProgramField): string {
+  return `type ${fieldKey(field)}`;
 }

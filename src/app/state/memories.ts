@@ -1,6 +1,6 @@
-import { signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { MemoriesReport, Progress, TimerClient, TimerError } from '../../client/index.js';
-import type { TimerProgram } from '../../program/index.js';
+import { sameKind, type TimerProgram } from '../../program/index.js';
 import type { CodecError, Identity } from '../../protocol/index.js';
 import type { Backup } from '../storage/index.js';
 import type { JobOptions, Session } from './session.js';
@@ -8,7 +8,7 @@ import type { JobOptions, Session } from './session.js';
 /** What is to be done with several memories, before it is done. */
 export type Plan =
   | { readonly kind: 'back-up' }
-  /** The current memory's content into another one. */
+  /** The content of a memory, by its last reading, into another one. */
   | { readonly kind: 'copy'; readonly from: number; readonly to: number }
   | { readonly kind: 'restore'; readonly backups: readonly Backup[] };
 
@@ -42,11 +42,25 @@ export type MemoriesStep =
 /** Back up all memories, copy one to another, restore several: only when the pilot asks for it. */
 export class Memories {
   readonly current = signal<MemoriesStep | null>(null, { name: 'memories' });
+  /** What each memory of the timer that is connected held when all were read, by its number; empty before that. */
+  readonly contents: ReadonlySignal<ReadonlyMap<number, TimerProgram>>;
+  readonly #contents = signal<ReadonlyMap<number, TimerProgram>>(new Map(), { name: 'contents' });
   readonly #session: Session;
   #kept = true;
 
   constructor(session: Session) {
     this.#session = session;
+    // The one that is current may have been read again since.
+    this.contents = computed(() => {
+      const held = session.editor.baseline.value;
+      const contents = this.#contents.value;
+      if (held === null || held.memory === null || contents.size === 0) return contents;
+      const other = contents.values().next().value;
+      return other && sameKind(other.identity, held.identity) ? new Map(contents).set(held.memory, held) : new Map();
+    });
+    session.connection.subscribe(() => {
+      this.#contents.value = new Map();
+    });
   }
 
   /** Shows what is about to be done. */
@@ -96,6 +110,7 @@ export class Memories {
       await this.#home(identity, error);
       throw error;
     });
+    this.#remember(programs);
     await recovery.cameHome(identity, simulated.value);
     const savedAt = Date.now();
     for (const program of programs) {
@@ -124,8 +139,16 @@ export class Memories {
     for (const { before, report } of memories) {
       if (report.held && !report.stopped) await recovery.ended(before, simulated.value);
     }
+    if (this.#contents.value.size > 0) this.#remember(memories.flatMap(({ report }) => report.held ?? []));
     await this.#home(identity, stopped);
     return { written: memories, stopped };
+  }
+
+  #remember(programs: readonly TimerProgram[]): void {
+    const read = programs.flatMap((program): [number, TimerProgram][] =>
+      program.memory === null ? [] : [[program.memory, program]],
+    );
+    this.#contents.value = new Map([...this.#contents.value, ...read]);
   }
 
   async #leave(identity: Identity, home: number): Promise<void> {
@@ -147,9 +170,10 @@ export class Memories {
   }
 
   #goals(plan: Exclude<Plan, { kind: 'back-up' }>): TimerProgram[] {
-    const { baseline } = this.#session.editor;
+    const held = this.#session.editor.baseline.value;
     if (plan.kind === 'restore') return plan.backups.map(({ program }) => program);
+    const source = plan.from === held?.memory ? held : this.contents.value.get(plan.from);
     // Whether the idle throttle belongs to a memory is not known: it is left as it is.
-    return baseline.value ? [{ ...baseline.value, memory: plan.to, idleThrottle: null }] : [];
+    return source ? [{ ...source, memory: plan.to, idleThrottle: null }] : [];
   }
 }

@@ -26,7 +26,7 @@ export class Recover {
   async show(): Promise<void> {
     const goal = this.#program('goal');
     if (!goal) return;
-    this.#session.editor.replace(goal);
+    this.#session.editor.replace(goal, { code: 'finish-write', params: {} });
     await this.#session.recovery.settle();
   }
 

@@ -47,7 +47,7 @@ export type Notice =
 
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
-  readonly kind: 'read' | 'select' | 'memories';
+  readonly kind: 'read' | 'select' | 'memories' | 'bench';
   /** The memory that is being made current; null when the job is another. */
   readonly memory: number | null;
   readonly progress: Progress | null;
@@ -244,7 +244,8 @@ export class Session {
     const { working } = this.editor;
     if (!working.value || !sameLayout(working.value.identity, program.identity)) return;
     const idleThrottle = program.idleThrottle ?? working.value.idleThrottle;
-    this.editor.replace({ ...working.value, timers: program.timers, positions: program.positions, idleThrottle });
+    const wanted = { ...working.value, timers: program.timers, positions: program.positions, idleThrottle };
+    this.editor.replace(wanted, { code: 'restore', params: {} });
   }
 
   /** Goes to a timer: finds out how, goes, and settles when it was read or has to be waited for. Only one way at a time. */
@@ -332,12 +333,13 @@ export class Session {
     const simulated = this.simulated.value;
     if (!content) return;
     const key = programKey(content.working, simulated);
+    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
+    // What was undone or written can be done again, or undone, for as long as the page is open.
+    if (dirty || this.editor.undoStep.value || this.editor.redoStep.value) this.#drafts.set(key, draft);
+    else this.#drafts.delete(key);
     if (!dirty && this.#savedKey !== key) return;
     this.#savedKey = dirty ? key : null;
     const { drafts } = this.#options.storage;
-    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
-    if (dirty) this.#drafts.set(key, draft);
-    else this.#drafts.delete(key);
     const work = dirty ? () => drafts.save(draft) : () => drafts.remove(key);
     this.#saving = this.#saving.then(work).catch(() => this.say('not-kept'));
   }

@@ -1,5 +1,7 @@
 import * as v from 'valibot';
 import type { TimerProgram } from '../../program/index.js';
+import type { Content } from '../state/editing.js';
+import { type History, MAX_STEPS, STEP_CODES } from '../state/history.js';
 
 const finite = v.pipe(v.number(), v.finite());
 const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255));
@@ -24,6 +26,25 @@ const program: v.GenericSchema<unknown, TimerProgram> = v.pipe(
   }, 'the lists do not have the shape of the identity'),
 );
 
+const texts = v.record(v.string(), v.string());
+const steps = v.pipe(
+  v.array(
+    v.object({
+      name: v.object({
+        code: v.picklist(STEP_CODES),
+        params: v.record(v.string(), v.union([v.string(), finite])),
+      }),
+      state: v.object({ working: program, texts }),
+    }),
+  ),
+  v.maxLength(MAX_STEPS),
+);
+const history: v.GenericSchema<unknown, History<Content>> = v.object({
+  past: steps,
+  future: steps,
+  open: v.nullable(v.string()),
+});
+
 /** What a pilot was working on, under the kind of timer and the memory that it is for. */
 export const draftSchema = v.object({
   key: v.string(),
@@ -31,7 +52,9 @@ export const draftSchema = v.object({
   baseline: program,
   working: program,
   /** Texts in fields that are no values yet, by field. */
-  texts: v.record(v.string(), v.string()),
+  texts,
+  /** What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft. */
+  history: v.optional(v.fallback(v.optional(history), undefined)),
   /** Milliseconds since 1970. */
   savedAt: v.number(),
   /** Whether it came from the simulated timer. */

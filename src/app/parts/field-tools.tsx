@@ -1,0 +1,67 @@
+import type { RefObject } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+import type { StepOptions } from '../state/edits.js';
+
+export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
+
+/** So far a wheel turns for one step, in the pixels that browsers count in: half a notch of most mice. */
+const NOTCH = 50;
+
+/** The wheel steps the field that has the focus, ten steps with Shift; over any other it moves the page. */
+export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
+  const latest = useRef(onStep);
+  latest.current = onStep;
+  useEffect(() => {
+    const { current } = input;
+    let turned = 0;
+    const turn = (event: WheelEvent): void => {
+      if (document.activeElement !== current || event.ctrlKey) return;
+      event.preventDefault();
+      // Browsers turn the wheel sideways while Shift is held.
+      turned += event.deltaY || event.deltaX;
+      if (Math.abs(turned) < NOTCH) return;
+      latest.current(turned < 0 ? 1 : -1, { tenfold: event.shiftKey });
+      turned = 0;
+    };
+    // Preact would listen passively, and the page would move too.
+    current?.addEventListener('wheel', turn, { passive: false });
+    return () => current?.removeEventListener('wheel', turn);
+  }, [input]);
+}
+
+/** Alt with an arrow steps a field, ten steps with Shift. @returns whether this key did. */
+export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): boolean {
+  const direction = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
+  if (direction === 0 || !(event.altKey || alone) || event.ctrlKey || event.metaKey) return false;
+  event.preventDefault();
+  onStep(direction, { tenfold: event.shiftKey });
+  return true;
+}
+
+interface FieldToolsProps {
+  readonly label: string;
+  readonly onStep: OnStep;
+  /** Absent when there is nothing to put back. */
+  readonly onRevert?: (() => void) | undefined;
+}
+
+/** What a thumb needs at the field that has the focus: a step down, a step up, and back to what the timer holds. The focus stays. */
+export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
+  const { down, up, putBack, signs } = messages.value.edits.field;
+  return (
+    <span class="field-tools" onPointerDown={(event) => event.preventDefault()}>
+      <button type="button" tabIndex={-1} aria-label={down(label)} onClick={() => onStep(-1)}>
+        {signs.down}
+      </button>
+      <button type="button" tabIndex={-1} aria-label={up(label)} onClick={() => onStep(1)}>
+        {signs.up}
+      </button>
+      {onRevert && (
+        <button type="button" tabIndex={-1} aria-label={putBack(label)} onClick={onRevert}>
+          {signs.putBack}
+        </button>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,108 @@
+import { useSignal } from '@preact/signals';
+import { fieldKey, type ProgramField } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { formatTime, parseTime } from '../units.js';
+
+/** The DT of a contest or of a trimming flight with one tap; and the pilot's own. */
+export function DtPresets({ column }: { readonly column: number }) {
+  const { session, preferences } = useModels();
+  const { editor } = session;
+  const { presets: words } = messages.value.edits;
+  const changing = useSignal(false);
+  const field: ProgramField = { kind: 'time', column };
+  const key = fieldKey(field);
+  const current = editor.working.value?.timers[column];
+  return (
+    <div class="presets">
+      <fieldset class="chips">
+        <legend class="visually-hidden">{words.title}</legend>
+        {preferences.presets.value.map((value) =>
+          changing.value ? (
+            <button
+              type="button"
+              class="remove"
+              key={value}
+              aria-label={words.remove(formatTime(value))}
+              onClick={() => preferences.removePreset(value)}
+            >
+              {formatTime(value)}
+            </button>
+          ) : (
+            <button
+              type="button"
+              key={value}
+              aria-label={words.use(formatTime(value))}
+              aria-current={value === current}
+              onClick={() => editor.apply([{ field, value }], { code: 'preset', params: { field: key } })}
+            >
+              {formatTime(value)}
+            </button>
+          ),
+        )}
+        <button
+          type="button"
+          class="quiet"
+          aria-expanded={changing.value}
+          onClick={() => (changing.value = !changing.value)}
+        >
+          {changing.value ? words.done : words.change}
+        </button>
+      </fieldset>
+      {changing.value && <PresetSettings />}
+    </div>
+  );
+}
+
+function PresetSettings() {
+  const { session, preferences } = useModels();
+  const { presets: words } = messages.value.edits;
+  const added = useSignal('');
+  const limit = useSignal(formatTime(session.editor.shortDt.value));
+  const problem = useSignal<string | null>(null);
+  const take = (text: string, use: (value: number) => boolean): boolean => {
+    const parsed = parseTime(text);
+    if ('unreadable' in parsed) problem.value = messages.value.unreadable[parsed.unreadable];
+    else problem.value = use(parsed.value) ? null : words.refused;
+    return problem.value === null;
+  };
+  return (
+    <form
+      class="tool-fields"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (take(added.value, (value) => preferences.addPreset(value))) added.value = '';
+      }}
+    >
+      <label>
+        {words.add}
+        <input
+          type="text"
+          inputMode="decimal"
+          autocomplete="off"
+          value={added.value}
+          onInput={(event) => (added.value = event.currentTarget.value)}
+        />
+      </label>
+      <button type="submit">{words.addButton}</button>
+      <label>
+        {words.shortDt}
+        <input
+          type="text"
+          inputMode="decimal"
+          autocomplete="off"
+          value={limit.value}
+          onChange={(event) => {
+            limit.value = event.currentTarget.value;
+            take(limit.value, (value) => preferences.setShortDt(value));
+          }}
+        />
+      </label>
+      {problem.value && (
+        <p class="notes bad-text" role="alert">
+          {problem.value}
+        </p>
+      )}
+    </form>
+  );
+}

@@ -1,0 +1,98 @@
+import type { Editor } from '../state/editor.js';
+import { type GridCell, gridColumns } from '../state/grid.js';
+import type { Selection } from '../state/selection.js';
+
+/** What the keys of the table work on. */
+export interface TableKeys {
+  readonly editor: Editor;
+  readonly selection: Selection;
+  readonly fillDown: () => void;
+}
+
+/** Where in the grid something of the table stands; null outside of its cells. */
+export function cellOf(target: EventTarget | null): GridCell | null {
+  const cell = target instanceof Element ? target.closest('td[data-cell]') : null;
+  const row = cell?.closest('tr[data-column]')?.getAttribute('data-column');
+  return cell && row ? { row: Number(row), column: Number(cell.getAttribute('data-cell')) } : null;
+}
+
+const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {
+  ArrowUp: [-1, 0],
+  ArrowDown: [1, 0],
+  ArrowLeft: [0, -1],
+  ArrowRight: [0, 1],
+};
+
+/**
+ * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Ctrl+D fills down. Left and right move within a
+ * text until its end.
+ */
+export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
+  const { target } = event;
+  const cell = cellOf(target);
+  if (event.defaultPrevented || event.altKey || !cell || !(target instanceof HTMLInputElement)) return;
+  if (event.ctrlKey || event.metaKey) {
+    if (event.key.toLowerCase() !== 'd' || event.shiftKey) return;
+    event.preventDefault();
+    keys.fillDown();
+    return;
+  }
+  if (event.key === 'Escape' && keys.selection.isWide.value) {
+    event.preventDefault();
+    keys.selection.collapse();
+    return;
+  }
+  if (event.key === 'Enter') {
+    moveFocus(event, target, cell, [event.shiftKey ? -1 : 1, 0]);
+    return;
+  }
+  const direction = DIRECTIONS[event.key];
+  if (!direction || (direction[1] !== 0 && !leavesText(target, direction[1]))) return;
+  if (event.shiftKey) extend(event, keys, direction);
+  else moveFocus(event, target, cell, direction);
+}
+
+/** Whether an arrow to the side has nothing left to do in the text. */
+function leavesText({ selectionStart, selectionEnd, value }: HTMLInputElement, right: number): boolean {
+  const isWhole = selectionStart === 0 && selectionEnd === value.length;
+  const end = right > 0 ? value.length : 0;
+  return isWhole || (selectionStart === end && selectionEnd === end);
+}
+
+function extend(
+  event: KeyboardEvent,
+  { editor, selection }: TableKeys,
+  [down, right]: readonly [number, number],
+): void {
+  const identity = editor.working.value?.identity;
+  const corner = selection.corner.value;
+  if (!identity || !corner) return;
+  event.preventDefault();
+  const within = (at: number, last: number): number => Math.min(Math.max(at, 0), last);
+  selection.extendTo({
+    row: within(corner.row + down, identity.functions),
+    column: within(corner.column + right, gridColumns(identity) - 1),
+  });
+}
+
+/** To the next cell that way which can be edited; at the edge the focus stays. */
+function moveFocus(
+  event: KeyboardEvent,
+  from: HTMLInputElement,
+  cell: GridCell,
+  [down, right]: readonly [number, number],
+): void {
+  const table = from.closest('table');
+  let { row, column } = cell;
+  for (;;) {
+    row += down;
+    column += right;
+    const found = table?.querySelector(`tr[data-column="${row}"] td[data-cell="${column}"]`);
+    if (!found) return;
+    const input = found.querySelector('input');
+    if (!input) continue;
+    event.preventDefault();
+    input.focus();
+    return;
+  }
+}

@@ -1,0 +1,28 @@
+import { fieldKey, type ProgramField } from '../../program/index.js';
+import type { Editor } from './editor.js';
+import { type Edit, type Refusal, type StepOptions, stepValue } from './edits.js';
+import type { StepName } from './history.js';
+
+/** Why an edit was not done: it cannot be, or a text that is no value yet stands where it would write. */
+export type Obstacle = Refusal | { readonly code: 'unreadable'; readonly field: ProgramField };
+
+/**
+ * Does an edit of several fields as one step. A text that is no value is not replaced by it: the pilot may not see that field.
+ * @returns null when it was done.
+ */
+export function attempt(editor: Editor, edit: Edit, step: StepName, group: string | null = null): Obstacle | null {
+  if ('refused' in edit) return edit.refused;
+  const inTheWay = edit.values.find(({ field }) => editor.unreadable.value.has(fieldKey(field)));
+  if (inTheWay) return { code: 'unreadable', field: inTheWay.field };
+  editor.apply(edit.values, step, group);
+  return null;
+}
+
+/** Steps a field up or down. Steps that follow each other are one to undo. A text that is no value has no next one. */
+export function stepField(editor: Editor, field: ProgramField, direction: 1 | -1, options: StepOptions = {}): void {
+  const working = editor.working.value;
+  if (!working) return;
+  const key = fieldKey(field);
+  const values = stepValue(working, field, direction, options);
+  attempt(editor, { values }, { code: 'step', params: { field: key } }, `step ${key}`);
+}

@@ -1,0 +1,236 @@
+import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
+import { TimerError } from '../../client/index.js';
+import {
+  type Change,
+  differences,
+  fieldKey,
+  type ProgramField,
+  sameLayout,
+  type TimerProgram,
+} from '../../program/index.js';
+import { MAX_POSITION } from '../../protocol/index.js';
+import type { FieldValue } from './edits.js';
+import { programKey } from './keys.js';
+import type { Session } from './session.js';
+
+/** What may happen on the bench when the timer is told so. */
+export type BenchAction = { readonly kind: 'move'; readonly column: number } | { readonly kind: 'unlock' | 'jump' };
+
+/** What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out all the same. */
+export interface Done {
+  readonly action: BenchAction;
+  readonly certain: boolean;
+}
+
+/** What was tried while the servos followed. */
+export interface Trial {
+  /** What the timer held before, by a fresh read; it is among the backups. */
+  readonly before: TimerProgram;
+  /** The keys of the positions that have changed in the editor since. */
+  readonly touched: ReadonlySet<string>;
+}
+
+type Position = Extract<ProgramField, { kind: 'position' }>;
+
+/** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
+const TYPED = 600;
+
+/** Servos and motor, moved from the page: only what the pilot asks for, one command at a time. */
+export class Bench {
+  /** The last thing that was done with the timer that is connected. */
+  readonly done = signal<Done | null>(null, { name: 'done' });
+  /** Whether each position that changes is stored in the timer at once. */
+  readonly following: ReadonlySignal<boolean>;
+  /** What was tried since the servos began to follow, until the pilot keeps it or it is put back. */
+  readonly trial = signal<Trial | null>(null, { name: 'trial' });
+  /** The positions that the timer holds otherwise than before the trial. */
+  readonly tried: ReadonlySignal<readonly Change[]>;
+  /** Whether anything may be begun: a timer that does nothing else, and a pilot who has said that it is safe. */
+  readonly ready: ReadonlySignal<boolean>;
+  readonly #following = signal(false, { name: 'following' });
+  readonly #session: Session;
+  readonly #isElsewhere: () => boolean;
+  #starting = false;
+  #seen: TimerProgram | null = null;
+  #typing: ReturnType<typeof setTimeout> | undefined;
+  /** Counted up when typed digits have rested long enough. */
+  readonly #rested = signal(0);
+  readonly #changedAt = new Map<string, number>();
+
+  /** @param isElsewhere whether a write or a job over several memories is at work. */
+  constructor(session: Session, isElsewhere: () => boolean) {
+    this.#session = session;
+    this.#isElsewhere = isElsewhere;
+    this.following = this.#following;
+    this.ready = computed(
+      () => session.connection.value !== null && session.safe.value && !session.busy.value && !isElsewhere(),
+    );
+    this.tried = computed(() => {
+      const trial = this.trial.value;
+      const held = session.editor.baseline.value;
+      if (!trial || !held || !this.#isOf(trial.before, held)) return [];
+      return differences(trial.before, held).filter(({ field }) => trial.touched.has(fieldKey(field)));
+    });
+    session.connection.subscribe(() => {
+      this.#starting = false;
+      batch(() => {
+        this.#following.value = false;
+        // What may have happened is said until something else is done: the timer may be back before it was read.
+        if (this.done.peek()?.certain) this.done.value = null;
+      });
+    });
+    effect(() => this.#follow());
+    effect(() => {
+      // A write has put it back, or nothing was tried at all.
+      const trial = this.trial.value;
+      const held = session.editor.baseline.value;
+      if (this.#following.value || !trial || !held || !this.#isOf(trial.before, held)) return;
+      if (this.tried.value.length === 0) this.keep();
+    });
+  }
+
+  /** Moves the servos to a column, 0 start to NF. @returns whether the timer has acknowledged it. */
+  async moveTo(column: number): Promise<boolean> {
+    return await this.#act({ kind: 'move', column });
+  }
+
+  /** Frees the motor of a class Q timer: a propeller may start. */
+  async unlock(): Promise<boolean> {
+    return this.#session.editor.working.value?.identity.timerClass === 'Q' && (await this.#act({ kind: 'unlock' }));
+  }
+
+  /** Sends the jump, whose effect is not documented. */
+  async jump(): Promise<boolean> {
+    return await this.#act({ kind: 'jump' });
+  }
+
+  /** Reads afresh, keeps a backup, and from then on stores each position that changes. Edits from before are not stored. */
+  async follow(): Promise<void> {
+    const { editor, backups, simulated } = this.#session;
+    if (!this.ready.value || this.#following.value || this.tried.value.length > 0) return;
+    this.#starting = true;
+    if (!(await this.#session.read())) return;
+    const before = editor.baseline.value;
+    if (!before) return;
+    await backups.add(before, 'write', simulated.value).catch(() => this.#session.say('not-kept'));
+    // In the meantime the tab may have been hidden, or something else begun.
+    if (!this.#starting || !this.ready.value) return;
+    batch(() => {
+      this.#seen = editor.working.value;
+      this.trial.value = { before, touched: new Set() };
+      this.#following.value = true;
+    });
+  }
+
+  /** Lets the command under way come to its end and reads what the timer holds now. */
+  async stopFollowing(): Promise<void> {
+    this.#starting = false;
+    if (!this.#following.value) return;
+    this.#following.value = false;
+    clearTimeout(this.#typing);
+    if (this.#session.busy.value) await this.#idle();
+    if (this.#session.connection.value) await this.#session.read();
+  }
+
+  /** What was tried stays in the timer. */
+  keep(): void {
+    this.trial.value = null;
+  }
+
+  /** The values that bring back what the timer held before, for the editor and a write. */
+  takeBack(): readonly FieldValue[] {
+    return this.tried.value.flatMap(({ field, from }) => (from === null ? [] : [{ field, value: from }]));
+  }
+
+  async #act(action: BenchAction): Promise<boolean> {
+    if (!this.ready.value) return false;
+    this.done.value = null;
+    return await this.#session.run('bench', null, async ({ client }, options) => {
+      try {
+        if (action.kind === 'move') await client.moveToFunction(action.column, options);
+        else if (action.kind === 'unlock') await client.unlockMotor(options);
+        else await client.jump(options);
+        this.done.value = { action, certain: true };
+      } catch (error) {
+        const isSent = error instanceof TimerError && (error.code === 'port-lost' || (error.details.sent ?? 0) > 0);
+        if (isSent) this.done.value = { action, certain: false };
+        throw error;
+      }
+    });
+  }
+
+  /** Finds the next position to send, whenever something has changed or a command has come to its end. */
+  #follow(): void {
+    if (!this.#following.value) return;
+    const { editor, connection, busy } = this.#session;
+    const trial = this.trial.value;
+    const working = editor.working.value;
+    void this.#rested.value;
+    if (!trial || !working || !connection.value || !this.#isOf(trial.before, working)) {
+      this.#following.value = false;
+      return;
+    }
+    this.#note(trial, working);
+    if (busy.value || this.#isElsewhere()) return;
+    const due = this.#due(editor.changes.value);
+    if (due) untracked(() => void this.#send(due));
+  }
+
+  /** Notes which positions have changed, and when. */
+  #note(trial: Trial, working: TimerProgram): void {
+    const before = this.#seen;
+    this.#seen = working;
+    if (!before || before === working || !sameLayout(before.identity, working.identity)) return;
+    const changed = differences(before, working).map(({ field }) => fieldKey(field));
+    for (const key of changed) this.#changedAt.set(key, performance.now());
+    const touched = new Set([...trial.touched, ...changed]);
+    if (touched.size > trial.touched.size) this.trial.value = { ...trial, touched };
+  }
+
+  #due(changes: readonly Change[]): { field: Position; value: number } | null {
+    clearTimeout(this.#typing);
+    const touched = this.trial.value?.touched;
+    let wait = Number.POSITIVE_INFINITY;
+    for (const { field, to } of changes) {
+      if (field.kind !== 'position' || to === null || to < 0 || to > MAX_POSITION) continue;
+      if (!touched?.has(fieldKey(field))) continue;
+      const rest = this.#session.editor.isTyped(field) ? this.#restOf(field) : 0;
+      if (rest <= 0) return { field, value: to };
+      wait = Math.min(wait, rest);
+    }
+    if (wait < Number.POSITIVE_INFINITY) this.#typing = setTimeout(() => this.#rested.value++, wait);
+    return null;
+  }
+
+  #restOf(field: Position): number {
+    return (this.#changedAt.get(fieldKey(field)) ?? 0) + TYPED - performance.now();
+  }
+
+  async #send({ field, value }: { field: Position; value: number }): Promise<void> {
+    const { editor } = this.#session;
+    const good = await this.#session.run('bench', null, async ({ client }, options) => {
+      await client.setPosition(field.servo, field.column, value, options);
+      editor.acknowledge(field, value);
+    });
+    // What the timer holds now is not known: nothing more is sent, and it is read.
+    if (!good) await this.stopFollowing();
+  }
+
+  /** Settles when the job under way has ended. */
+  #idle(): Promise<void> {
+    return new Promise((resolve) => {
+      const stop = this.#session.busy.subscribe((busy) => {
+        if (busy) return;
+        queueMicrotask(() => {
+          stop();
+          resolve();
+        });
+      });
+    });
+  }
+
+  #isOf(a: TimerProgram, b: TimerProgram): boolean {
+    const simulated = this.#session.simulated.value;
+    return programKey(a, simulated) === programKey(b, simulated);
+  }
+}

@@ -1,0 +1,48 @@
+import { type Finding, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { type FieldValue, MAX_VALUE } from './edits.js';
+
+/**
+ * The value that a finding asks for, where there is one that a pilot would choose without thinking: the nearest that the wire carries, the
+ * step that the manual gives, the limit that was passed, the next step after the function before.
+ * @returns null where the pilot has to decide.
+ */
+export function fixFor({ code, field, params }: Finding, program: TimerProgram): FieldValue | null {
+  const value = field && valueAt(program, field);
+  if (!field || value === null) return null;
+  const better = betterValue(code, value, params, stepOf(program, field));
+  const fits = better !== null && better !== value && better >= 0 && better <= MAX_VALUE[field.kind];
+  return fits ? { field, value: better } : null;
+}
+
+function betterValue(
+  code: Finding['code'],
+  value: number,
+  { previous, limit, min, max, step }: Finding['params'],
+  usualStep: number,
+): number | null {
+  switch (code) {
+    case 'time-not-whole':
+    case 'position-not-whole':
+    case 'throttle-not-whole':
+      return Math.round(value);
+    case 'time-out-of-range':
+    case 'position-out-of-range':
+    case 'throttle-out-of-range':
+    case 'time-outside-manual':
+      return Math.min(Math.max(value, Number(min)), Number(max));
+    case 'time-falls':
+    case 'time-repeats':
+    case 'position-never-reached':
+      return (Math.floor(Number(previous) / usualStep) + 1) * usualStep;
+    case 'time-too-fine':
+      return Math.round(value / Number(step)) * Number(step);
+    case 'motor-run-long':
+      return Number(limit);
+    default:
+      return null;
+  }
+}
+
+function stepOf(program: TimerProgram, field: ProgramField): number {
+  return (field.kind === 'time' && manualRange(program.identity, field.column)?.step) || 1;
+}

@@ -1,0 +1,23 @@
+import * as v from 'valibot';
+
+/** Small choices that are kept in the browser. Where nothing is kept they last as long as the page. */
+const PREFIX = 'sidus-timer/';
+
+/** @returns null when nothing is kept under this name, or something else than a value of this form. */
+export function loadSetting<T>(name: string, schema: v.GenericSchema<unknown, T>): T | null {
+  try {
+    const text = localStorage.getItem(PREFIX + name);
+    const parsed = v.safeParse(schema, text === null ? null : JSON.parse(text));
+    return parsed.success ? parsed.output : null;
+  } catch {
+    return null;
+  }
+}
+
+export function saveSetting(name: string, value: unknown): void {
+  try {
+    localStorage.setItem(PREFIX + name, JSON.stringify(value));
+  } catch {
+    // The storage is full or switched off: the choice holds for this page alone.
+  }
+}

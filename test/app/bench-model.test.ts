@@ -1,0 +1,257 @@
+import { describe, expect, it, vi } from 'vitest';
+import { HOLD, Hold } from '../../src/app/state/hold.js';
+import type { ProgramField } from '../../src/program/index.js';
+import type { Request } from '../../src/protocol/index.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, run } from './bench.js';
+
+const S2: ProgramField = { kind: 'position', servo: 1, column: 4 };
+const S3: ProgramField = { kind: 'position', servo: 2, column: 5 };
+const DT: ProgramField = { kind: 'time', column: 10 };
+
+/** A bench whose pilot has said that it is safe. */
+async function safeBench(options: BenchOptions = {}) {
+  const app = await connectedBench(options);
+  app.session.safe.value = true;
+  app.timer.core.answered.length = 0;
+  return { ...app, bench: app.models.bench };
+}
+
+type SafeBench = Awaited<ReturnType<typeof safeBench>>;
+
+async function followingBench(options: BenchOptions = {}) {
+  const app = await safeBench(options);
+  await run(app.bench.follow());
+  expect(app.bench.following.value).toBe(true);
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+function set({ editor }: AppBench, field: ProgramField, value: number): void {
+  editor.apply([{ field, value }], { code: 'step', params: {} });
+}
+
+function requests({ timer }: AppBench, name: Request['name']): Request[] {
+  return timer.core.answered.filter((request) => request.name === name);
+}
+
+/** What was stored, in its order. */
+function stored(app: AppBench): number[] {
+  return requests(app, 'SETSERVO').map((request) => (request.name === 'SETSERVO' ? request.position : -1));
+}
+
+function heldBy({ timer }: SafeBench, field: ProgramField): number | undefined {
+  return field.kind === 'position' ? timer.core.content.positions[field.servo]?.[field.column] : undefined;
+}
+
+describe('moving to a function', () => {
+  it('moves the servos, and says where they are', async () => {
+    const { bench, timer } = await safeBench();
+    expect(await run(bench.moveTo(4))).toBe(true);
+    expect(timer.core.column).toBe(4);
+    expect(bench.done.value).toEqual({ action: { kind: 'move', column: 4 }, certain: true });
+  });
+
+  it('waits for the word that it is safe', async () => {
+    const { bench, session, timer } = await safeBench();
+    session.safe.value = false;
+    expect(await bench.moveTo(4)).toBe(false);
+    expect(await bench.unlock()).toBe(false);
+    expect(await bench.jump()).toBe(false);
+    await run(bench.follow());
+    expect([bench.following.value, timer.core.answered.length]).toEqual([false, 0]);
+  });
+
+  it('does nothing while a write is open', async () => {
+    const { bench, write, timer } = await safeBench();
+    await run(write.open());
+    timer.core.answered.length = 0;
+    expect(await bench.moveTo(4)).toBe(false);
+    expect(timer.core.answered).toEqual([]);
+  });
+
+  it('says that they may have moved when no answer comes, also after the timer is back', async () => {
+    const { bench, timer } = await safeBench();
+    timer.core.onAnswer = () => timer.core.sleep();
+    const moving = bench.moveTo(3);
+    timer.core.sleep();
+    expect(await run(moving)).toBe(false);
+    const maybe = { action: { kind: 'move', column: 3 }, certain: false };
+    expect(bench.done.value).toEqual(maybe);
+    timer.core.onAnswer = undefined;
+    timer.core.press();
+    await idle(60_000);
+    expect(bench.done.value).toEqual(maybe);
+  });
+});
+
+describe('the motor', () => {
+  it('is unlocked on Q', async () => {
+    const { bench, timer } = await safeBench();
+    expect(await run(bench.unlock())).toBe(true);
+    expect(timer.core.motorLocked).toBe(false);
+    expect(bench.done.value).toEqual({ action: { kind: 'unlock' }, certain: true });
+  });
+
+  it('is none on B', async () => {
+    const app = await safeBench({ identity: { timerClass: 'B' } });
+    expect(await app.bench.unlock()).toBe(false);
+    expect(requests(app, 'UNLOCK')).toEqual([]);
+  });
+});
+
+describe('a hold', () => {
+  it('happens once, however long it lasts and however often the key repeats itself', async () => {
+    const app = await safeBench();
+    const hold = new Hold(() => void app.bench.unlock());
+    hold.press();
+    await vi.advanceTimersByTimeAsync(HOLD - 1);
+    hold.press();
+    expect(requests(app, 'UNLOCK')).toEqual([]);
+    await vi.advanceTimersByTimeAsync(1);
+    hold.press();
+    await idle();
+    expect(requests(app, 'UNLOCK')).toHaveLength(1);
+    hold.release();
+    hold.press();
+    await idle();
+    expect(requests(app, 'UNLOCK')).toHaveLength(2);
+  });
+
+  it('is taken back by letting go', async () => {
+    const app = await safeBench();
+    const hold = new Hold(() => void app.bench.unlock());
+    hold.press();
+    await vi.advanceTimersByTimeAsync(HOLD - 1);
+    hold.release();
+    await idle();
+    expect([requests(app, 'UNLOCK'), hold.holding.value]).toEqual([[], false]);
+  });
+});
+
+describe('following', () => {
+  it('reads afresh and keeps a backup before it begins, and sends no edit from before', async () => {
+    const app = await safeBench();
+    set(app, S2, 70);
+    await run(app.bench.follow());
+    await idle();
+    expect(app.timer.core.answered.map(({ name }) => name)).toContain('GETSERVOPOS');
+    expect(app.session.backups.list.value[0]?.program).toEqual(app.editor.baseline.value);
+    expect(stored(app)).toEqual([]);
+    expect(app.store.backups.records.size).toBe(1);
+  });
+
+  it('stores a position that changes, and takes what was acknowledged for what the timer holds', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    expect([stored(app), heldBy(app, S2)]).toEqual([[70], 70]);
+    expect(app.editor.dirty.value).toBe(false);
+    expect(app.bench.tried.value.map(({ field, to }) => [field, to])).toEqual([[S2, 70]]);
+  });
+
+  it('sends one at a time, leaves out what has gone by, and ends at the last value', async () => {
+    const app = await followingBench({ latency: 50 });
+    const { client } = app.session.connection.value as NonNullable<typeof app.session.connection.value>;
+    let inFlight = 0;
+    let most = 0;
+    const send = client.setPosition.bind(client);
+    vi.spyOn(client, 'setPosition').mockImplementation(async (...args) => {
+      most = Math.max(most, ++inFlight);
+      await send(...args).finally(() => inFlight--);
+    });
+    for (let value = 60; value <= 100; value++) {
+      set(app, S2, value);
+      set(app, S3, 130 - value);
+      await vi.advanceTimersByTimeAsync(20);
+    }
+    await idle();
+    expect(most).toBe(1);
+    expect(stored(app).length).toBeLessThan(30);
+    expect([heldBy(app, S2), heldBy(app, S3)]).toEqual([100, 30]);
+    expect(app.editor.dirty.value).toBe(false);
+  });
+
+  it('waits for the last digit of a number that is typed', async () => {
+    const app = await followingBench();
+    app.editor.type(S2, '7');
+    await vi.advanceTimersByTimeAsync(300);
+    app.editor.type(S2, '72');
+    await idle();
+    expect(stored(app)).toEqual([72]);
+  });
+
+  it('sends no time, and nothing that a servo cannot do', async () => {
+    const app = await followingBench();
+    set(app, DT, 20000);
+    set(app, S2, 131);
+    await idle();
+    expect(app.timer.core.answered).toEqual([]);
+    expect(app.bench.following.value).toBe(true);
+  });
+
+  it('ends with a fresh read, and what was tried can be kept', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    app.timer.core.answered.length = 0;
+    await run(app.bench.stopFollowing());
+    expect(app.timer.core.answered.map(({ name }) => name)).toContain('GETSERVOPOS');
+    expect(app.bench.tried.value).toHaveLength(1);
+    app.bench.keep();
+    expect([app.bench.trial.value, heldBy(app, S2)]).toEqual([null, 70]);
+  });
+
+  it('can be put back by a write, and then nothing is left to decide', async () => {
+    const app = await followingBench();
+    const before = heldBy(app, S2);
+    set(app, S2, 70);
+    await idle();
+    await run(app.bench.stopFollowing());
+    app.editor.apply(app.bench.takeBack(), { code: 'restore', params: {} });
+    await run(app.write.open());
+    await run(app.write.start());
+    expect([heldBy(app, S2), app.bench.trial.value]).toEqual([before, null]);
+  });
+
+  it('forgets a trial in which nothing was tried', async () => {
+    const app = await followingBench();
+    await run(app.bench.stopFollowing());
+    expect(app.bench.trial.value).toBeNull();
+  });
+
+  it('is off after every connect, and what was tried can still be decided', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    app.adapter.unplug();
+    await idle();
+    expect(app.bench.following.value).toBe(false);
+    app.adapter.replug();
+    await idle(60_000);
+    expect([app.session.connection.value !== null, app.bench.following.value]).toEqual([true, false]);
+    set(app, S3, 20);
+    await idle();
+    expect(stored(app)).toEqual([70]);
+    expect(app.bench.tried.value).toHaveLength(1);
+  });
+
+  it('ends when the timer no longer answers, and when another memory is selected', async () => {
+    const app = await followingBench();
+    await run(app.session.selectMemory(1));
+    expect(app.bench.following.value).toBe(false);
+    app.session.safe.value = true;
+    await run(app.bench.follow());
+    app.timer.core.sleep();
+    set(app, S2, 70);
+    await idle();
+    expect(app.bench.following.value).toBe(false);
+  });
+
+  it('does not begin when it was called off while the timer was read', async () => {
+    const { bench } = await safeBench();
+    const starting = bench.follow();
+    await bench.stopFollowing();
+    await run(starting);
+    expect(bench.following.value).toBe(false);
+  });
+});

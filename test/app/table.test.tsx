@@ -1,0 +1,400 @@
+import { fireEvent, render, screen, within } from '@testing-library/preact';
+import fc from 'fast-check';
+import { afterEach, describe, expect, it } from 'vitest';
+import { App } from '../../src/app/app.js';
+import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from './bench.js';
+
+afterEach(() => localStorage.clear());
+
+/** The whole screen with a program that was read. */
+async function connected(options: BenchOptions = {}): Promise<AppBench> {
+  const bench = await appBench(options);
+  render(<App models={bench.models} />);
+  await press('Connect');
+  return bench;
+}
+
+async function press(name: string | RegExp): Promise<void> {
+  fireEvent.click(screen.getByRole('button', { name }));
+  await idle();
+}
+
+function field(name: string): HTMLInputElement {
+  return screen.getByRole<HTMLInputElement>('textbox', { name });
+}
+
+async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
+  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
+  await idle();
+}
+
+async function enter(name: string, text: string): Promise<void> {
+  field(name).focus();
+  fireEvent.input(field(name), { target: { value: text } });
+  field(name).blur();
+  await idle();
+}
+
+/** Pastes at the field that has the focus. */
+async function paste(text: string): Promise<void> {
+  const event = new Event('paste', { bubbles: true, cancelable: true });
+  Object.assign(event, { clipboardData: { getData: () => text } });
+  fireEvent(document.activeElement ?? document.body, event);
+  await idle();
+}
+
+/** What Ctrl+C would put into the clipboard. */
+function copied(): string | null {
+  let text: string | null = null;
+  const event = new Event('copy', { bubbles: true, cancelable: true });
+  Object.assign(event, { clipboardData: { setData: (_: string, set: string) => (text = set) } });
+  fireEvent(document.activeElement ?? document.body, event);
+  return text;
+}
+
+describe('moving', () => {
+  it.each([
+    ['ArrowRight', 'Function 2, S3'],
+    ['ArrowLeft', 'Function 2, S1'],
+    ['ArrowDown', 'Function 3, S2'],
+  ])('%s goes from Function 2, S2 to %s while the whole text is selected', async (arrow, to) => {
+    await connected();
+    field('Function 2, S2').focus();
+    await key(arrow);
+    expect(document.activeElement).toBe(field(to));
+  });
+
+  it('to the side stays within a text that is being edited, until its end', async () => {
+    await connected();
+    field('Function 2, S2').focus();
+    field('Function 2, S2').setSelectionRange(1, 1);
+    await key('ArrowRight');
+    expect(document.activeElement).toBe(field('Function 2, S2'));
+    field('Function 2, S2').setSelectionRange(2, 2);
+    await key('ArrowRight');
+    expect(document.activeElement).toBe(field('Function 2, S3'));
+  });
+
+  it('from the start passes over the interval that it does not have', async () => {
+    await connected();
+    field('Motor stop time').focus();
+    await key('ArrowRight');
+    expect(document.activeElement).toBe(field('Start, S1'));
+  });
+});
+
+describe('stepping', () => {
+  it('goes by the step of the class with Alt and an arrow, by ten with Shift, and is one step to undo', async () => {
+    await connected();
+    field('Function 1 time').focus();
+    await key('ArrowUp', { altKey: true });
+    expect(field('Function 1 time').value).toBe('10.60');
+    await key('ArrowDown', { altKey: true, shiftKey: true });
+    expect(field('Function 1 time').value).toBe('9.60');
+    await press('Undo stepping of Function 1 time');
+    expect(field('Function 1 time').value).toBe('10.50');
+  });
+
+  it('is what the wheel does over the field that has the focus, and over no other', async () => {
+    await connected();
+    field('Function 2, S1').focus();
+    fireEvent.wheel(field('Function 2, S1'), { deltaY: -100 });
+    fireEvent.wheel(field('Function 2, S2'), { deltaY: -100 });
+    await idle();
+    expect([field('Function 2, S1').value, field('Function 2, S2').value]).toEqual(['36', '35']);
+  });
+
+  it('and putting back are at the field for a thumb', async () => {
+    await connected();
+    field('Function 2, S1').focus();
+    await idle();
+    await press('Step up Function 2, S1');
+    await press('Step up Function 2, S1');
+    await press('Step down Function 2, S1');
+    expect(field('Function 2, S1').value).toBe('36');
+    fireEvent.click(screen.getAllByRole('button', { name: 'Put back Function 2, S1' })[0] as HTMLElement);
+    await idle();
+    expect(field('Function 2, S1').value).toBe('35');
+  });
+});
+
+describe('intervals', () => {
+  it('move their function and those after it, but not DT', async () => {
+    await connected();
+    await enter('Function 3 interval', '1');
+    expect(['Function 2', 'Function 3', 'Function 4', 'DT'].map((row) => field(`${row} time`).value)).toEqual([
+      '11.00',
+      '12.00',
+      '12.50',
+      '3:00',
+    ]);
+    await press('Undo interval of Function 3');
+    expect(field('Function 3 time').value).toBe('11.50');
+  });
+
+  it('that cannot be change nothing, and say why', async () => {
+    await connected();
+    field('Function 3 interval').focus();
+    fireEvent.input(field('Function 3 interval'), { target: { value: '-99' } });
+    await idle();
+    expect(screen.getByRole('alert').textContent).toBe('Function 3 time: This would be before launch.');
+    expect(field('Function 3 time').value).toBe('11.50');
+    field('Function 3 interval').blur();
+    await idle();
+    expect(field('Function 3 interval').value).toBe('0.50');
+  });
+
+  it('do not pass over a text that is no value', async () => {
+    await connected();
+    await enter('Function 5 time', 'soon');
+    await enter('Function 3 interval', '1');
+    expect([field('Function 3 time').value, field('Function 5 time').value]).toEqual(['11.50', 'soon']);
+  });
+});
+
+describe('a range', () => {
+  it('is selected with Shift and arrows, and copied as a spreadsheet takes it', async () => {
+    await connected();
+    field('Function 1 time').focus();
+    expect(copied()).toBeNull();
+    await key('ArrowDown', { shiftKey: true });
+    for (let column = 0; column < 3; column++) await key('ArrowRight', { shiftKey: true });
+    expect(screen.getByText('6 values selected')).toBeTruthy();
+    expect(copied()).toBe('10.50\t25\t25\n11.00\t35\t35');
+    await key('Escape');
+    expect(screen.queryByText('6 values selected')).toBeNull();
+  });
+
+  it('is filled down with Ctrl+D', async () => {
+    await connected();
+    field('Function 1, S1').focus();
+    await key('ArrowDown', { shiftKey: true });
+    await key('ArrowDown', { shiftKey: true });
+    await key('d', { ctrlKey: true });
+    expect(['Function 2, S1', 'Function 3, S1', 'Function 4, S1'].map((name) => field(name).value)).toEqual([
+      '25',
+      '25',
+      '55',
+    ]);
+    await press('Undo fill down of 2 values');
+    expect(field('Function 2, S1').value).toBe('35');
+  });
+});
+
+describe('a paste', () => {
+  it('of several cells is shown first, and done as one step', async () => {
+    await connected();
+    field('Function 2, S1').focus();
+    await paste('1\t2\n3\t4');
+    const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
+    expect(dialog.getAllByRole('listitem').map(({ textContent }) => textContent)).toEqual([
+      'Function 2, S1: 35 → 1',
+      'Function 3, S1: 45 → 3',
+      'Function 2, S2: 35 → 2',
+      'Function 3, S2: 45 → 4',
+    ]);
+    expect(field('Function 2, S1').value).toBe('35');
+    fireEvent.click(dialog.getByRole('button', { name: 'Paste' }));
+    await idle();
+    expect(['Function 2, S1', 'Function 3, S2'].map((name) => field(name).value)).toEqual(['1', '4']);
+    await press('Undo paste of 4 values');
+    expect(field('Function 3, S2').value).toBe('45');
+  });
+
+  it('that is cancelled leaves no trace', async () => {
+    const { editor } = await connected();
+    field('Function 2, S1').focus();
+    await paste('1\t2');
+    await press('Cancel');
+    expect([editor.dirty.value, editor.undoStep.value]).toEqual([false, null]);
+  });
+
+  it('of anything does what was shown, or nothing', async () => {
+    const { editor } = await connected();
+    const cell = fc.constantFrom(
+      '',
+      '7',
+      '12,5',
+      '1e309',
+      '=A1+B1',
+      'x',
+      '-1',
+      '999',
+      'NaN',
+      '"',
+      '<b>',
+      '2:05.5',
+      '\u0000',
+    );
+    const rows = fc.array(fc.array(cell, { minLength: 2, maxLength: 100 }), { minLength: 1, maxLength: 15 });
+    await fc.assert(
+      fc.asyncProperty(rows, fc.constantFrom('Function 2 time', 'Function 9, S3', 'Start, S1'), async (table, name) => {
+        const before = editor.working.value;
+        field(name).focus();
+        await paste(table.map((row) => row.join('\t')).join('\n'));
+        const dialog = screen.getByRole('dialog', { name: 'Paste' });
+        const promised = [...dialog.querySelectorAll('.paste-changes li')].map(({ textContent }) => textContent);
+        const apply = within(dialog).getByRole<HTMLButtonElement>('button', { name: /^Paste/ });
+        expect(editor.working.value, 'nothing is done before it is confirmed').toBe(before);
+        if (apply.disabled) {
+          expect(promised).toEqual([]);
+          await press('Cancel');
+          return;
+        }
+        fireEvent.click(apply);
+        await idle();
+        for (const line of promised) {
+          const [, place = '', to = ''] = /^(.*): .* → (.*)$/.exec(line ?? '') ?? [];
+          const label = place === 'Motor stop time' || / time$|, S\d$/.test(place) ? place : '';
+          expect(field(label).value).toBe(to);
+        }
+        expect(editor.changes.value).toHaveLength(promised.length);
+        expect(editor.blocked.value, 'what no timer can hold is never taken').toBe(false);
+        editor.undo();
+        if (promised.length > 0) expect(editor.working.value).toEqual(before);
+        await idle();
+      }),
+      { numRuns: 25 },
+    );
+  });
+});
+
+describe('many fields at once', () => {
+  it('a servo is copied, reversed and put back', async () => {
+    await connected();
+    await press('Tools for S1');
+    await press('Reverse');
+    expect(field('Function 2, S1').value).toBe('95');
+    await press('Tools for S1');
+    await press('Copy to S3');
+    expect(field('Function 2, S3').value).toBe('95');
+    await press('Tools for S1');
+    await press('Put column back');
+    expect([field('Function 2, S1').value, field('Function 2, S3').value]).toEqual(['35', '95']);
+    await press('Undo putting back S1');
+    await press('Undo copy of S1 to S3');
+    await press('Undo reversal of S1');
+    expect(screen.getByText('No changes')).toBeTruthy();
+  });
+
+  it('a row is put back', async () => {
+    await connected();
+    await enter('Function 2, S1', '7');
+    await enter('Function 2 time', 'x');
+    await enter('Function 3, S1', '8');
+    await press('Put back Function 2 with its positions');
+    expect(['Function 2, S1', 'Function 2 time', 'Function 3, S1'].map((name) => field(name).value)).toEqual([
+      '35',
+      '11.00',
+      '8',
+    ]);
+  });
+
+  it('all that is later is shifted, DT only when asked', async () => {
+    await connected();
+    fireEvent.change(screen.getByRole('combobox', { name: 'This and all later, from' }), { target: { value: '2' } });
+    fireEvent.input(field('By, in seconds'), { target: { value: '0,3' } });
+    await press('Later');
+    expect(['Function 1', 'Function 2', 'Function 9', 'DT'].map((row) => field(`${row} time`).value)).toEqual([
+      '10.50',
+      '11.30',
+      '14.80',
+      '3:00',
+    ]);
+    fireEvent.click(screen.getByRole('checkbox', { name: 'Move DT too' }));
+    await press('Earlier');
+    expect(field('DT time').value).toBe('2:59.70');
+    await press('Undo shift from Function 2 by -0.30 s');
+    expect(field('DT time').value).toBe('3:00');
+  });
+});
+
+describe('undo by keys', () => {
+  it('works in a field, and not in a text that is no part of the program', async () => {
+    await connected();
+    await enter('Function 2, S1', '7');
+    field('By, in seconds').focus();
+    await key('z', { ctrlKey: true });
+    expect(field('Function 2, S1').value).toBe('7');
+    field('Function 2, S1').focus();
+    await key('z', { metaKey: true });
+    expect(field('Function 2, S1').value).toBe('35');
+    await key('z', { ctrlKey: true, shiftKey: true });
+    expect(field('Function 2, S1').value).toBe('7');
+    await key('z', { ctrlKey: true });
+    await key('y', { ctrlKey: true });
+    expect(field('Function 2, S1').value).toBe('7');
+  });
+
+  it('survives a reload', async () => {
+    const store = new MemoryStore();
+    const { editor } = await appBench({ store });
+    const first = await appBench({ store });
+    const connecting = first.session.connect();
+    await idle();
+    await connecting;
+    first.editor.type({ kind: 'time', column: 10 }, '4:00');
+    first.editor.leave({ kind: 'time', column: 10 });
+    first.editor.type({ kind: 'time', column: 10 }, '5:00');
+    await idle();
+    expect(editor.undoStep.value).toBeNull();
+    const again = await appBench({ store });
+    render(<App models={again.models} />);
+    await press('Undo typing in DT time');
+    expect(field('DT time').value).toBe('4:00');
+  });
+});
+
+describe('DT', () => {
+  it('is set by a preset', async () => {
+    await connected();
+    await press('DT 6:00');
+    expect(field('DT time').value).toBe('6:00');
+    await press('Undo preset of DT time');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('has presets of the pilot, and a limit below which it is short, that are kept', async () => {
+    const { models } = await connected();
+    await press('Change presets');
+    fireEvent.input(field('New preset'), { target: { value: '2:30' } });
+    fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
+    await press('Remove 10:00');
+    fireEvent.input(field('DT is short below'), { target: { value: '3:30' } });
+    fireEvent.change(field('DT is short below'), { target: { value: '3:30' } });
+    await press('Done');
+    expect(screen.getByRole('button', { name: 'DT 2:30' })).toBeTruthy();
+    expect(screen.getByText('Short DT')).toBeTruthy();
+    expect(models.preferences.presets.value).not.toContain(60000);
+    const again = await appBench();
+    expect(again.preferences.presets.value).toEqual([2000, 6000, 15000, 18000, 24000, 30000, 36000, 48000]);
+    expect(again.editor.shortDt.value).toBe(21000);
+  });
+
+  it('takes no preset that no timer can hold', async () => {
+    await connected();
+    await press('Change presets');
+    fireEvent.input(field('New preset'), { target: { value: '11:00' } });
+    fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
+    await idle();
+    expect(screen.getByRole('alert').textContent).toContain('up to 10:55.35');
+  });
+});
+
+describe('the checks', () => {
+  it('put right what is obvious, as a step', async () => {
+    await connected();
+    await enter('Function 3 time', '10.50');
+    await press('Set Function 3 time to 11.10');
+    expect(field('Function 3 time').value).toBe('11.10');
+    await press('Undo correction of Function 3 time');
+    expect(field('Function 3 time').value).toBe('10.50');
+  });
+});
+
+it('the write dialog says the difference in words too', async () => {
+  await connected();
+  await enter('Function 4, S2', '70');
+  await press('Write…');
+  expect(within(screen.getByRole('dialog')).getByText('Function 4, S2: 55 → 70')).toBeTruthy();
+});
