@@ -116,19 +116,26 @@ describe('what the servos move', () => {
 });
 
 describe('the colours', () => {
-  it('follow the choice, are kept, and colour the bars of the browser too', () => {
+  it('follow the system or the choice, are kept, and colour the bars of the browser too', () => {
     const page = document.implementation.createHTMLDocument();
     page.head.innerHTML = '<meta name="theme-color" content="#111111">';
+    const dark = Object.assign(new EventTarget(), { matches: true });
     const theme = new Theme();
-    const stop = theme.follow(page);
+    const stop = theme.follow(page, dark as MediaQueryList);
     const look = () => [page.documentElement.getAttribute('data-theme'), page.querySelector('meta')?.content];
-    expect(look()).toEqual([null, '#111111']);
+    expect(look()).toEqual(['dark', '#10171e']);
     theme.choose('sun');
     expect(look()).toEqual(['sun', '#ffffff']);
     expect(new Theme().chosen.value).toBe('sun');
+    dark.matches = false;
+    dark.dispatchEvent(new Event('change'));
+    expect(look()).toEqual(['sun', '#ffffff']);
     theme.choose('system');
-    expect(look()).toEqual([null, '#111111']);
+    expect(look()).toEqual(['light', '#f4f7f9']);
     stop();
+    dark.matches = true;
+    dark.dispatchEvent(new Event('change'));
+    expect(look()).toEqual(['light', '#f4f7f9']);
   });
 
   it('are chosen on the page', async () => {

@@ -43,10 +43,18 @@ export function DtPresets({ column }: { readonly column: number }) {
         <button
           type="button"
           class="quiet"
+          aria-label={changing.value ? undefined : words.change}
+          title={changing.value ? undefined : words.change}
           aria-expanded={changing.value}
           onClick={() => (changing.value = !changing.value)}
         >
-          {changing.value ? words.done : words.change}
+          {changing.value ? (
+            words.done
+          ) : (
+            <svg class="icon" width="20" height="20" aria-hidden="true">
+              <path d="M3 17L4 13L13.5 3.5L16.5 6.5L7 16ZM11.5 5.5L14.5 8.5" />
+            </svg>
+          )}
         </button>
       </fieldset>
       {changing.value && <PresetSettings />}

@@ -44,6 +44,13 @@ export function TimelinePanel({ selected, onSelect }: TimelinePanelProps) {
           if (final) editor.settle();
         }}
       />
+      <Behind
+        program={program}
+        chosen={behind.value}
+        onChoose={(key) => {
+          behind.value = key;
+        }}
+      />
       <details
         class="flight"
         onToggle={(event) => {
@@ -53,13 +60,6 @@ export function TimelinePanel({ selected, onSelect }: TimelinePanelProps) {
         <summary>{preview.title}</summary>
         {open.value && <KeptPreview program={program} player={player} />}
       </details>
-      <Behind
-        program={program}
-        chosen={behind.value}
-        onChoose={(key) => {
-          behind.value = key;
-        }}
-      />
     </div>
   );
 }

@@ -38,17 +38,17 @@ export function ProgramScreen() {
         {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
         <ProgramTable />
         <ShiftTool />
-        <TimelinePanel selected={selected.value} onSelect={select} />
-        <MemoriesOverview />
-      </div>
-      <aside class="program-side">
-        <Actions />
-        <ChecksPanel />
         <BenchPanel />
         <MemoriesPanel />
+        <MemoriesOverview />
         <BackupsPanel />
         <AboutTimer />
+      </div>
+      <aside class="program-side">
+        <TimelinePanel selected={selected.value} onSelect={select} />
+        <ChecksPanel />
       </aside>
+      <Actions />
     </div>
   );
 }

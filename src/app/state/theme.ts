@@ -6,7 +6,7 @@ import { loadSetting, saveSetting } from '../storage/settings.js';
 export const THEMES = ['system', 'light', 'dark', 'sun'] as const;
 export type ThemeName = (typeof THEMES)[number];
 
-/** The colour of the bars that a browser draws around the page; the system's stand in the page. */
+/** The colour of the bars that a browser draws around the page. */
 const BARS: Readonly<Record<Exclude<ThemeName, 'system'>, string>> = {
   light: '#f4f7f9',
   dark: '#10171e',
@@ -22,17 +22,26 @@ export class Theme {
     saveSetting('theme', name);
   }
 
-  /** Keeps a page as chosen. @returns a function that ends it. */
-  follow({ documentElement, head }: Document): () => void {
-    const bars = [...head.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]')];
-    const usual = bars.map(({ content }) => content);
-    return effect(() => {
+  /**
+   * Keeps a page as chosen.
+   * @param dark whether the system is dark, as the browser says it.
+   * @returns a function that ends it.
+   */
+  follow({ documentElement, head }: Document, dark: MediaQueryList): () => void {
+    const isDark = signal(dark.matches);
+    const note = (): void => {
+      isDark.value = dark.matches;
+    };
+    dark.addEventListener('change', note);
+    const stop = effect(() => {
       const { value } = this.chosen;
-      if (value === 'system') documentElement.removeAttribute('data-theme');
-      else documentElement.setAttribute('data-theme', value);
-      bars.forEach((bar, index) => {
-        bar.content = value === 'system' ? (usual[index] as string) : BARS[value];
-      });
+      const shown = value === 'system' ? (isDark.value ? 'dark' : 'light') : value;
+      documentElement.setAttribute('data-theme', shown);
+      for (const bar of head.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]')) bar.content = BARS[shown];
     });
+    return () => {
+      dark.removeEventListener('change', note);
+      stop();
+    };
   }
 }
