@@ -395,6 +395,8 @@ describe('the checks', () => {
 it('the write dialog says the difference in words too', async () => {
   await connected();
   await enter('Function 4, S2', '70');
+  await enter('DT time', '6:00');
   await press('Write…');
-  expect(within(screen.getByRole('dialog')).getByText('Function 4, S2: 55 → 70')).toBeTruthy();
+  const words = 'DT time: 3:00 → 6:00; Function 4, S2: 55 → 70';
+  expect(within(screen.getByRole('dialog')).getByText(words)).toBeTruthy();
 });

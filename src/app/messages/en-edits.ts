@@ -56,7 +56,6 @@ export const edits = {
   cells,
   /** “DT time 3:00 → 6:00”. */
   change: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
-  inWords: 'In words',
   field: {
     up: (field: string) => `Step up ${field}`,
     down: (field: string) => `Step down ${field}`,

@@ -35,17 +35,7 @@ export function DifferenceTable({ identity, changes }: DifferenceProps) {
   );
 }
 
-/** The same in words, to be read aloud or sent to someone. */
+/** The same in one sentence, to be read aloud or sent to someone. */
 export function DifferenceInWords({ identity, changes }: DifferenceProps) {
-  const { edits } = messages.value;
-  return (
-    <details class="in-words">
-      <summary>{edits.inWords}</summary>
-      <ul>
-        {changes.map((change) => (
-          <li key={fieldKey(change.field)}>{changeText(identity, change)}</li>
-        ))}
-      </ul>
-    </details>
-  );
+  return <p class="hint">{changes.map((change) => changeText(identity, change)).join('; ')}</p>;
 }
