@@ -11,14 +11,13 @@ import { WriteDialog } from './screens/write-dialog.js';
 export function App({ models }: { models: AppModels }) {
   const { session } = models;
   const hasProgram = session.editor.working.value !== null;
-  const hasLine = session.log.used.value;
   return (
     <Models.Provider value={models}>
       <Header />
       <main>
         <RecoveryPanel />
         {hasProgram ? <ProgramScreen /> : <StartScreen />}
-        {hasLine && <LinePanel />}
+        <LinePanel />
       </main>
       <footer class="foot">
         <ThemeChoice />

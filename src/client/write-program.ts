@@ -76,8 +76,8 @@ export async function writeContent(
   if (quirks.byteOrderOpen && requests.some(({ name }) => name === 'SETTIMERS')) {
     throw new TimerError('undecided', 'the byte order of the times is in doubt', { request: 'SETTIMERS' });
   }
-  throwIfAborted(signal);
   await requireMemory(job, baseline);
+  throwIfAborted(signal);
 
   const questions = questionsFor(identity, goal.idleThrottle !== null);
   const strays = new Map<string, ProgramField>();

@@ -6,8 +6,8 @@
  * - `policy`: the server of the page, or the page it is embedded in, forbids serial ports by its Permissions-Policy.
  * - `nothing-chosen`: the chooser was closed without a port.
  * - `not-allowed`: the browser or its administrator forbids serial ports here, or nobody clicked.
- * - `busy`: the port is there and cannot be opened. Another program or tab holds it, or on Linux the user may not use it: the browser
- *   does not tell which.
+ * - `busy`: the port is there and cannot be opened. Another program or tab holds it, on Linux the user may not use it, or the adapter
+ *   has failed: the browser does not tell which.
  * - `bad-settings`: the port does not take these settings, such as a rate that the adapter does not know.
  * - `unplugged`: the port is gone.
  * - `no-answer`: the port opened, and nothing on it answered as a timer does.

@@ -76,17 +76,14 @@ export class Journey {
     this.#watch = watch;
     try {
       if (lasted >= STEADY) this.#failures = 0;
-      if (await watch.isThere()) {
+      // The plug may be pulled at any moment from the loss on: then nothing failed in a row, and there is nothing to wait for.
+      if ((await watch.isThere()) && !watch.gone.aborted) {
         // Opened at once and for ever, a port that fails as soon as it is open would keep the page busy.
         const delay = REOPEN_AFTER[this.#failures++];
         if (delay === undefined) return error;
-        const over = new AbortController();
-        const end = (): void => over.abort();
-        for (const signal of [this.#stop.signal, watch.gone]) signal.addEventListener('abort', end);
-        await pause(this.#trip.clock, delay, over.signal);
-        this.#stop.signal.removeEventListener('abort', end);
-        if (watch.gone.aborted) this.#failures = 0;
+        await pause(this.#trip.clock, delay, this.#stop.signal, watch.gone);
       }
+      if (watch.gone.aborted) this.#failures = 0;
       const port = await watch.returned(this.#stop.signal);
       if (port) this.#known = known(port);
       return null;

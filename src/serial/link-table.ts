@@ -13,7 +13,7 @@
  *
  * Events:
  * - `choose`, `open`, `stop`: asked for by {@link TimerLink}'s methods.
- * - `refused`: the port is there and does not open: another program has it, perhaps only for a moment.
+ * - `refused`: the port is there and does not open: most often another program has it, perhaps only for a moment.
  * - `opened`: the port is open.
  * - `asked`: a rate is being tried, or was tried in vain.
  * - `answered`: the timer has said what it is.

@@ -1,15 +1,15 @@
 import type { Clock } from '../line/index.js';
 
-/** Settles after so many milliseconds, or at once when the signal asks to stop. Whoever waits looks at the signal then. */
-export function pause(clock: Clock, ms: number, signal: AbortSignal): Promise<void> {
-  if (signal.aborted) return Promise.resolve();
+/** Settles after so many milliseconds, or at once when a signal asks to stop. Whoever waits looks at the signals then. */
+export function pause(clock: Clock, ms: number, ...signals: readonly AbortSignal[]): Promise<void> {
+  if (signals.some(({ aborted }) => aborted)) return Promise.resolve();
   return new Promise((resolve) => {
     const settle = (): void => {
       cancel();
-      signal.removeEventListener('abort', settle);
+      for (const signal of signals) signal.removeEventListener('abort', settle);
       resolve();
     };
     const cancel = clock.after(ms, settle);
-    signal.addEventListener('abort', settle);
+    for (const signal of signals) signal.addEventListener('abort', settle);
   });
 }

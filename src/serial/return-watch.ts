@@ -37,7 +37,7 @@ export class ReturnWatch {
     return this.#lost.connected ?? (await this.#ports()).includes(this.#lost);
   }
 
-  /** Aborted once the browser tells that the plug was pulled: that the stream fails may come first. */
+  /** Aborted once the browser tells that the plug was pulled, or is in again: that the stream fails may come first. */
   get gone(): AbortSignal {
     return this.#gone.signal;
   }
@@ -75,6 +75,7 @@ export class ReturnWatch {
     const port = target as unknown as SerialPortLike;
     if (!this.#isAlike(port)) return;
     this.#returned = port;
+    this.#gone.abort();
     this.look();
   };
 

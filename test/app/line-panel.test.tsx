@@ -132,6 +132,42 @@ describe('the rows', () => {
   });
 });
 
+describe('on a fresh page', () => {
+  it('stands that nothing was on the line yet, and what can be done all the same', async () => {
+    await panelOf(await appBench());
+    expect(screen.getByText(/^Nothing was on the line yet/)).toBeTruthy();
+    expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(['Load…', 'Copy report']);
+    expect(screen.queryByRole('table')).toBeNull();
+  });
+
+  it('a recording is loaded, and a file that is none refused', async () => {
+    await panelOf(await appBench());
+    await load('field.txt', 'no recording');
+    expect(await screen.findByRole('alert')).toBeTruthy();
+    await load('field.txt', ...RECORDING);
+    expect(await screen.findByText('field.txt: a recording of 3 entries.')).toBeTruthy();
+    expect(rows()).toHaveLength(3);
+    expect(button('Replay it as a timer').disabled).toBe(false);
+    fireEvent.click(button('Back to the live line'));
+    expect(await screen.findByText(/^Nothing was on the line yet/)).toBeTruthy();
+  });
+
+  it('a report is copied', async () => {
+    const written = clipboard();
+    await panelOf(await appBench());
+    await press('Copy report');
+    expect(written.mock.calls[0]?.[0]).toContain('# Timer: not identified');
+  });
+
+  it('the line is shown as soon as there is something on it', async () => {
+    const { session } = await panelOf(await appBench());
+    await run(session.connect());
+    await idle();
+    expect(rows()).toHaveLength(10);
+    expect(button('Pause')).toBeTruthy();
+  });
+});
+
 describe('the tools', () => {
   it('stop the picture, say how many came meanwhile, and go on', async () => {
     const { session } = await opened();

@@ -1,6 +1,6 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import { idle, MemoryStore, run } from './bench.js';
+import { type AppBench, idle, MemoryStore, run } from './bench.js';
 import { button, connected, field, opened, press, type } from './screen.js';
 
 function choice(name: string): HTMLSelectElement {
@@ -52,6 +52,39 @@ describe('the adapters that are known', () => {
   it('are not there before one was allowed', async () => {
     await opened({ info: FTDI });
     expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
+  });
+});
+
+describe('while a timer or its adapter is waited for', () => {
+  const waits: [what: string, set: (bench: AppBench, trouble: boolean) => void][] = [
+    ['timer', ({ timer: { core } }, trouble) => (trouble ? core.sleep() : core.press())],
+    ['adapter', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
+  ];
+
+  it.each(waits)('nothing else can be connected before Stop: the %s', async (_, set) => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    set(bench, true);
+    await press('Connect');
+    const ways = ['Connect', /^Connect to FTDI/, 'Choose a port', /^Try a simulated F1Q/];
+    const shown = () => ways.flatMap((name) => screen.queryAllByRole<HTMLButtonElement>('button', { name }));
+    expect(shown().map(({ disabled }) => disabled)).toEqual([true, true, true, true]);
+    await press('Stop');
+    expect(shown().every(({ disabled }) => !disabled)).toBe(true);
+  });
+
+  it.each(waits)('Connect begins no second way: the %s comes back on the first', async (_, set) => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    set(bench, true);
+    await press('Connect');
+    const before = bench.session.link.state.value.status;
+    await run(bench.session.connect());
+    await run(bench.session.connectTo(bench.port));
+    await run(bench.session.trySimulated('Q'));
+    expect(bench.session.link.state.value.status).toBe(before);
+    set(bench, false);
+    await idle();
+    expect(field('DT time').value).toBe('3:00');
+    expect(bench.session.simulated.value).toBe(false);
   });
 });
 
@@ -133,6 +166,17 @@ describe('the write dialog', () => {
     expect(rows(difference)).toEqual([['DT time', '3:05', '4:00']]);
   });
 
+  it('that is stopped before the first value went out says so calmly', async () => {
+    const { timer } = await connected();
+    await type('DT time', '4:00');
+    await press('Write…');
+    await tickSafety();
+    timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && fireEvent.click(button('Stop'));
+    await press(/^Write 1/);
+    expect(screen.queryByRole('dialog')).toBeNull();
+    expect(screen.getByText('Nothing was written.').closest('.notice')?.className).toBe('notice');
+  });
+
   it('shows no such table where nothing has moved', async () => {
     await connected();
     await type('DT time', '4:00');
@@ -154,7 +198,10 @@ describe('what an interrupted job left behind', () => {
     await press('Close');
     timer.core.press();
     await idle();
-    const panel = within(screen.getByRole('region', { name: 'An earlier write was interrupted' }));
+    const region = screen.getByRole('region', { name: 'An earlier write was interrupted' });
+    const panel = within(region);
+    expect(region.querySelector('summary')?.textContent).toBe('Compare');
+    expect(document.querySelectorAll('.notice'), 'it speaks alone').toHaveLength(1);
     expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
     await press('Finish it…');
     await tickSafety();
@@ -163,6 +210,18 @@ describe('what an interrupted job left behind', () => {
     await press('Close');
     expect(screen.queryByRole('region', { name: 'An earlier write was interrupted' })).toBeNull();
     expect(button('Write…').disabled).toBe(false);
+  });
+
+  it('says in the dialog that a port which was lost comes back by itself', async () => {
+    const { timer, adapter } = await connected();
+    await type('DT time', '4:00');
+    await press('Write…');
+    await tickSafety();
+    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
+    await press(/^Write 1/);
+    const { textContent } = screen.getByRole('alert');
+    expect(textContent).toContain('It comes back by itself once the adapter is plugged in.');
+    expect(textContent).not.toContain('click Connect');
   });
 
   it('offers to make the memory current again that was', async () => {

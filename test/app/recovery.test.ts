@@ -83,6 +83,7 @@ describe('a write of which a part arrived', () => {
     });
     await idle();
     expect(sets(bench)).toEqual(['SETTIMERS']);
+    expect(notice(bench), 'nothing else is said of what it explains').toBeUndefined();
   });
 
   it('is finished by a write of what is missing', async () => {
@@ -175,6 +176,14 @@ describe('another end of a write', () => {
     expect(sets(bench)).toEqual(['SETTIMERS']);
   });
 
+  it('is all that is said, also where the value is one that was to be written', async () => {
+    const bench = await interrupted('SETTIMERS', ({ timer }) => {
+      (timer.core.content.positions[0] as number[])[2] = 9;
+    });
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'foreign' } });
+    expect(notice(bench)).toBeUndefined();
+  });
+
   it('or it is the same timer: what was to be written is shown as edits, and nothing is written', async () => {
     const bench = await interrupted('SETTIMERS', strange);
     await run(bench.recover.show());
@@ -195,6 +204,7 @@ describe('another end of a write', () => {
     expect(sets(bench), 'nothing is selected unasked').toEqual(['SETTIMERS']);
     await run(bench.session.selectMemory(0));
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    expect(notice(bench), 'the edits are those of that write').toBeUndefined();
   });
 
   it('at another kind of timer is not offered', async () => {
@@ -222,6 +232,7 @@ describe('after a reload in the middle of a write', () => {
     expect(offer(after)).toBeNull();
     await run(after.session.connect());
     expect(offer(after)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    expect(notice(after)).toBeUndefined();
     await run(after.recover[way]());
     await finishDialog(after);
     expect(held(after)).toEqual(way === 'finish' ? GOAL : BEFORE);

@@ -11,14 +11,14 @@ function described(name: string): string {
 }
 
 describe('the start', () => {
-  it('offers Connect and two simulated timers, and no log of an empty line', async () => {
+  it('offers Connect and two simulated timers, and the line folded up', async () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
       'Try a simulated F1Q timer',
       'Try a simulated F1B timer',
     ]);
-    expect(screen.queryByText('Line')).toBeNull();
+    expect(screen.getByText<HTMLElement>('Line').closest('details')?.open).toBe(false);
   });
 
   it('says which browsers can, where this one cannot, and still offers the simulated timers', async () => {
@@ -58,18 +58,31 @@ describe('the start', () => {
     expect(screen.queryByText('No answer yet.')).toBeNull();
     expect(port.device.opened).toBeNull();
     timer.core.press();
-    await press('Another adapter…');
+    await press('Choose a port');
     expect(field('DT time').value).toBe('3:00');
   });
 
-  it('says that a port is in use, with what helps, and offers another', async () => {
+  it('does not say that another program holds a port while it is tried again, nor when the adapter has failed', async () => {
+    const { port } = await opened();
+    port.open = () => Promise.reject(new DOMException('The device is broken.', 'UnknownError'));
+    fireEvent.click(button('Connect'));
+    await idle(5000);
+    expect(screen.getByText('The port does not open yet.')).toBeTruthy();
+    await idle();
+    expect(screen.getByText('The port cannot be opened.')).toBeTruthy();
+    expect(screen.queryByText(/in use/)).toBeNull();
+  });
+
+  it('says that a port cannot be opened, with what helps, and offers another by one button', async () => {
     const { port } = await opened();
     port.device.busy = true;
     await press('Connect');
-    expect(screen.getByText('The port is in use.')).toBeTruthy();
+    expect(screen.getByText('The port cannot be opened.')).toBeTruthy();
+    expect(screen.queryByText(/in use/), 'that is more than the browser tells').toBeNull();
+    expect(screen.getAllByRole('button', { name: /Choose|Another/ })).toHaveLength(1);
     port.device.busy = false;
     await press('Choose a port');
-    expect(screen.queryByText('The port is in use.')).toBeNull();
+    expect(screen.queryByText('The port cannot be opened.')).toBeNull();
     expect(field('DT time').value).toBe('3:00');
   });
 });
@@ -348,6 +361,17 @@ describe('writing', () => {
 });
 
 describe('the line', () => {
+  it('stays open from the start to the program of a recording', async () => {
+    await opened();
+    const details = screen.getByText('Line').closest('details') as HTMLDetailsElement;
+    details.open = true;
+    fireEvent(details, new Event('toggle'));
+    await press('Try a simulated F1Q timer');
+    table();
+    expect(screen.getByText('Line').closest('details')).toBe(details);
+    expect(screen.getByRole('region', { name: 'Line' })).toBeTruthy();
+  });
+
   it('shows each message with its direction, name and bytes, newest first', async () => {
     await connected();
     fireEvent.click(screen.getByText('Line'));

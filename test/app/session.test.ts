@@ -158,7 +158,7 @@ describe('when the first read does not come to its end', () => {
   it.each([
     ['the timer fell asleep', ({ timer }: AppBench) => timer.core.sleep(), ({ timer }: AppBench) => timer.core.press()],
     ['the pilot stopped it', ({ session }: AppBench) => session.job.value?.stop.abort(), () => {}],
-  ])('because %s, Connect reads it', async (_, hinder, mend) => {
+  ])('because %s, it is read by itself or by Connect', async (_, hinder, mend) => {
     const bench = await appBench();
     bench.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETMEMORY') hinder(bench);
@@ -168,6 +168,7 @@ describe('when the first read does not come to its end', () => {
     bench.timer.core.onAnswer = undefined;
     mend(bench);
     await run(bench.session.connect());
+    await idle();
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
     expect(bench.editor.working.value?.timers[10]).toBe(18000);
   });
@@ -260,14 +261,17 @@ describe('a lost port', () => {
     expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
   });
 
-  it('can be opened by hand at once, also while the old connection is still being closed', async () => {
+  it('comes back on its own way, also when Connect is asked for while the old connection is still being closed', async () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await Promise.resolve();
     bench.adapter.replug();
     await until(bench, 'away');
+    bench.timer.core.answered.length = 0;
     await run(bench.session.connect());
+    await idle();
     expect([status(bench), bench.session.busy.value]).toEqual(['on', false]);
+    expect(answered(bench).filter((name) => name === 'GETSWVER')).toHaveLength(1);
     expect(bench.editor.baseline.value?.timers[10]).toBe(18000);
   });
 });

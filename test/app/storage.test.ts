@@ -1,4 +1,4 @@
-import { describe, expect, it, onTestFinished } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { openStorage, Shelf } from '../../src/app/storage/database.js';
 import { browserStorage } from '../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../src/app/storage/records.js';
@@ -21,6 +21,24 @@ describe('what is remembered of a port', () => {
     });
     await run(after.session.connect());
     expect(first).toEqual({ bigEndianTimes: true });
+  });
+
+  it('is what a job found out by itself, too', async () => {
+    const before = await connectedBench({ quirks: { memoriesFromOne: true } });
+    expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
+    before.timer.core.memory = 3;
+    await run(before.session.read());
+    expect(before.session.connection.value?.client.quirksAssumed).toEqual({ memoriesFromOne: true });
+    const [record] = before.store.ports.records.values();
+    expect(Object.values(record?.quirks ?? {})).toEqual([{ memoriesFromOne: true }]);
+  });
+
+  it('is kept again only when a job has found out something', async () => {
+    const bench = await connectedBench();
+    const saved = vi.spyOn(bench.store.ports, 'save');
+    await run(bench.session.read());
+    await run(bench.session.selectMemory(1));
+    expect(saved).not.toHaveBeenCalled();
   });
 
   it('is not how another kind of timer was taken to be', async () => {

@@ -385,7 +385,7 @@ describe('the checks', () => {
   it('put right what is obvious, as a step', async () => {
     await connected();
     await enter('Function 3 time', '10.50');
-    await press('Set Function 3 time to 11.10');
+    await press('Set to 11.10: Function 3 time');
     expect(field('Function 3 time').value).toBe('11.10');
     await press('Undo correction of Function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');

@@ -129,6 +129,17 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
   });
 
+  it('that is stopped before its first byte says that nothing was written', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && bench.write.dismiss();
+    await run(bench.write.start());
+    expect([bench.write.current.value, bench.session.notice.value]).toEqual([
+      null,
+      { kind: 'note', code: 'nothing-written' },
+    ]);
+    expect([sets(bench), bench.session.recovery.offer.value, bench.editor.changes.value.length]).toEqual([[], null, 3]);
+  });
+
   it.each([
     ['SETTIMERS', 1, 'part'],
     ['SETSERVO', 2, 'part'],

@@ -93,6 +93,54 @@ describe('a port that returns', () => {
     expect(portOf(link)).toBe(adapter.port);
   });
 
+  it.each(['the same', 'a new'])('comes back at once however often that happens in a row, as %s object', async (as) => {
+    const { link, clock, adapter } = await on();
+    for (let i = 0; i < 20; i++) {
+      adapter.unplug();
+      if (as === 'a new') adapter.returnAsNew();
+      else adapter.replug();
+      await clock.advance(150);
+      expect(link.state.status, `time ${i + 1}`).toBe('on');
+    }
+  });
+
+  it('comes back at once when its stream fails before the browser tells that it is out', async () => {
+    const { link, clock, adapter, port } = await on();
+    for (let i = 0; i < 20; i++) {
+      port.device.error('lost');
+      await clock.advance(50);
+      adapter.unplug();
+      adapter.replug();
+      await clock.advance(150);
+      expect(link.state.status, `time ${i + 1}`).toBe('on');
+    }
+  });
+
+  it('comes back at once when the browser tells that it is out while it is asked whether it is there', async () => {
+    const { link, clock, adapter, port, serial } = await on();
+    // A browser that says of no port whether it is connected, and takes its time to list them.
+    Object.defineProperty(port, 'connected', { value: undefined });
+    const { getPorts } = serial;
+    serial.getPorts = async () => {
+      const ports = await getPorts.call(serial);
+      await new Promise<void>((resolve) => clock.after(50, resolve));
+      return ports;
+    };
+    // Once more, and it would be given up.
+    for (let i = 0; i < 5; i++) {
+      port.device.error('lost');
+      await clock.advance(9000);
+    }
+    for (let i = 0; i < 20; i++) {
+      port.device.error('lost');
+      await clock.advance(20);
+      adapter.unplug();
+      adapter.replug();
+      await clock.advance(200);
+      expect(link.state.status, `time ${i + 1}`).toBe('on');
+    }
+  });
+
   it('is not taken for another kind of adapter', async () => {
     const { link, clock, adapter, serial } = await on();
     adapter.unplug();
@@ -129,7 +177,6 @@ describe('a port that returns', () => {
     const { link, clock, adapter, states } = await on();
     adapter.unplug();
     adapter.replug();
-    await clock.advance(100);
     adapter.unplug();
     await clock.advance(5000);
     expect(way(states)).toBe('away');

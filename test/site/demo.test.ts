@@ -98,7 +98,7 @@ test('by keyboard alone: try, edit DT, write, verify', async () => {
   const { keyboard } = app.page;
   /** Tabs until the element with this name has the focus. */
   const tabTo = async (name: RegExp): Promise<void> => {
-    for (let i = 0; i < 60; i++) {
+    for (let i = 0; i < 200; i++) {
       await keyboard.press('Tab');
       const focused = await app.page.evaluate(() => {
         const { activeElement: at } = document;

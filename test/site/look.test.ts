@@ -107,7 +107,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.close();
       await app.bench((bench) => bench.replug());
       await app.isReady();
-      await app.page.locator('summary', { hasText: 'Timer holds now' }).click();
+      await app.page.locator('summary', { hasText: 'Compare' }).click();
       await isWellMade(app, 'an interrupted write');
       await app.memory('M2');
       await app.button('Make M1 current and look').waitFor();

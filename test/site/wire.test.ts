@@ -51,7 +51,7 @@ describe('through a serial port', () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.setBusy(true));
     await app.button('Connect').click();
-    await app.says('The port is in use.');
+    await app.says('The port does not open yet.');
     await app.bench((bench) => bench.setBusy(false));
     await app.hasRead();
   });

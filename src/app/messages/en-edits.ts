@@ -105,5 +105,5 @@ export const edits = {
     refused: 'Type a time up to 10:55.35. At most 24 presets are kept.',
   },
   fix: (value: string) => `Set to ${value}`,
-  fixOf: (field: string, value: string) => `Set ${field} to ${value}`,
+  fixOf: (field: string, value: string) => `Set to ${value}: ${field}`,
 };

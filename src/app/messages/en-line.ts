@@ -101,6 +101,8 @@ const recordingFaults: Record<RecordingFault, (line: number) => string> = {
 export const line = {
   title: 'Line',
   empty: 'Nothing to show.',
+  unused:
+    'Nothing was on the line yet: all that goes to a timer and comes from it is listed here. A recording can be loaded, looked at and replayed as a timer.',
   time: 'Time',
   direction: 'Direction',
   message: 'Message',

@@ -21,8 +21,9 @@ export const link = {
   choosing: 'Choose the port of the timer',
   searching: (rate: number) => `Asking at ${rate} baud`,
   refused: {
-    title: 'The port is in use.',
-    advice: 'It is tried again for 15 seconds. On Linux a new adapter is often held for a moment by ModemManager.',
+    title: 'The port does not open yet.',
+    advice:
+      'It is tried again for 15 seconds. Another program may have it; on Linux ModemManager often holds a new adapter for a moment.',
   },
   waiting: {
     title: 'No answer yet.',
@@ -52,7 +53,6 @@ export const ports = {
   connectTo: (name: string) => `Connect to ${name}`,
   forget: 'Forget',
   forgetNamed: (name: string) => `Forget ${name}`,
-  another: 'Another adapter…',
   settings: 'Serial settings',
   settingsHint: 'Only for an adapter that needs something special. Left alone, the rate is found by asking.',
   rate: 'Rate',

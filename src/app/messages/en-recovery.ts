@@ -16,6 +16,7 @@ export const recovery = {
   leave: 'Leave it as it is',
   otherTimer: 'It is another timer',
   sameTimer: 'It is the same timer: show what was to be written',
+  compare: 'Compare',
   field: 'Value',
   before: 'Before',
   goal: 'To be written',

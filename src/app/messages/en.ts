@@ -43,8 +43,9 @@ const connection: Record<ConnectionErrorCode, Said> = {
     advice: 'Allow serial ports for this page in the settings of the browser, then click Connect again.',
   },
   busy: {
-    title: 'The port is in use.',
-    advice: 'Close other programs and tabs that talk to the timer, then click Connect again.',
+    title: 'The port cannot be opened.',
+    advice:
+      'Most often something else has it. Close other programs and tabs that talk to the timer, or plug the adapter in again, then click Connect again.',
   },
   'bad-settings': {
     title: 'The adapter does not take these settings.',
@@ -64,7 +65,8 @@ const connection: Record<ConnectionErrorCode, Said> = {
   },
   lost: {
     title: 'The connection is gone.',
-    advice: 'Plug the adapter in again and click Connect: what you typed is kept.',
+    advice:
+      'The port failed again and again, each time it was opened. Plug the adapter in again and click Connect: what you typed is kept.',
   },
 };
 
@@ -107,7 +109,10 @@ const timer: Record<TimerErrorCode, Said> = {
     title: 'It is not certain how this timer counts its times.',
     advice: 'They fall as they are read, and would rise with their bytes exchanged. Nothing was written.',
   },
-  'port-lost': connection.lost,
+  'port-lost': {
+    title: 'The connection is gone.',
+    advice: 'It comes back by itself once the adapter is plugged in. What you typed is kept.',
+  },
   aborted: { title: 'Stopped.', advice: 'Read again to see what the timer holds.' },
   closed: { title: 'Disconnected.', advice: 'Click Connect to go on. What you typed is kept.' },
 };
@@ -144,6 +149,10 @@ const notes = {
   'write-completed': {
     title: 'The interrupted write is complete.',
     advice: 'The timer was read afresh and holds all that was to be written.',
+  },
+  'nothing-written': {
+    title: 'Nothing was written.',
+    advice: 'You stopped before the first value went out. What you typed is kept.',
   },
   'taken-over': {
     title: 'Another tab of this program has taken the port over.',
@@ -251,7 +260,7 @@ export const en = {
     read: 'Read again',
     write: 'Write…',
     blocked: 'Some fields cannot be written yet: see the notes beside them.',
-    notConnected: 'Connect to the timer to read and write.',
+    notConnected: 'Click Connect at the top to read and write.',
     findings: 'Checks',
     noFindings: 'Nothing unusual.',
     absolute: 'Times count from launch. For this class the manuals are not clear whether they are intervals.',

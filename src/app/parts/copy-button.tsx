@@ -1,6 +1,6 @@
-import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import { useCopy } from './use-copy.js';
 
 interface CopyButtonProps {
   readonly label: string;
@@ -11,25 +11,15 @@ interface CopyButtonProps {
 /** Copies a text. Where the browser does not let it, the text is shown, marked, to be copied by hand. */
 export function CopyButton({ label, text }: CopyButtonProps) {
   const { line } = messages.value;
-  const copied = useSignal(false);
-  const refused = useSignal<string | null>(null);
-  const copy = async (): Promise<void> => {
-    const made = text();
-    copied.value = false;
-    try {
-      await navigator.clipboard.writeText(made);
-      copied.value = true;
-    } catch {
-      refused.value = made;
-    }
-  };
+  const { copied, refused, copy, forget } = useCopy(text);
   return (
     <span class="copy-button">
-      <button type="button" onClick={() => void copy()} onBlur={() => (copied.value = false)}>
+      {/* The text to be copied by hand takes the focus from here, and stays. */}
+      <button type="button" onClick={() => void copy()} onBlur={() => copied.value && forget()}>
         {label}
       </button>
       <span role="status">{copied.value && line.copied}</span>
-      {refused.value !== null && <ByHand text={refused.value} onClose={() => (refused.value = null)} />}
+      {refused.value !== null && <ByHand text={refused.value} onClose={forget} />}
     </span>
   );
 }

@@ -46,15 +46,18 @@ interface FieldToolsProps {
   readonly onRevert?: (() => void) | undefined;
 }
 
-/** What a thumb needs at the field that has the focus: a step down, a step up, and back to what the timer holds. The focus stays. */
+/**
+ * At the field that has the focus: back to what the timer holds, and for a thumb, which has no arrows and no wheel, a step down and a step
+ * up. The focus stays.
+ */
 export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
   const { down, up, putBack, signs } = messages.value.edits.field;
   return (
     <span class="field-tools" onPointerDown={(event) => event.preventDefault()}>
-      <button type="button" tabIndex={-1} aria-label={down(label)} onClick={() => onStep(-1)}>
+      <button type="button" class="step" tabIndex={-1} aria-label={down(label)} onClick={() => onStep(-1)}>
         {signs.down}
       </button>
-      <button type="button" tabIndex={-1} aria-label={up(label)} onClick={() => onStep(1)}>
+      <button type="button" class="step" tabIndex={-1} aria-label={up(label)} onClick={() => onStep(1)}>
         {signs.up}
       </button>
       {onRevert && (

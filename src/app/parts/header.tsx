@@ -58,26 +58,26 @@ export function ConnectButtons({ large = false }: { large?: boolean }) {
     ? (['Q', 'B'] as const).find((simulated) => simulated === timerClass)
     : undefined;
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
-  const choice = failed || (session.link.ports.value.length > 0 && !large);
+  const choice = failed || session.link.ports.value.length > 0;
   return (
     <>
       {!session.link.unavailable && (
         <button
           type="button"
           class={large ? 'primary large' : 'primary'}
-          disabled={session.busy.value}
+          disabled={session.engaged.value}
           onClick={() => void session.connect()}
         >
           {session.connection.value ? program.read : header.connect}
         </button>
       )}
       {again && (
-        <button type="button" disabled={session.busy.value} onClick={() => void session.trySimulated(again)}>
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.trySimulated(again)}>
           {header.simulatedTimer}
         </button>
       )}
       {choice && (
-        <button type="button" disabled={session.busy.value} onClick={() => void session.connect(true)}>
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.connect(true)}>
           {header.choosePort}
         </button>
       )}

@@ -11,7 +11,8 @@ import { CopyReport } from './copy-report.js';
 /** What can be done with the log: stop and go, empty, copy, save, load; what is shown of it. */
 export function LineTools({ view }: { view: LineView }) {
   const { line } = messages.value;
-  const live = view.recording.value === null;
+  const used = !view.unused.value;
+  const live = used && view.recording.value === null;
   return (
     <>
       <div class="line-tools">
@@ -25,7 +26,9 @@ export function LineTools({ view }: { view: LineView }) {
             </button>
           </>
         )}
-        <CopyButton label={line.copy} text={() => captureText(view.found.value, captureNotes(view.found.value))} />
+        {used && (
+          <CopyButton label={line.copy} text={() => captureText(view.found.value, captureNotes(view.found.value))} />
+        )}
         {live && (
           <button type="button" disabled={view.all.value.length === 0} onClick={() => save(view)}>
             {line.save}
@@ -34,37 +37,44 @@ export function LineTools({ view }: { view: LineView }) {
         <LoadButton view={view} />
         <CopyReport />
       </div>
-      <div class="line-choice">
-        <label>
-          <span>{line.filter}</span>
-          <select
-            value={view.filter.value}
-            onChange={(event) => (view.filter.value = event.currentTarget.value as LineFilter)}
-          >
-            {Object.entries(line.filters).map(([filter, name]) => (
-              <option key={filter} value={filter}>
-                {name}
-              </option>
-            ))}
-          </select>
-        </label>
-        <label class="search">
-          <span>{line.search}</span>
-          <input
-            type="search"
-            autocomplete="off"
-            spellcheck={false}
-            placeholder={line.searchHint}
-            value={view.search.value}
-            onInput={(event) => (view.search.value = event.currentTarget.value)}
-          />
-        </label>
-        {live && <Counts />}
-      </div>
+      {used && <LineChoice view={view} />}
       <p class="line-came" role="status">
         {live && view.paused.value && line.came(view.came.value)}
       </p>
     </>
+  );
+}
+
+function LineChoice({ view }: { view: LineView }) {
+  const { line } = messages.value;
+  return (
+    <div class="line-choice">
+      <label>
+        <span>{line.filter}</span>
+        <select
+          value={view.filter.value}
+          onChange={(event) => (view.filter.value = event.currentTarget.value as LineFilter)}
+        >
+          {Object.entries(line.filters).map(([filter, name]) => (
+            <option key={filter} value={filter}>
+              {name}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label class="search">
+        <span>{line.search}</span>
+        <input
+          type="search"
+          autocomplete="off"
+          spellcheck={false}
+          placeholder={line.searchHint}
+          value={view.search.value}
+          onInput={(event) => (view.search.value = event.currentTarget.value)}
+        />
+      </label>
+      {view.recording.value === null && <Counts />}
+    </div>
   );
 }
 

@@ -12,6 +12,7 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
   'edits-set-aside',
   'back-same',
   'write-completed',
+  'nothing-written',
   'taken-over',
 ]);
 

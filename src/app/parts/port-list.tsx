@@ -18,9 +18,6 @@ export function PortList() {
           <PortRow key={`${port.key} ${index}`} port={port} />
         ))}
       </ul>
-      <button type="button" class="quiet" disabled={session.busy.value} onClick={() => void session.connect(true)}>
-        {words.another}
-      </button>
     </section>
   );
 }
@@ -35,7 +32,7 @@ function PortRow({ port }: { port: KnownPort }) {
       <button
         type="button"
         aria-label={words.connectTo(name)}
-        disabled={session.busy.value}
+        disabled={session.engaged.value}
         onClick={() => void session.connectTo(port.port)}
       >
         <strong>{name}</strong> {rate && <span class="hint">{link.lastRate(rate)}</span>}

@@ -30,7 +30,7 @@ export function RecordingBar({ view }: { view: LineView }) {
             {recording.replayable ? line.replayHint : line.cannotReplay}
           </p>
           <div class="buttons">
-            <button type="button" disabled={session.busy.value || !recording.replayable} onClick={replay}>
+            <button type="button" disabled={session.engaged.value || !recording.replayable} onClick={replay}>
               {line.replay}
             </button>
             <button type="button" onClick={() => view.back()}>

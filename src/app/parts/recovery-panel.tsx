@@ -39,7 +39,7 @@ function InterruptedWrite({ offer: { record, part, read } }: { offer: OfferOf<'w
         {words.when(memoryText(record.goal.memory), dateText(record.startedAt))} {said}
       </p>
       <details>
-        <summary>{words.held}</summary>
+        <summary>{words.compare}</summary>
         <table class="difference">
           <thead>
             <tr>

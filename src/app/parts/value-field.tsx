@@ -69,16 +69,9 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
         }}
       />
       {change && change.from !== null && (
-        <button
-          type="button"
-          tabIndex={-1}
-          class="was"
-          title={messages.value.edits.field.putBack(label)}
-          onPointerDown={(event) => event.preventDefault()}
-          onClick={revert}
-        >
-          <span id={wasId}>{messages.value.program.was(formatValue(field, change.from))}</span>
-        </button>
+        <span class="was" id={wasId}>
+          {messages.value.program.was(formatValue(field, change.from))}
+        </span>
       )}
       {notes.length > 0 && (
         <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={notesId}>

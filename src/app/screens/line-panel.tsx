@@ -24,6 +24,7 @@ export function LinePanel() {
 }
 
 function Opened({ view, form }: { view: LineView; form: FrameForm }) {
+  const unused = view.unused.value;
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the button beside it takes a file too
     <div
@@ -37,8 +38,8 @@ function Opened({ view, form }: { view: LineView; form: FrameForm }) {
     >
       <LineTools view={view} />
       <RecordingBar view={view} />
-      <LineTable view={view} />
-      <SendFrame form={form} />
+      {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineTable view={view} />}
+      {!unused && <SendFrame form={form} />}
     </div>
   );
 }

@@ -142,7 +142,9 @@ function Actions() {
       <p class="changes" role="status">
         <strong>{program.changes(count)}</strong> {count > 0 && <span>{program.changesHint}</span>}
       </p>
-      {!connected && <p class="hint">{program.notConnected}</p>}
+      {session.link.state.value.status === 'off' && !session.link.unavailable && (
+        <p class="hint">{program.notConnected}</p>
+      )}
       <FollowNote />
       {editor.blocked.value && <p class="hint bad-text">{program.blocked}</p>}
       <UndoButtons />

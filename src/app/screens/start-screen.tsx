@@ -35,7 +35,7 @@ export function StartScreen() {
             <button
               type="button"
               key={timerClass}
-              disabled={session.busy.value}
+              disabled={session.engaged.value}
               onClick={() => void session.trySimulated(timerClass)}
             >
               {start.simulated(classNames[timerClass] ?? timerClass)}

@@ -33,6 +33,8 @@ export class LineView {
   });
   /** Those of them that there is room for, newest first. */
   readonly shown: ReadonlySignal<readonly LineRecord[]> = computed(() => this.found.value.slice(-MOST_SHOWN).reverse());
+  /** There is nothing to look at yet: nothing was ever on the line, and no recording was loaded. */
+  readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
   readonly #log: LineLog;
   readonly #recording = signal<Recording | null>(null, { name: 'recording' });
   readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });

@@ -34,6 +34,8 @@ export class Link {
   readonly busy: ReadonlySignal<boolean> = computed(() =>
     ['choosing', 'opening', 'searching'].includes(this.state.value.status),
   );
+  /** A timer that does not answer, or its adapter, is waited for: until it is there, or the pilot stops it. */
+  readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
   /** The ports that the pilot has allowed before and that are plugged in. */
   readonly ports = signal<readonly KnownPort[]>([], { name: 'ports' });
   /** What the pilot has set by hand; null: each port as it was used last. */
@@ -49,6 +51,8 @@ export class Link {
   readonly #link: TimerLink;
   readonly #records = new Map<string, PortRecord>();
   readonly #simulated = new WeakSet<SerialPortLike>();
+  /** What is taken for true of the timer at hand, as it was last kept. */
+  #quirksKept: AssumedQuirks | undefined;
 
   constructor(options: LinkOptions) {
     this.#options = options;
@@ -128,11 +132,17 @@ export class Link {
     await this.remember();
   }
 
+  /** Keeps what a job has found out about the timer, if it has. */
+  async learn(): Promise<void> {
+    if (this.connection.value?.client.quirksAssumed !== this.#quirksKept) await this.remember();
+  }
+
   /** Keeps what this connection has taught: settings, rate, quirks. */
   async remember(): Promise<void> {
     const connection = this.connection.value;
     if (!connection || this.simulated.value) return;
     const { identity, client, settings } = connection;
+    this.#quirksKept = client.quirksAssumed;
     const before = this.#records.get(connection.portKey);
     const record: PortRecord = {
       key: connection.portKey,

@@ -29,6 +29,7 @@ export type NoteCode =
   | 'back-changed'
   | 'other-kind'
   | 'write-completed'
+  | 'nothing-written'
   | 'taken-over'
   | 'not-kept'
   | 'unexpected';
@@ -85,6 +86,8 @@ export class Session {
   readonly connection: ReadonlySignal<TimerConnection | null>;
   /** A job, or the way to a timer, holds the wire. */
   readonly busy: ReadonlySignal<boolean>;
+  /** No other way to a timer can begin: something is under way, or waited for until the pilot stops it. */
+  readonly engaged: ReadonlySignal<boolean>;
   readonly #options: SessionOptions;
   /** What was typed since the page was opened, also where the browser keeps nothing. */
   readonly #drafts = new Map<string, Draft>();
@@ -108,6 +111,7 @@ export class Session {
     });
     this.connection = this.link.connection;
     this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
+    this.engaged = computed(() => this.busy.value || this.link.waiting.value);
   }
 
   /** Brings back what a reload or a crash interrupted, and keeps from now on what is typed. */
@@ -132,7 +136,7 @@ export class Session {
    * @returns when the timer was read, or when it has to be waited for.
    */
   async connect(choose = false): Promise<void> {
-    if (!this.#options.surroundings.serial || this.busy.value) return;
+    if (!this.#options.surroundings.serial || this.engaged.value) return;
     if (this.connection.value && !choose) return void (await this.read());
     await this.#goTo(async () => {
       await this.link.refresh();
@@ -223,6 +227,7 @@ export class Session {
       return false;
     } finally {
       this.job.value = null;
+      void this.link.learn();
     }
   }
 
@@ -248,9 +253,9 @@ export class Session {
     this.editor.replace(wanted, { code: 'restore', params: {} });
   }
 
-  /** Goes to a timer: finds out how, goes, and settles when it was read or has to be waited for. Only one way at a time. */
+  /** Goes to a timer: finds out how, goes, and settles when it was read or has to be waited for. One way at a time, also while it is waited for. */
   async #goTo(find: () => Promise<() => Promise<void>>): Promise<void> {
-    if (this.busy.value) return;
+    if (this.engaged.value) return;
     this.notice.value = null;
     this.#setOut.value = true;
     let going: Promise<void>;
@@ -309,6 +314,8 @@ export class Session {
       ? undefined
       : (this.#drafts.get(key) ?? (await this.#options.storage.drafts.load(key).catch(() => undefined)));
     const completed = await this.recovery.look(read, simulated);
+    // What an interrupted write explains is told by the offer to finish it, and by nothing else.
+    const explained = this.recovery.offer.value?.kind === 'write';
     const returning = this.#returning;
     this.#returning = false;
     batch(() => {
@@ -318,11 +325,13 @@ export class Session {
       this.byteOrderOpen.value = this.connection.value?.client.byteOrderOpen ?? false;
       this.simulated.value = simulated;
       if (completed) this.say('write-completed');
-      else if (moved) this.say('edits-moved');
-      else if (draft && editor.dirty.value) this.say('edits-kept');
+      else if (moved && !explained) this.say('edits-moved');
+      else if (draft && editor.dirty.value && !explained) this.say('edits-kept');
       else if (returning && otherKind) this.say('other-kind');
       else if (setAside) this.say('edits-set-aside');
-      else if (returning && same && held) this.say(differences(held, read).length === 0 ? 'back-same' : 'back-changed');
+      else if (returning && same && held && !explained) {
+        this.say(differences(held, read).length === 0 ? 'back-same' : 'back-changed');
+      }
     });
   }
 

@@ -86,12 +86,13 @@ export class WriteFlow {
     } catch (error) {
       // Nothing has been written yet.
       await recovery.ended(baseline, isSimulated);
-      if (error instanceof TimerError && error.code !== 'port-lost') {
-        this.current.value = error.code === 'aborted' ? null : { step: 'refused', error };
+      if (error instanceof TimerError && error.code !== 'port-lost' && error.code !== 'aborted') {
+        this.current.value = { step: 'refused', error };
         return;
       }
       this.current.value = null;
       if (!(error instanceof TimerError)) this.#session.report(error);
+      else if (error.code === 'aborted') this.#session.say('nothing-written');
     }
   }
 
