@@ -40,6 +40,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
   for (const colorScheme of ['light', 'dark'] as const) {
     test(`every screen can be used by everyone: ${size}, ${colorScheme}`, async () => {
       const app = await AppPage.open({ viewport, colorScheme, bench: {} });
+      await app.button('Connect').first().waitFor();
       await isWellMade(app, 'start');
       await app.bench((bench) => bench.dismissChooser());
       await app.button('Connect').click();
@@ -116,10 +117,51 @@ for (const [size, viewport] of Object.entries(sizes)) {
   }
 }
 
+for (const [size, viewport] of Object.entries(sizes)) {
+  for (const colours of ['Light', 'Dark', 'Sun']) {
+    test(`every tool can be used by everyone: ${size}, ${colours}`, async () => {
+      const app = await AppPage.open({ viewport, bench: { granted: true } });
+      const open = (tool: string): Promise<void> => app.page.locator('summary', { hasText: tool }).first().click();
+      await app.text(colours).click();
+      await app.button('Connect').first().click();
+      await app.hasRead();
+      await open('As a table');
+      await open('Flight preview');
+      await open('What the servos move');
+      await isWellMade(app, 'the picture and the preview');
+      await open('Shift in time');
+      await app.button('Change presets').click();
+      await isWellMade(app, 'the tools of the table');
+      await open('Bench');
+      await open('Experimental');
+      await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+      await app.page.getByRole('switch').click();
+      await app.button('Stop following').first().waitFor();
+      await app.type('Function 2, S1', '7');
+      await app.text('Tried: 1 position').first().waitFor();
+      await isWellMade(app, 'following');
+      await app.button('Stop following').first().click();
+      await app.button('Keep it').first().waitFor();
+      await isWellMade(app, 'tried');
+      await app.button('Keep it').first().click();
+      await open('Memories side by side');
+      await app.button('Read all…').click();
+      await app.dialog.getByRole('button', { name: 'Back up' }).click();
+      await app.result('were read and kept');
+      await app.close();
+      await isWellMade(app, 'memories side by side');
+    });
+  }
+}
+
 describe('nothing is cut off or covered', () => {
-  for (const width of [320, 390, 768, 1280]) {
-    test(`at ${width} px`, async () => {
+  for (const [width, colours] of [320, 390, 768, 1100, 1280].flatMap((width) => [
+    [width, 'Light'] as const,
+    [width, 'Sun'] as const,
+  ])) {
+    test(`at ${width} px, ${colours}`, async () => {
       const app = await AppPage.open({ viewport: { width, height: 800 }, bench: {} });
+      await app.text(colours).click();
       await app.expectNoSidewaysScrolling();
       await app.connect();
       await app.expectNoSidewaysScrolling();

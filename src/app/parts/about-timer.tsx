@@ -34,7 +34,7 @@ export function AboutTimer() {
         ))}
       </dl>
       {client.damageSeen && <p class="bad-text">{about.damage}</p>}
-      <h3>{about.found}</h3>
+      <h2>{about.found}</h2>
       {found.length === 0 ? (
         <p class="hint">{about.nothingFound}</p>
       ) : (
@@ -44,7 +44,7 @@ export function AboutTimer() {
           ))}
         </ul>
       )}
-      <h3>{about.assumed}</h3>
+      <h2>{about.assumed}</h2>
       {(Object.keys(about.assumptions) as (keyof AssumedQuirks & keyof typeof about.assumptions)[]).map((name) => (
         <label class="check" key={name}>
           <input

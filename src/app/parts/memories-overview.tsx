@@ -48,10 +48,10 @@ function Memory({ memory, program, isCurrent, ready }: MemoryProps) {
   const dt = formatValue({ kind: 'time', column }, program.timers[column] ?? 0);
   return (
     <li class={`overview-memory ${isCurrent ? 'current' : ''}`}>
-      <h3>
+      <h2>
         {memoryName(memory)} <span class="hint">{words.dt(seconds(dt))}</span>{' '}
         {isCurrent && <span class="badge">{words.current}</span>}
-      </h3>
+      </h2>
       <Timeline program={program} compact />
       {!isCurrent && (
         <button type="button" disabled={!ready} onClick={() => void session.selectMemory(memory)}>
@@ -79,7 +79,7 @@ function Pair({ contents, ready }: PairProps) {
   const choices = contents.map(([memory]) => memory);
   return (
     <section class="overview-pair">
-      <h3>{words.compared}</h3>
+      <h2>{words.compared}</h2>
       <div class="overview-choice">
         {[
           { name: words.from, chosen: from },
