@@ -10,7 +10,7 @@ import { WriteDialog } from './screens/write-dialog.js';
 
 export function App({ models }: { models: AppModels }) {
   const { session } = models;
-  const hasProgram = session.editor.working.value !== null;
+  const hasProgram = session.editor.identity.value !== null;
   return (
     <Models.Provider value={models}>
       <Header />

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { ProgramField } from '../../src/program/index.js';
 import { CAPTURED_POSITIONS } from '../protocol/vectors.js';
-import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from './bench.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from './bench.js';
 
 const DT: ProgramField = { kind: 'time', column: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
@@ -414,22 +414,31 @@ describe('after a reload', () => {
     expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
   });
 
-  it('there is nothing to bring back once it was undone, or written', async () => {
+  it('there is nothing to bring back once it was undone, or written; but it can be redone, or undone', async () => {
     const store = new MemoryStore();
     const bench = await connectedBench({ store });
     bench.editor.type(S1, '7');
     await idle();
     expect(store.drafts.records.size).toBe(1);
-    bench.editor.revertAll();
+    bench.editor.undo();
     await idle();
-    expect(store.drafts.records.size).toBe(0);
+    const undone = await reloaded(bench);
+    expect([notice(undone), undone.editor.working.value]).toEqual([undefined, null]);
+    await run(undone.session.connect());
+    undone.editor.redo();
+    expect(undone.editor.textOf(S1)).toBe('7');
+    undone.editor.undo();
 
     bench.editor.type(S1, '8');
     bench.session.safe.value = true;
     await run(bench.write.open());
     await run(bench.write.start());
     await idle();
-    expect(store.drafts.records.size).toBe(0);
+    const written = await reloaded(bench);
+    expect([notice(written), written.editor.working.value]).toEqual([undefined, null]);
+    await run(written.session.connect());
+    written.editor.undo();
+    expect([written.editor.textOf(S1), written.editor.dirty.value]).toEqual(['35', true]);
   });
 
   it('edits of the simulated timer are not put onto a real one', async () => {

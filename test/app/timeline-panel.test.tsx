@@ -39,8 +39,7 @@ describe('the timeline', () => {
     expect(handle('DT time').getAttribute('aria-valuetext')).toBe('3:00');
     expect(legend()).toBeUndefined();
     editor.type(S1, '99');
-    await idle();
-    expect(handle('Function 4, S1').getAttribute('aria-valuenow')).toBe('99');
+    await expect.poll(() => handle('Function 4, S1').getAttribute('aria-valuenow')).toBe('99');
     expect(legend()).toBe('Timer holds');
   });
 

@@ -141,7 +141,7 @@ function hostile(sieges) {
  * @param {string} title
  * @param {readonly (readonly string[])[]} lines the first are the heads, the first of each is its name
  */
-function grid(title, lines) {
+export function grid(title, lines) {
   const widths = (lines[0] ?? []).map((_, i) => Math.max(...lines.map((line) => line[i]?.length ?? 0)));
   const shown = lines.map((line) =>
     line.map((cell, i) => (i === 0 ? cell.padEnd(widths[i] ?? 0) : cell.padStart(widths[i] ?? 0))).join('  '),

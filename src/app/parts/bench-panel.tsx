@@ -13,7 +13,7 @@ export function BenchPanel() {
   const { session } = useModels();
   const { bench: words } = messages.value;
   const open = useSignal(false);
-  const identity = session.editor.working.value?.identity;
+  const identity = session.editor.identity.value;
   if (!identity) return null;
   return (
     <details
@@ -127,7 +127,7 @@ function Follow() {
   const { editor } = session;
   const on = bench.following.value;
   const tried = bench.tried.value;
-  const identity = editor.working.value?.identity;
+  const identity = editor.identity.value;
   if (!identity) return null;
   const open = !on && tried.length > 0;
   const isWaiting = on && editor.changes.value.some(({ field }) => !bench.trial.value?.touched.has(fieldKey(field)));
@@ -212,7 +212,7 @@ function Motor() {
   const id = useId();
   return (
     <section class="bench-motor">
-      <h3>{words.motor}</h3>
+      <h2>{words.motor}</h2>
       <p class="bad-text" id={id}>
         {words.unlockHint}
       </p>

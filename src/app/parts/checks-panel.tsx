@@ -4,12 +4,13 @@ import { useModels } from '../models.js';
 import { formatValue } from '../state/editing.js';
 import { fixFor } from '../state/fixes.js';
 import { allNotes } from './field-notes.js';
+import { useSteady } from './use-steady.js';
 
 /** Everything that is to be said about the program, with what puts it right where that is obvious. */
 export function ChecksPanel() {
   const { session } = useModels();
   const { program } = messages.value;
-  const identity = session.editor.working.value?.identity;
+  const identity = session.editor.identity.value;
   const notes = allNotes(session.editor);
   if (!identity) return null;
   return (
@@ -36,9 +37,10 @@ export function ChecksPanel() {
 function FixButton({ finding }: { readonly finding: Finding }) {
   const { session } = useModels();
   const { edits } = messages.value;
-  const working = session.editor.working.value;
-  const fix = working && fixFor(finding, working);
-  if (!fix) return null;
+  const { editor } = session;
+  const fix = useSteady(() => editor.working.value && fixFor(finding, editor.working.value), [editor, finding]);
+  const identity = editor.identity.value;
+  if (!fix || !identity) return null;
   const { field, value } = fix;
   const shown = formatValue(field, value);
   const step = { code: 'fix', params: { field: fieldKey(field) } } as const;
@@ -46,8 +48,8 @@ function FixButton({ finding }: { readonly finding: Finding }) {
     <button
       type="button"
       class="fix"
-      aria-label={edits.fixOf(fieldLabel(working.identity, field), shown)}
-      onClick={() => session.editor.apply([fix], step)}
+      aria-label={edits.fixOf(fieldLabel(identity, field), shown)}
+      onClick={() => editor.apply([fix], step)}
     >
       {edits.fix(shown)}
     </button>

@@ -44,7 +44,8 @@ export function HoldButton({ label, holding, disabled, onHeld, describedBy }: Ho
       onKeyDown={(event) => {
         if (event.key !== ' ' && event.key !== 'Enter') return;
         event.preventDefault();
-        hold.press();
+        // A key that still repeats itself after it has happened begins no second hold.
+        if (!event.repeat) hold.press();
       }}
       onKeyUp={release}
       onBlur={release}

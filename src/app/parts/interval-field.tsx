@@ -7,6 +7,7 @@ import { type Edit, setInterval, stepInterval } from '../state/edits.js';
 import { intervalAt } from '../state/grid.js';
 import { formatInterval, parseInterval } from '../units.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
+import { useSteady } from './use-steady.js';
 
 /**
  * The time since the function before: the same truth as the time, seen from there. What is typed moves this function and those after it. A
@@ -19,22 +20,24 @@ export function IntervalField({ column, label }: { readonly column: number; read
   const typed = useSignal<string | null>(null);
   const problem = useSignal<string | null>(null);
   const focused = useSignal(false);
-  const working = editor.working.value;
-  const interval = working && intervalAt(working, column);
+  const interval = useSteady(() => editor.working.value && intervalAt(editor.working.value, column), [editor, column]);
   const group = `interval ${column}`;
   const notesId = `interval-notes-${column}`;
 
   const set = (edit: Edit): void => {
+    const identity = editor.identity.value;
     const obstacle = attempt(editor, edit, { code: 'interval', params: { column } }, group);
-    problem.value = obstacle && working && obstacleText(working.identity, obstacle);
+    problem.value = obstacle && identity && obstacleText(identity, obstacle);
   };
   const step: OnStep = (direction, options) => {
     typed.value = null;
+    const working = editor.working.value;
     if (working) set(stepInterval(working, column, direction, options));
   };
   const type = (text: string): void => {
     typed.value = text;
     const parsed = parseInterval(text);
+    const working = editor.working.value;
     if ('unreadable' in parsed) problem.value = messages.value.unreadable[parsed.unreadable];
     else if (working) set(setInterval(working, column, parsed.value));
   };

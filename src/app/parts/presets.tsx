@@ -1,4 +1,4 @@
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
@@ -12,7 +12,7 @@ export function DtPresets({ column }: { readonly column: number }) {
   const changing = useSignal(false);
   const field: ProgramField = { kind: 'time', column };
   const key = fieldKey(field);
-  const current = editor.working.value?.timers[column];
+  const current = useComputed(() => editor.working.value?.timers[column]).value;
   return (
     <div class="presets">
       <fieldset class="chips">

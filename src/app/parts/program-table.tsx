@@ -7,13 +7,14 @@ import { useModels } from '../models.js';
 import { attempt } from '../state/attempt.js';
 import { formatTable } from '../state/clipboard-table.js';
 import { fillDown } from '../state/edits.js';
-import { FIRST_SERVO_COLUMN, fieldsIn, type GridRange, INTERVAL_COLUMN, TIME_COLUMN } from '../state/grid.js';
+import { FIRST_SERVO_COLUMN, fieldsIn, INTERVAL_COLUMN, TIME_COLUMN } from '../state/grid.js';
 import { Selection } from '../state/selection.js';
 import { ColumnMenu } from './column-menu.js';
 import { notesFor } from './field-notes.js';
 import { IntervalField } from './interval-field.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { cellOf, onTableKey } from './table-keys.js';
+import { useSteady } from './use-steady.js';
 import { ValueField } from './value-field.js';
 
 /** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
@@ -24,11 +25,10 @@ export function ProgramTable() {
   const selection = useMemo(() => new Selection(), []);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
-  const identity = editor.working.value?.identity;
+  const identity = editor.identity.value;
+  const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
   if (!identity) return null;
   const columns = Array.from({ length: columnCount(identity) }, (_, column) => column);
-  const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
-  const range = selection.range.value;
 
   /** A single cell is filled from the one above it. */
   const fill = (): void => {
@@ -107,16 +107,14 @@ export function ProgramTable() {
         </thead>
         <tbody>
           {columns.map((column) => (
-            <ProgramRow key={column} identity={identity} column={column} servos={servos} range={range} />
+            <ProgramRow key={column} {...{ identity, column, servos, selection }} />
           ))}
         </tbody>
       </table>
       <p class="hint keys-hint" id="table-keys">
         {edits.table.keys}
       </p>
-      <p class="visually-hidden" role="status">
-        {selection.isWide.value && range && edits.table.selected(fieldsIn(identity, range).length)}
-      </p>
+      <Selected identity={identity} selection={selection} />
       {obstacle.value && (
         <p class="notes bad-text" role="alert">
           {edits.nothingDone} {obstacle.value}
@@ -127,33 +125,49 @@ export function ProgramTable() {
   );
 }
 
+/** How many values are meant, said when they are more than one. */
+function Selected({ identity, selection }: { readonly identity: Identity; readonly selection: Selection }) {
+  const range = selection.range.value;
+  const { selected } = messages.value.edits.table;
+  return (
+    <p class="visually-hidden" role="status">
+      {selection.isWide.value && range && selected(fieldsIn(identity, range).length)}
+    </p>
+  );
+}
+
 interface ProgramRowProps {
   readonly identity: Identity;
   readonly column: number;
   readonly servos: readonly number[];
-  readonly range: GridRange | null;
+  readonly selection: Selection;
 }
 
-function ProgramRow({ identity, column, servos, range }: ProgramRowProps) {
+function ProgramRow({ identity, column, servos, selection }: ProgramRowProps) {
   const { session } = useModels();
   const { editor } = session;
   const { about, program, edits, servoName } = messages.value;
-  const time: ProgramField = { kind: 'time', column };
-  const positions = servos.map((servo): ProgramField => ({ kind: 'position', servo, column }));
-  const fields = [time, ...positions];
-  const notes = fields.flatMap((field) => notesFor(editor, field));
-  const changed = fields.some(
-    (field) => editor.changed.value.has(fieldKey(field)) || editor.unreadable.value.has(fieldKey(field)),
+  const positions = useMemo(
+    () => servos.map((servo): ProgramField => ({ kind: 'position', servo, column })),
+    [servos, column],
   );
+  const fields: ProgramField[] = [{ kind: 'time', column }, ...positions];
+  const { notes, changed } = useSteady(() => {
+    const keys = fields.map(fieldKey);
+    return {
+      notes: fields.flatMap((field) => notesFor(editor, field)),
+      changed: keys.some((key) => editor.changed.value.has(key) || editor.unreadable.value.has(key)),
+    };
+  }, [editor, positions]);
+  const selected = useSteady(() => {
+    const range = selection.isWide.value ? selection.range.value : null;
+    return range && column >= range.top && column <= range.bottom ? range : null;
+  }, [selection, column]);
   const name = columnLabel(identity, column);
-  const isWide = range !== null && (range.top !== range.bottom || range.left !== range.right);
   const cell = (at: number, label: string) => ({
     'data-cell': at,
     'data-name': label,
-    class:
-      isWide && column >= range.top && column <= range.bottom && at >= range.left && at <= range.right
-        ? 'selected'
-        : '',
+    class: selected && at >= selected.left && at <= selected.right ? 'selected' : '',
   });
   const timeCell = cell(TIME_COLUMN, program.time);
   return (

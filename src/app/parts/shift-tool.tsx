@@ -15,9 +15,8 @@ export function ShiftTool() {
   const amount = useSignal('0.50');
   const moveDt = useSignal(false);
   const problem = useSignal<string | null>(null);
-  const working = editor.working.value;
-  if (!working) return null;
-  const { identity } = working;
+  const identity = editor.identity.value;
+  if (!identity) return null;
   const first = identity.timerClass === 'Q' ? 0 : 1;
   const columns = Array.from({ length: columnCount(identity) }, (_, column) => column).slice(first);
   const column = Math.min(Math.max(from.value, first), identity.functions);
@@ -29,6 +28,8 @@ export function ShiftTool() {
       return;
     }
     const by = direction * parsed.value;
+    const working = editor.working.value;
+    if (!working) return;
     const edit = shiftFrom(working, column, by, { moveDt: moveDt.value });
     const obstacle = attempt(editor, edit, { code: 'shift', params: { column, by } });
     problem.value = obstacle && `${nothingDone} ${obstacleText(identity, obstacle)}`;

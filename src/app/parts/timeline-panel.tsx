@@ -7,6 +7,7 @@ import { kindKey } from '../state/keys.js';
 import { KeptLinkages } from '../state/linkages.js';
 import type { OnEdit } from '../timeline/drag.js';
 import { FlightPreview } from '../timeline/flight-preview.js';
+import { useLate } from '../timeline/hooks.js';
 import { Player } from '../timeline/player.js';
 import { Timeline, type TimelineProps } from '../timeline/timeline.js';
 
@@ -30,17 +31,23 @@ export function TimelinePanel({ selected, onSelect }: TimelinePanelProps) {
   const player = useMemo(() => new Player(), []);
   const behind = useSignal(HELD);
   const open = useSignal(false);
-  const program = editor.working.value;
+  const [late, catchUp] = useLate(editor.working);
+  const program = late?.identity === editor.identity.value ? late : editor.working.peek();
   if (!program) return null;
   return (
     <div class="timeline-panel">
       <PlayedTimeline
         {...{ program, player, selected, onSelect }}
         overlay={useOverlay(program, behind.value)}
-        onEdit={(values, { final }) => {
-          // All of one movement is one step, named after the field.
+        now={() => editor.working.peek() ?? program}
+        onEdit={(values, { final, back }) => {
+          // All of one movement is one step, named after the field; one that leads back is none.
           const key = values.map(({ field }) => fieldKey(field)).join(' ');
-          editor.apply(values, { code: 'move-mark', params: { field: key } }, `move ${key}`);
+          const group = `move ${key}`;
+          const isNone = final && back && editor.abandon(group);
+          if (!isNone) editor.apply(values, { code: 'move-mark', params: { field: key } }, group);
+          // What is in hand stays in hand.
+          catchUp();
           if (final) editor.settle();
         }}
       />

@@ -9,7 +9,7 @@ export function UndoButtons() {
   const { session, write } = useModels();
   const { editor } = session;
   const { edits } = messages.value;
-  const identity = editor.working.value?.identity;
+  const identity = editor.identity.value;
   const isOff = session.busy.value || write.current.value !== null;
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {

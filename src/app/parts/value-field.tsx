@@ -7,6 +7,7 @@ import { stepField } from '../state/attempt.js';
 import { formatValue } from '../state/editing.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
+import { useSteady } from './use-steady.js';
 
 interface ValueFieldProps {
   readonly field: ProgramField;
@@ -28,10 +29,16 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
   const key = fieldKey(field);
-  const change = editor.changed.value.get(key);
-  const notes = notesFor(editor, field);
+  const { text, change, unreadable, notes } = useSteady(
+    () => ({
+      text: editor.textOf(field),
+      change: editor.changed.value.get(key) ?? null,
+      unreadable: editor.unreadable.value.has(key),
+      notes: notesFor(editor, field),
+    }),
+    [editor, key],
+  );
   const wrong = notes.some(({ severity }) => severity === 'error');
-  const text = editor.textOf(field);
   const wasId = `${place}-was-${key}`;
   const notesId = `${place}-notes-${key}`;
   const described = [change && wasId, notes.length > 0 && notesId].filter(Boolean).join(' ');
@@ -79,11 +86,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
         </span>
       )}
       {focused.value && !readOnly && (
-        <FieldTools
-          label={label}
-          onStep={step}
-          onRevert={change || editor.unreadable.value.has(key) ? revert : undefined}
-        />
+        <FieldTools label={label} onStep={step} onRevert={change || unreadable ? revert : undefined} />
       )}
     </span>
   );

@@ -1,4 +1,4 @@
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useCallback } from 'preact/hooks';
 import { fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
@@ -20,7 +20,7 @@ import { ValueField } from '../parts/value-field.js';
 export function ProgramScreen() {
   const { session } = useModels();
   const { program, header, about } = messages.value;
-  const identity = session.editor.working.value?.identity;
+  const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
   const select = useCallback((field: ProgramField | null) => {
     selected.value = field;
@@ -67,9 +67,10 @@ function fieldAt(target: EventTarget | null, identity: Identity): ProgramField |
 function MemoryChoice() {
   const { session } = useModels();
   const { program, memoryName } = messages.value;
-  const working = session.editor.working.value;
-  if (!working) return null;
-  const { identity, memory } = working;
+  const { editor } = session;
+  const identity = editor.identity.value;
+  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
+  if (!identity) return null;
   const memories = Array.from({ length: identity.memories }, (_, index) => index);
   const shown = session.job.value?.memory ?? memory;
   const connected = session.connection.value !== null;
@@ -101,10 +102,10 @@ function LargeFigures() {
   const { session } = useModels();
   const { program } = messages.value;
   const { editor } = session;
-  const working = editor.working.value;
-  if (!working) return null;
-  const { identity } = working;
+  const identity = editor.identity.value;
   const isShort = editor.findings.value.some(({ code }) => code === 'dt-short');
+  const hasThrottle = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
+  if (!identity) return null;
   return (
     <div class="figures">
       <div class="figure">
@@ -119,7 +120,7 @@ function LargeFigures() {
           <ValueField field={{ kind: 'time', column: 0 }} label={program.motorStop} place="large" />
         </div>
       )}
-      {working.idleThrottle !== null && (
+      {hasThrottle && (
         <div class="figure minor">
           <span class="figure-name">
             {program.idleThrottle} <span class="hint">{program.idleThrottleUnit}</span>
@@ -135,7 +136,7 @@ function Actions() {
   const { session, write } = useModels();
   const { program } = messages.value;
   const { editor } = session;
-  const count = editor.changes.value.length;
+  const count = useComputed(() => editor.changes.value.length).value;
   const connected = session.connection.value !== null;
   return (
     <section class="actions">

@@ -12,6 +12,7 @@ import {
   type TimerProgram,
   valueAt,
 } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
 import {
   applied,
   type Content,
@@ -28,12 +29,15 @@ import {
 import { type FieldValue, withValues } from './edits.js';
 import type { History, StepName, Turned } from './history.js';
 import * as histories from './history.js';
+import { steady } from './steady.js';
 
 /** What can be put back into an editor: see {@link Editor.snapshot}. */
 export interface EditorContent extends Content {
   readonly baseline: TimerProgram;
   readonly history?: History<Content> | undefined;
 }
+
+const NOTHING_UNREADABLE: ReadonlyMap<string, UnreadableField> = new Map();
 
 /**
  * The program on the screen. The baseline is what the timer last said, the working copy what the pilot wants; everything else
@@ -47,6 +51,9 @@ export class Editor {
   /** What the timer held where it has changed under the pilot's edits, by field: `from` when they were made, `to` by the last read. */
   readonly conflicts = signal<ReadonlyMap<string, Change>>(new Map(), { name: 'conflicts' });
 
+  /** What kind of timer the program on the screen is for; null when there is none. */
+  readonly identity: ReadonlySignal<Identity | null> = computed(() => this.working.value?.identity ?? null);
+
   /** What differs from the timer. */
   readonly changes: ReadonlySignal<readonly Change[]> = computed(() => {
     const from = this.baseline.value;
@@ -59,11 +66,12 @@ export class Editor {
   /** Fields whose text is no value. */
   readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(() => {
     const working = this.working.value;
-    return working ? unreadableIn({ working, texts: this.#texts.value }) : new Map();
+    const found = working && unreadableIn({ working, texts: this.#texts.value });
+    return found && found.size > 0 ? found : NOTHING_UNREADABLE;
   });
   /** A DT below this is called short, in hundredths of a second. */
   readonly shortDt = signal(6000, { name: 'shortDt' });
-  readonly findings: ReadonlySignal<readonly Finding[]> = computed(() => {
+  readonly findings: ReadonlySignal<readonly Finding[]> = steady(() => {
     const working = this.working.value;
     return working
       ? checkProgram(working, { baseline: this.baseline.value ?? undefined, shortDt: this.shortDt.value })
@@ -79,8 +87,8 @@ export class Editor {
   );
 
   /** What would be undone, and redone, next; null when there is nothing. */
-  readonly undoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.past.at(-1)?.name ?? null);
-  readonly redoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.future.at(-1)?.name ?? null);
+  readonly undoStep: ReadonlySignal<StepName | null> = steady(() => this.#history.value.past.at(-1)?.name ?? null);
+  readonly redoStep: ReadonlySignal<StepName | null> = steady(() => this.#history.value.future.at(-1)?.name ?? null);
 
   /** What stands in a field: the text as typed, else its value. */
   textOf(field: ProgramField): string {

@@ -11,8 +11,9 @@ import {
   type Surroundings,
   type TimerConnection,
 } from '../../serial/index.js';
-import type { Backup, Draft, Storage } from '../storage/index.js';
+import type { Backup, Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
+import { Drafts } from './drafts.js';
 import { Editor } from './editor.js';
 import { kindKey, programKey } from './keys.js';
 import { LineLog } from './line-log.js';
@@ -89,11 +90,8 @@ export class Session {
   /** No other way to a timer can begin: something is under way, or waited for until the pilot stops it. */
   readonly engaged: ReadonlySignal<boolean>;
   readonly #options: SessionOptions;
-  /** What was typed since the page was opened, also where the browser keeps nothing. */
-  readonly #drafts = new Map<string, Draft>();
-  #saving: Promise<unknown> = Promise.resolve();
+  readonly #drafts: Drafts;
   #arriving: Promise<unknown> = Promise.resolve();
-  #savedKey: string | null = null;
   /** A way to a timer was asked for and has not begun yet. */
   readonly #setOut = signal(false, { name: 'setOut' });
   /** The timer was away, or silent, and has come back. */
@@ -101,6 +99,7 @@ export class Session {
 
   constructor(options: SessionOptions) {
     this.#options = options;
+    this.#drafts = new Drafts(options.storage.drafts, () => this.say('not-kept'));
     this.backups = new Backups(options.storage.backups);
     this.recovery = new Recovery(options.storage.unfinished, this.backups);
     this.link = new Link({
@@ -116,17 +115,16 @@ export class Session {
 
   /** Brings back what a reload or a crash interrupted, and keeps from now on what is typed. */
   async start(): Promise<void> {
-    const drafts = await this.#options.storage.drafts.all().catch((): Draft[] => {
-      this.notice.value = { kind: 'note', code: 'not-kept' };
-      return [];
-    });
-    const [draft] = drafts.sort((a, b) => b.savedAt - a.savedAt);
+    const draft = await this.#drafts.latest();
     if (draft && !this.editor.working.value && this.editor.restore(draft)) {
       this.simulated.value = draft.simulated;
       this.notice.value ??= { kind: 'note', code: 'edits-restored' };
     }
     await Promise.all([this.backups.load(), this.link.start()]);
-    effect(() => this.#keep());
+    effect(() => {
+      const content = this.editor.snapshot();
+      if (content) this.#drafts.keep(content, this.simulated.value);
+    });
   }
 
   /**
@@ -309,10 +307,7 @@ export class Session {
     const otherKind =
       before !== null && kindKey(before.identity, this.simulated.value) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
-    await this.#saving;
-    const draft = same
-      ? undefined
-      : (this.#drafts.get(key) ?? (await this.#options.storage.drafts.load(key).catch(() => undefined)));
+    const draft = same ? undefined : await this.#drafts.of(key);
     const completed = await this.recovery.look(read, simulated);
     // What an interrupted write explains is told by the offer to finish it, and by nothing else.
     const explained = this.recovery.offer.value?.kind === 'write';
@@ -320,7 +315,7 @@ export class Session {
     this.#returning = false;
     batch(() => {
       if (!same) editor.clear();
-      if (draft && editor.restore(draft)) this.#savedKey = key;
+      if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
       this.byteOrderOpen.value = this.connection.value?.client.byteOrderOpen ?? false;
       this.simulated.value = simulated;
@@ -333,23 +328,5 @@ export class Session {
         this.say(differences(held, read).length === 0 ? 'back-same' : 'back-changed');
       }
     });
-  }
-
-  /** Keeps what is on the screen while it differs from the timer, and forgets it when it does not. */
-  #keep(): void {
-    const content = this.editor.snapshot();
-    const dirty = this.editor.dirty.value;
-    const simulated = this.simulated.value;
-    if (!content) return;
-    const key = programKey(content.working, simulated);
-    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated };
-    // What was undone or written can be done again, or undone, for as long as the page is open.
-    if (dirty || this.editor.undoStep.value || this.editor.redoStep.value) this.#drafts.set(key, draft);
-    else this.#drafts.delete(key);
-    if (!dirty && this.#savedKey !== key) return;
-    this.#savedKey = dirty ? key : null;
-    const { drafts } = this.#options.storage;
-    const work = dirty ? () => drafts.save(draft) : () => drafts.remove(key);
-    this.#saving = this.#saving.then(work).catch(() => this.say('not-kept'));
   }
 }

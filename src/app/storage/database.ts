@@ -44,6 +44,18 @@ export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>>
   return opened;
 }
 
+/** So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in milliseconds. */
+const PATIENCE = 50;
+
+/** Copying a record takes time: what was typed is drawn first. */
+function drawn(): Promise<unknown> {
+  return new Promise((resolve) => {
+    // Safari knows nothing of being idle.
+    if (typeof requestIdleCallback === 'function') requestIdleCallback(resolve, { timeout: PATIENCE });
+    else setTimeout(resolve, PATIENCE);
+  });
+}
+
 /** One shelf of the storage. What is read from it is checked: another version of this page may have written it. */
 export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #opened: Promise<IDBPDatabase<Schema>>;
@@ -65,6 +77,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   }
 
   async save(record: T): Promise<void> {
+    if (this.#durability === 'relaxed') await drawn();
     const options = { durability: this.#durability };
     const writing = (await this.#opened).transaction(this.#name, 'readwrite', options);
     await Promise.all([writing.store.put(record), writing.done]);

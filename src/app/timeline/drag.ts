@@ -11,6 +11,8 @@ export interface FieldChange {
 export interface EditStep {
   readonly name: 'move-time' | 'move-position';
   readonly final: boolean;
+  /** The handle stands where it was taken: as if nothing had been done. */
+  readonly back: boolean;
 }
 
 export type OnEdit = (changes: readonly FieldChange[], step: EditStep) => void;
@@ -108,6 +110,7 @@ export class Edit {
   }
 
   #tell(final: boolean): void {
-    this.#onEdit([{ field: this.field, value: this.#last }], { name: this.#name, final });
+    const back = this.#last === this.#original;
+    this.#onEdit([{ field: this.field, value: this.#last }], { name: this.#name, final, back });
   }
 }

@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { formatTime } from '../units.js';
 import { type Arrangement, FLAG, type Flag } from './arrangement.js';
@@ -15,6 +15,8 @@ export interface HandlesProps {
   readonly keys: HandleKeys;
   readonly front: number;
   readonly selected: ProgramField | null;
+  /** The program as it is by now. */
+  readonly now: () => TimerProgram;
   /** Absent when nothing can be changed: then there are the marks, but no handles. */
   readonly onEdit: OnEdit | undefined;
   readonly onSelect: ((field: ProgramField) => void) | undefined;
@@ -101,7 +103,20 @@ interface HandleProps extends HandlesProps {
   readonly children: ComponentChildren;
 }
 
-function Handle({ arrangement, model, keys, selected, onEdit, onSelect, field, x, y, inView, children }: HandleProps) {
+function Handle({
+  arrangement,
+  model,
+  keys,
+  selected,
+  now,
+  onEdit,
+  onSelect,
+  field,
+  x,
+  y,
+  inView,
+  children,
+}: HandleProps) {
   const { program } = arrangement;
   const key = fieldKey(field);
   const isSelected = selected !== null && fieldKey(selected) === key;
@@ -138,7 +153,7 @@ function Handle({ arrangement, model, keys, selected, onEdit, onSelect, field, x
         model.reveal(arrangement.layout.scale.place(timeOf(program, field)));
         onSelect?.(field);
       }}
-      onKeyDown={(event) => keys.down(event, program, field, onEdit)}
+      onKeyDown={(event) => keys.down(event, now(), field, onEdit)}
       onKeyUp={keys.up}
       onBlur={keys.up}
     >

@@ -1,4 +1,4 @@
-import { type ProgramField, valueAt } from '../../program/index.js';
+import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { aimAt, lineAt, type Point, timeAt } from './aim.js';
 import type { Arrangement } from './arrangement.js';
 import { Edit, limitsOf, type OnEdit, snapped } from './drag.js';
@@ -9,6 +9,8 @@ import type { TimelineModel } from './view-model.js';
 export interface Target {
   readonly svg: SVGSVGElement;
   readonly arrangement: Arrangement;
+  /** The program as it is by now. */
+  readonly now: () => TimerProgram;
   readonly onEdit: OnEdit | undefined;
 }
 
@@ -77,7 +79,8 @@ export class PointerControl {
       this.#note(event, target);
       return;
     }
-    const { program, layout } = target.arrangement;
+    const { layout } = target.arrangement;
+    const program = target.now();
     // What is moved keeps its distance from the pointer.
     const value = valueAt(program, field) ?? 0;
     const offset = { x: layout.x(value) - point.x, y: layout.y(value) - point.y };

@@ -16,6 +16,8 @@ import { TimelineModel } from './view-model.js';
 
 export interface TimelineProps {
   readonly program: TimerProgram;
+  /** The program by now, where `program` may be a moment behind: what is taken hold of begins there. */
+  readonly now?: (() => TimerProgram) | undefined;
   /** A second program, drawn faint behind the first: what the timer holds, or a saved one. */
   readonly overlay?: { readonly program: TimerProgram; readonly name: string } | null | undefined;
   /** A time of the flight in hundredths of a second, marked by a line; what a pointer asks about goes before it. */
@@ -45,6 +47,9 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   // While a flight is played all of this is drawn at each frame: only what has changed is made anew.
   const onEdit = useStable(calls.onEdit);
   const onSelect = useStable(calls.onSelect);
+  const latest = useRef(program);
+  latest.current = program;
+  const { now = () => latest.current } = calls;
   const selectedKey = selected && fieldKey(selected);
   const id = useId();
   const model = useMemo(() => new TimelineModel(), []);
@@ -70,7 +75,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   const pointer = useMemo(() => new PointerControl(model, () => target.current), []);
   const wantedField = model.wanted.value;
   useLayoutEffect(() => {
-    target.current = svg.current && { svg: svg.current, arrangement, onEdit };
+    target.current = svg.current && { svg: svg.current, arrangement, now, onEdit };
     if (!wantedField) return;
     model.wanted.value = null;
     svg.current?.querySelector<SVGElement>(`[data-field="${fieldKey(wantedField)}"]`)?.focus({ preventScroll: true });
@@ -98,7 +103,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
     [arrangement, front, behind],
   );
   const handles = useMemo(
-    () => <Handles {...{ arrangement, model, keys, front, selected, onEdit, onSelect }} />,
+    () => <Handles {...{ arrangement, model, keys, front, selected, now, onEdit, onSelect }} />,
     [arrangement, front, onEdit, onSelect],
   );
   const { height } = measures;
