@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { env } from 'node:process';
 import { type BrowserContext, chromium, type Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
-import { COMMANDS, FrameDecoder } from '../../src/protocol/index.js';
+import { COMMANDS, type CommandName, type Frame, FrameDecoder } from '../../src/protocol/index.js';
 import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
 import { browserArgs } from '../tools/browser.js';
 import { Box, beside, PAGE, type PortSettings } from './box.js';
@@ -17,6 +17,8 @@ export interface RigOptions {
   readonly rate?: number;
   /** Chromium on a screen, where its chooser can be operated; without the policy that lets the page use the port unasked. */
   readonly chooser?: boolean;
+  /** What the pilot of this test asks for of the commands that are never sent unasked. */
+  readonly asks?: readonly CommandName[];
 }
 
 /** Commands that free the motor, move a servo or do nobody knows what: no way through the page sends them unasked. */
@@ -26,13 +28,20 @@ const NEVER_SENT: readonly number[] = [COMMANDS.UNLOCK, COMMANDS.JUMP2, COMMANDS
 
 export type Direction = 'fromPage' | 'toPage';
 
+/** A whole frame on the line. */
+export interface Heard extends Frame {
+  readonly direction: Direction;
+  /** When its last byte was heard, in milliseconds. */
+  readonly at: number;
+}
+
 /** The built page in an unmodified Chromium, whose Web Serial leads to a pty, behind which a virtual timer answers. */
 export class Rig {
   readonly timer: VirtualTimer;
   /** All bytes that have passed, in each direction. */
   readonly passed: Readonly<Record<Direction, number[]>> = { fromPage: [], toPage: [] };
-  /** The command byte of every frame that the page has sent, also of those that did not reach the timer. */
-  readonly requests: number[] = [];
+  /** Every frame, in the order in which they end, also those that did not reach the other side. */
+  readonly frames: Heard[] = [];
   /** How the page set the port when bytes last came from it. */
   settings: PortSettings | undefined;
   /** How often the page has opened and closed the port. */
@@ -72,7 +81,8 @@ export class Rig {
     context.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
     const rig = new Rig(box, context, chooser, options);
     disposals.push(async () => {
-      const sent = rig.requests.filter((code) => NEVER_SENT.includes(code));
+      const asked: readonly number[] = (options.asks ?? []).map((name) => COMMANDS[name].request);
+      const sent = rig.requests.filter((code) => NEVER_SENT.includes(code) && !asked.includes(code));
       if (sent.length > 0) throw new Error(`The page has sent commands that it never may unasked: ${sent}.`);
     });
     await rig.plug();
@@ -86,20 +96,31 @@ export class Rig {
     this.timer = new VirtualTimer(timer);
     this.#rate = rate;
     this.#toTimer = this.timer.writable.getWriter();
-    const decoder = new FrameDecoder();
-    box.on('data', (bytes) => {
-      this.requests.push(...decoder.push(bytes).map(({ code }) => code));
-    });
-    box.on('opened', () => decoder.idle());
+    const listen = (direction: Direction): ((bytes: Uint8Array) => void) => {
+      const decoder = new FrameDecoder();
+      box.on('opened', () => decoder.idle());
+      return (bytes) => {
+        for (const frame of decoder.push(bytes)) this.frames.push({ ...frame, direction, at: performance.now() });
+      };
+    };
+    box.on('data', listen('fromPage'));
     box.on('data', (bytes) => this.#pass('fromPage', bytes, (passed) => void this.#toTimer.write(passed)));
     box.on('set', (settings) => {
       this.settings = settings;
     });
     box.on('opened', () => this.sessions.opened++);
     box.on('closed', () => this.sessions.closed++);
-    void this.timer.readable.pipeTo(
-      new WritableStream({ write: (bytes) => this.#pass('toPage', bytes, (passed) => box.send(passed)) }),
-    );
+    const heardBack = listen('toPage');
+    const answer = (bytes: Uint8Array): void => {
+      heardBack(bytes);
+      this.#pass('toPage', bytes, (passed) => box.send(passed));
+    };
+    void this.timer.readable.pipeTo(new WritableStream({ write: answer }));
+  }
+
+  /** The command byte of every frame that the page has sent, also of those that did not reach the timer. */
+  get requests(): number[] {
+    return this.frames.filter(({ direction }) => direction === 'fromPage').map(({ code }) => code);
   }
 
   /** The page in a new tab; in the only one at first. */

@@ -59,6 +59,15 @@ export class AppPage {
     return this.page.getByRole('textbox', { name, exact: true });
   }
 
+  /** Undo, whatever it would undo. */
+  get undo(): Locator {
+    return this.button(/^Undo(?! all$)/);
+  }
+
+  get redo(): Locator {
+    return this.button(/^Redo/);
+  }
+
   text(text: string | RegExp): Locator {
     return this.page.getByText(text);
   }
@@ -119,6 +128,15 @@ export class AppPage {
   async positions(servo: string): Promise<string[]> {
     const fields = this.table.getByRole('textbox', { name: new RegExp(`, ${servo}$`) });
     return fields.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
+  }
+
+  /** What stands in each field of the table, by name: times, intervals and positions. */
+  async entries(): Promise<Readonly<Record<string, string>>> {
+    const fields = this.table.getByRole('textbox');
+    const all = await fields.evaluateAll((inputs) =>
+      inputs.map((input) => [input.ariaLabel ?? '', (input as HTMLInputElement).value] as const),
+    );
+    return Object.fromEntries(all);
   }
 
   /** The reasons that are said in the table, for people who see them. */

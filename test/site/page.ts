@@ -35,3 +35,6 @@ export async function newPage(options?: BrowserContextOptions, faults?: string[]
   });
   return context.newPage();
 }
+
+/** A phone that is held in one hand. */
+export const PHONE: BrowserContextOptions = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };

@@ -1,0 +1,157 @@
+import { describe, expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { HOLD } from '../../src/app/state/hold.js';
+import { COMMANDS, type CommandName, encodeFrame } from '../../src/protocol/index.js';
+import { Pilot } from './pilot.js';
+import { Rig, type RigOptions } from './rig.js';
+
+const BAUD_RATE = 9600;
+/** A byte on the line: start bit, eight bits, stop bit. */
+const BITS = 10;
+
+/** A pilot at the bench, with an F1Q at a line of 9600 baud, who has said that it is safe. */
+async function atTheBench(options: RigOptions = {}): Promise<{ rig: Rig; pilot: Pilot }> {
+  const rig = await Rig.start({ timer: { identity: { timerClass: 'Q' }, baudRate: BAUD_RATE }, ...options });
+  const pilot = new Pilot(await rig.open());
+  await pilot.clickConnect();
+  await pilot.isConnected();
+  await pilot.page.getByText(en.bench.title, { exact: true }).click();
+  await pilot.page.getByRole('checkbox', { name: en.write.safety }).check();
+  return { rig, pilot };
+}
+
+const sent = ({ requests }: Rig, name: CommandName): number =>
+  requests.filter((code) => code === COMMANDS[name].request).length;
+
+describe('servos that follow', () => {
+  test('one command at a time, no more than the line carries, the last value at the end; then all is put back', async () => {
+    const { rig, pilot } = await atTheBench();
+    const { keyboard } = pilot.page;
+    const { core } = rig.timer;
+    const before = core.content.positions.map((row) => [...row]);
+    const toggle = pilot.page.getByRole('switch', { name: en.bench.follow });
+    await toggle.click();
+    await pilot.sees(en.bench.tried(0));
+    expect(sent(rig, 'SETSERVO'), 'nothing has changed yet').toBe(0);
+    const begin = rig.frames.length;
+
+    // A key that is held: 60 positions of one servo.
+    await pilot.field('Function 2, S1').focus();
+    await keyboard.down('Alt');
+    for (let i = 0; i < 60; i++) await keyboard.down('ArrowUp');
+    await keyboard.up('ArrowUp');
+    await keyboard.up('Alt');
+    // A column that is typed as fast as it goes.
+    await pilot.field('Start, S2').focus();
+    for (let row = 0; row <= 10; row++) {
+      await keyboard.type(String(100 + row));
+      await keyboard.press('Enter');
+    }
+    await pilot.field('DT, S2').blur();
+    await pilot.sees(en.program.changes(0));
+    await pilot.sees(en.bench.tried(12));
+
+    const frames = rig.frames.slice(begin);
+    const [setting, set] = [COMMANDS.SETSERVO.request, COMMANDS.SETSERVO.reply];
+    const exchanges = Array.from({ length: frames.length / 2 }, () => [
+      ['fromPage', setting],
+      ['toPage', set],
+    ]).flat();
+    expect(
+      frames.map(({ direction, code }) => [direction, code]),
+      'each request comes behind the reply to the one before',
+    ).toEqual(exchanges);
+    const [first, ...others] = frames;
+    const bits = BITS * others.reduce((sum, { code, data }) => sum + encodeFrame(code, data).length, 0);
+    const time = (others.at(-1)?.at ?? 0) - (first?.at ?? 0);
+    expect(bits).toBeLessThanOrEqual((BAUD_RATE * time) / 1000);
+
+    const tried = before.map((row) => [...row]);
+    (tried[0] as number[])[2] = 95;
+    tried[1] = Array.from({ length: 11 }, (_, row) => 100 + row);
+    expect(core.content.positions).toEqual(tried);
+    const stepped = core.answered.flatMap((request) =>
+      request.name === 'SETSERVO' && request.servo === 0 ? [request.position] : [],
+    );
+    expect(stepped, 'never back').toEqual([...new Set(stepped)].sort((a, b) => a - b));
+    expect(stepped.length).toBeLessThanOrEqual(60);
+
+    await pilot.button(en.bench.stopFollowing).click();
+    await pilot.button(en.bench.putBack).click();
+    await pilot.confirm();
+    await pilot.startWriting();
+    expect(await pilot.result()).toContain(en.write.verified.title);
+    expect(core.content.positions).toEqual(before);
+    expect(await toggle.getAttribute('aria-checked')).toBe('false');
+  });
+});
+
+describe('hold to unlock', () => {
+  /** Presses the button; it is let go by {@link release}. */
+  async function press({ page }: Pilot): Promise<void> {
+    const button = page.getByRole('button', { name: en.bench.unlock });
+    await button.scrollIntoViewIfNeeded();
+    await button.hover();
+    await page.mouse.down();
+    await page.getByRole('button', { name: en.bench.unlockHold }).waitFor();
+  }
+  const release = ({ page }: Pilot): Promise<void> => page.mouse.up();
+
+  /** What has not come until now does not come: two holds have passed, by the clock of the page. */
+  const passes = async ({ page }: Pilot): Promise<void> => {
+    const began = await page.evaluate(() => performance.now());
+    await page.waitForFunction((until) => performance.now() > until, began + 2 * HOLD);
+  };
+
+  test('it goes out once for each hold, however long that is', async () => {
+    const { rig, pilot } = await atTheBench({ asks: ['UNLOCK'] });
+    for (const holds of [1, 2]) {
+      rig.timer.core.motorLocked = true;
+      await press(pilot);
+      await expect.poll(() => rig.timer.core.motorLocked, { timeout: 5 * HOLD }).toBe(false);
+      await pilot.sees(en.bench.unlocked);
+      await passes(pilot);
+      await release(pilot);
+      expect(sent(rig, 'UNLOCK')).toBe(holds);
+    }
+  });
+
+  test('by a key that repeats itself while it is held, too', async () => {
+    const { rig, pilot } = await atTheBench({ asks: ['UNLOCK'] });
+    const { keyboard } = pilot.page;
+    await pilot.button(en.bench.unlock).focus();
+    // Through the hold, the answer, and what would be a second hold.
+    for (const end = performance.now() + 4 * HOLD; performance.now() < end; ) await keyboard.down('Space');
+    await pilot.sees(en.bench.unlocked);
+    // The button has lost the focus when it went out; where the answer is quicker than that, the next repeat finds it again.
+    await pilot.button(en.bench.unlock).dispatchEvent('keydown', { key: ' ', repeat: true });
+    expect(await pilot.button(en.bench.unlockHold).count(), 'no second hold').toBe(0);
+    await keyboard.up('Space');
+    expect(sent(rig, 'UNLOCK')).toBe(1);
+  });
+
+  test('let go early, nothing goes out', async () => {
+    const { rig, pilot } = await atTheBench();
+    await press(pilot);
+    await release(pilot);
+    await pilot.button(en.bench.unlock).waitFor();
+    await passes(pilot);
+    expect(sent(rig, 'UNLOCK')).toBe(0);
+    expect(rig.timer.core.motorLocked).toBe(true);
+  });
+
+  test('the reply is lost: it is said that the motor may be unlocked, and it goes out no second time', async () => {
+    const { rig, pilot } = await atTheBench({ asks: ['UNLOCK'] });
+    const covered = rig.coverAfter(encodeFrame(COMMANDS.UNLOCK.request).length, 'fromPage');
+    await press(pilot);
+    await covered;
+    await expect.poll(() => rig.timer.core.motorLocked).toBe(false);
+    await release(pilot);
+    await pilot.sees(en.bench.unlockMaybe);
+    await pilot.sees(en.link.waiting.title);
+    rig.uncover();
+    await pilot.isConnected();
+    await pilot.sees(en.bench.unlockMaybe);
+    expect(sent(rig, 'UNLOCK')).toBe(1);
+  });
+});

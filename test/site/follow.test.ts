@@ -1,0 +1,100 @@
+import type { Locator } from 'playwright';
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+const followSwitch = (app: AppPage): Locator =>
+  app.page.getByRole('switch', { name: 'Servos follow the positions', exact: true });
+
+const isOn = async (app: AppPage): Promise<boolean> =>
+  (await followSwitch(app).getAttribute('aria-checked')) === 'true';
+
+/** Opens the bench, says that it is safe, and lets the servos follow. */
+async function follow(app: AppPage): Promise<void> {
+  if (!(await followSwitch(app).isVisible())) await app.page.getByText('Bench', { exact: true }).click();
+  await app.page.getByRole('checkbox', { name: 'The propeller is off' }).check();
+  await followSwitch(app).click();
+  await expect.poll(() => isOn(app)).toBe(true);
+}
+
+async function following(): Promise<AppPage> {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await follow(app);
+  return app;
+}
+
+/** One more step, by the keys of the table. */
+async function stepUp(app: AppPage): Promise<void> {
+  await app.table.getByRole('textbox', { name: 'Function 2, S1', exact: true }).focus();
+  await app.page.keyboard.press('Alt+ArrowUp');
+}
+
+const held = (app: AppPage): Promise<number | undefined> => app.bench(({ content }) => content.positions[0]?.[2]);
+
+/** It is off, and what is changed now goes nowhere. */
+async function isOff(app: AppPage): Promise<void> {
+  await expect.poll(() => isOn(app)).toBe(false);
+  const sets = await app.sets();
+  await stepUp(app);
+  // A whole reading leaves time for whatever would be sent.
+  await app.readAgain();
+  expect(await app.sets()).toEqual(sets);
+  await app.text('1 change').waitFor();
+}
+
+test('while it is on, each position that changes is stored, and is what the timer holds', async () => {
+  const app = await following();
+  await stepUp(app);
+  await expect.poll(() => held(app)).toBe(36);
+  await app.text('No changes').waitFor();
+  expect(await app.sets()).toEqual(['SETSERVO']);
+  await app.button('Stop following').click();
+  await isOff(app);
+});
+
+test('it goes off when the tab is hidden', async () => {
+  const app = await following();
+  await app.page.evaluate(() => {
+    Object.defineProperty(document, 'hidden', { value: true, configurable: true });
+    Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  await app.isReady();
+  await app.page.evaluate(() => {
+    Reflect.deleteProperty(document, 'hidden');
+    Reflect.deleteProperty(document, 'visibilityState');
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  await isOff(app);
+});
+
+const returns: Readonly<Record<string, (app: AppPage) => Promise<void>>> = {
+  'connected again': async (app) => {
+    await app.button('Disconnect').click();
+    await app.connect();
+  },
+  'plugged in again': async (app) => {
+    await app.bench((bench) => bench.adapter.unplug());
+    await app.says('The adapter is unplugged.');
+    await app.bench((bench) => bench.replug());
+    await app.isReady();
+  },
+  'loaded again': async (app) => {
+    await app.reload();
+    await app.connect();
+  },
+};
+
+for (const [how, comeBack] of Object.entries(returns)) {
+  test(`it is off when the timer was ${how}, and safety is asked again`, async () => {
+    const app = await following();
+    await comeBack(app);
+    if (!(await followSwitch(app).isVisible())) await app.page.getByText('Bench', { exact: true }).click();
+    expect(await isOn(app)).toBe(false);
+    expect(await app.page.getByRole('checkbox', { name: 'The propeller is off' }).isChecked()).toBe(false);
+    // It says that it cannot be switched; a finger does not read that.
+    await followSwitch(app).click({ force: true });
+    expect(await isOn(app), 'not before the tick').toBe(false);
+    await isOff(app);
+  });
+}

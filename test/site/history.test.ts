@@ -1,0 +1,110 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { Trail } from './sheet.js';
+
+/** Several kinds of steps, each noted. */
+async function work(app: AppPage): Promise<Trail> {
+  const trail = new Trail(app);
+  const step = async (act: () => Promise<void>): Promise<void> => {
+    await trail.note();
+    await act();
+  };
+  await step(() => app.type('DT time', '4:00'));
+  await step(() => app.type('Function 2, S1', 'abc'));
+  await step(() => app.type('Function 2, S1', '7'));
+  await step(() => app.type('Function 3 interval', '1.25'));
+  await step(async () => {
+    await app.button('Tools for S2').click();
+    await app.button('Reverse').click();
+  });
+  await trail.note();
+  return trail;
+}
+
+const steps = async (app: AppPage): Promise<(string | null)[]> => [
+  await app.undo.getAttribute('aria-label'),
+  await app.redo.getAttribute('aria-label'),
+];
+
+/** The tab crashes: nothing of the page has a chance to say goodbye. */
+async function crash({ page }: AppPage): Promise<void> {
+  const crashed = page.waitForEvent('crash');
+  const devTools = await page.context().newCDPSession(page);
+  // There is nobody left to answer.
+  void devTools.send('Page.crash').catch(() => {});
+  await crashed;
+}
+
+for (const end of ['is loaded again', 'crashes']) {
+  test(`what was done can be undone to the start, and redone, when the page ${end}`, async () => {
+    const app = await AppPage.open({ bench: { granted: true } });
+    await app.connect();
+    const trail = await work(app);
+    await app.undo.click();
+    const [entries, names] = [await app.entries(), await steps(app)];
+    await app.kept();
+
+    if (end === 'crashes') await crash(app);
+    else await app.reload();
+    const next = end === 'crashes' ? await app.sibling() : app;
+    await next.says('Your edits are back.');
+    expect(await next.entries()).toEqual(entries);
+    expect(await steps(next)).toEqual(names);
+    await next.connect();
+    expect(await next.entries(), 'after reading the timer').toEqual(entries);
+    expect(await steps(next)).toEqual(names);
+
+    await next.redo.click();
+    await trail.continuedBy(next).goBack(() => next.undo.click());
+    await next.text('No changes').waitFor();
+    await trail.continuedBy(next).goForward(() => next.redo.click());
+    await next.write();
+    await next.result('Verified.');
+  });
+}
+
+test('each memory keeps a history of its own, also over a reload', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  const first = await work(app);
+  await app.memory('M2');
+  expect(await steps(app), 'nothing was done here').toEqual(['Undo', 'Redo']);
+  const second = new Trail(app);
+  await second.note();
+  await app.type('Function 3, S2', '99');
+  await second.note();
+  await app.memory('M1');
+  await first.goBack(() => app.undo.click());
+  await first.goForward(() => app.redo.click());
+  await app.memory('M2');
+  await second.goBack(() => app.undo.click());
+  await second.goForward(() => app.redo.click());
+
+  await app.kept();
+  await app.reload();
+  await app.connect();
+  await second.goBack(() => app.undo.click());
+  await app.memory('M1');
+  await first.goBack(() => app.undo.click());
+});
+
+test('each timer keeps a history of its own: the F1B at the port, and a simulated F1Q', async () => {
+  const app = await AppPage.open({ bench: { timerClass: 'B', granted: true } });
+  await app.trySimulated('F1Q');
+  const simulated = await work(app);
+  await app.button('Disconnect').click();
+  await app.connect();
+  await app.page.getByRole('banner').getByText('F1B').waitFor();
+  expect(await steps(app), 'nothing was done here').toEqual(['Undo', 'Redo']);
+  const real = await work(app);
+  await app.button('Disconnect').click();
+  await app.kept();
+
+  await app.reload();
+  await app.connect();
+  await real.goBack(() => app.undo.click());
+  // Nothing differs any more, so the program is left with its timer.
+  await app.button('Disconnect').click();
+  await app.trySimulated('F1Q');
+  await simulated.goBack(() => app.undo.click());
+});

@@ -1,0 +1,61 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { Keys } from './keys.js';
+import { positionField, ROWS, SHEET, SHIFTED, Trail, timeField } from './sheet.js';
+
+test('by keyboard alone: a whole program from a sheet, shifted, undone to the start, redone, written, verified', async () => {
+  const app = await AppPage.open({ bench: {} });
+  const keys = new Keys(app.page);
+  await keys.enter(/^Connect$/);
+  await app.hasRead();
+  const trail = new Trail(app);
+  const fill = async (field: string, text: string): Promise<void> => {
+    expect(await keys.focused()).toBe(field);
+    await trail.note();
+    await keys.type(text);
+  };
+
+  // Down the times, up the first servo, down the second, up the third: the hands never leave the table.
+  await keys.tabTo(/^Motor stop time$/);
+  for (const [row, time] of SHEET.times.entries()) {
+    if (row > 0) await keys.press('Enter');
+    await fill(timeField(row), time);
+  }
+  await keys.press('ArrowRight');
+  for (const [servo, positions] of SHEET.positions.entries()) {
+    await keys.press('ArrowRight');
+    const rows = [...ROWS.keys()];
+    if (servo % 2 === 0) rows.reverse();
+    for (const [at, row] of rows.entries()) {
+      if (at > 0) await keys.press(servo % 2 === 0 ? 'Shift+Enter' : 'Enter');
+      await fill(positionField(row, servo), positions[row] ?? '');
+    }
+  }
+
+  await keys.enter(/^Shift in time$/);
+  await keys.tabTo(/^This and all later, from/);
+  await keys.type('Function 4');
+  await keys.tabTo(/^By, in seconds$/);
+  await keys.press('Control+a');
+  await keys.type('1.5');
+  await trail.note();
+  await keys.enter(/^Later$/);
+  await trail.note();
+
+  await trail.goBack(() => keys.press('Control+z'));
+  await app.text('No changes').waitFor();
+  await trail.goForward(() => keys.press('Control+Shift+z'));
+  await app.text('44 changes').waitFor();
+
+  await keys.enter(/^Write…$/);
+  await app.dialog.waitFor();
+  expect(await app.difference()).toHaveLength(44);
+  await keys.tabTo(/^The propeller is off/);
+  await keys.press('Space');
+  await keys.enter(/^Write 44 changes$/);
+  await app.result('Verified.');
+  await keys.enter(/^Close$/);
+  await app.dialog.waitFor({ state: 'hidden' });
+  await app.text('No changes').waitFor();
+  expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
+}, 120_000);

@@ -1,0 +1,120 @@
+import { describe, expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+/** What other programs put on the clipboard, and people too; and how many changes it makes at function 1, and at function 8 of S2. */
+const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[] = [
+  {
+    what: 'text in the place of numbers',
+    text: 'Guten Flug\tich\tbin\tkein\tTimer\n12.5\tsoon\t?\t20\t-\n\t\tNaN\tInfinity\t\n',
+    takes: [2, 0],
+  },
+  { what: 'gaps, ragged rows and empty lines', text: '\t\t70\n\n\n12,7\n\t71\t\t72\n\n', takes: [4, 0] },
+  {
+    what: 'a hundred columns',
+    text: Array.from({ length: 100 }, (_, at) => String(11 + at)).join('\t'),
+    takes: [4, 2],
+  },
+  {
+    what: 'numbers beyond all measure',
+    text: '1e309\t-1e309\t999999999999999999999\n0x7f\t1e2\t131\n655.36\t-1\t130.5\n11.1\t1\t2',
+    takes: [3, 0],
+  },
+  {
+    what: 'formulas and scripts',
+    text: '=SUM(A1:A9)\t=HYPERLINK("http://x","y")\n+1\t@cmd\n<img src=x onerror=alert(1)>\t"12"\n#REF!\t1\'000\n',
+    takes: [1, 1],
+  },
+  {
+    what: 'a sheet with decimal commas, headings and names',
+    text: 'Function\tTime\tS1\tS2\tS3\nF1\t11,25\t20\t21\t22\nF2\t12,5\t23\t24\t25',
+    takes: [8, 2],
+  },
+  {
+    what: 'more cells than are read',
+    text: Array.from({ length: 5000 }, (_, at) => `${at % 131};${(at + 1) % 131};77`).join('\n'),
+    takes: [30, 6],
+  },
+];
+
+/** A pilot who copies from a spreadsheet: the clipboard is the browser's own. */
+async function opened(): Promise<AppPage> {
+  const app = await AppPage.open({ bench: {}, permissions: ['clipboard-read', 'clipboard-write'] });
+  await app.connect();
+  return app;
+}
+
+async function paste(app: AppPage, field: string, text: string): Promise<void> {
+  await app.page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
+  await app.table.getByRole('textbox', { name: field, exact: true }).focus();
+  await app.page.keyboard.press('Control+v');
+}
+
+/** How the dialog names a change. */
+const changed = (before: Readonly<Record<string, string>>, after: Readonly<Record<string, string>>): string[] =>
+  Object.keys(before)
+    // Intervals follow from the times.
+    .filter((name) => !name.endsWith('interval') && before[name] !== after[name])
+    .map((name) => `${name}: ${before[name]} → ${after[name]}`);
+
+/** Pastes twice at a field, refusing at first. @returns how many changes were promised, and done. */
+async function tried(app: AppPage, field: string, text: string): Promise<number> {
+  const dialog = app.page.getByRole('dialog', { name: 'Paste' });
+  const gone = (): Promise<void> => dialog.waitFor({ state: 'hidden' });
+  const before = await app.entries();
+  await paste(app, field, text);
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await gone();
+  expect(await app.entries(), 'cancelled').toEqual(before);
+  expect(await app.undo.isDisabled(), 'no step').toBe(true);
+
+  await paste(app, field, text);
+  await dialog.getByText(/^This changes/).waitFor();
+  const promised = await dialog.getByRole('listitem').filter({ hasText: ' → ' }).allInnerTexts();
+  const take = dialog.getByRole('button', { name: /^Paste/ });
+  if (await take.isDisabled()) await app.page.keyboard.press('Escape');
+  else await take.click();
+  await gone();
+  const after = await app.entries();
+  expect(changed(before, after).sort()).toEqual(promised.sort());
+  if (promised.length === 0) return 0;
+  await app.undo.click();
+  expect(await app.entries()).toEqual(before);
+  expect(await app.undo.isDisabled(), 'it was one step').toBe(true);
+  return promised.length;
+}
+
+describe('from the clipboard, cancelled it changes nothing, taken exactly what was promised:', () => {
+  for (const { what, text, takes } of HOSTILE) {
+    test(what, async () => {
+      const app = await opened();
+      expect([await tried(app, 'Function 1 time', text), await tried(app, 'Function 8, S2', text)]).toEqual(takes);
+    });
+  }
+});
+
+test('a range is copied as a spreadsheet takes it, and pasted where it came from brings all of it back', async () => {
+  const app = await opened();
+  const before = await app.entries();
+  await app.table.getByRole('textbox', { name: 'Function 2 time', exact: true }).focus();
+  for (let i = 0; i < 3; i++) await app.page.keyboard.press('Shift+ArrowDown');
+  for (let i = 0; i < 4; i++) await app.page.keyboard.press('Shift+ArrowRight');
+  await app.text('16 values selected').waitFor();
+  await app.page.keyboard.press('Control+c');
+  const copied = await app.page.evaluate(() => navigator.clipboard.readText());
+  expect(copied.split('\n').map((row) => row.split('\t'))).toEqual([
+    ['11.00', '35', '35', '35'],
+    ['11.50', '45', '45', '45'],
+    ['12.00', '55', '55', '55'],
+    ['12.50', '65', '65', '65'],
+  ]);
+
+  await app.type('Function 3 time', '11.7');
+  for (const field of ['Function 2, S1', 'Function 4, S2', 'Function 5, S3']) await app.type(field, '0');
+  await paste(app, 'Function 2 time', copied);
+  const dialog = app.page.getByRole('dialog', { name: 'Paste' });
+  await dialog.getByText('This changes 4 values.').waitFor();
+  await dialog.getByRole('button', { name: 'Paste' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  expect(await app.entries()).toEqual(before);
+  await app.text('No changes').waitFor();
+});

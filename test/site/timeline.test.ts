@@ -1,0 +1,121 @@
+import type { Locator } from 'playwright';
+import { describe, expect, test } from 'vitest';
+import { type AppOptions, AppPage } from './app-page.js';
+import { Keys } from './keys.js';
+import { PHONE } from './page.js';
+
+const FIELD = 'Function 3 time';
+
+interface Seen {
+  readonly app: AppPage;
+  readonly mark: Locator;
+}
+
+/** The mark of function 3, at 11.5 s between its neighbours at 11 s and at 12 s. */
+async function opened(options: AppOptions = {}): Promise<Seen> {
+  const app = await AppPage.open({ bench: {}, ...options });
+  await app.connect();
+  const mark = app.page.getByRole('group', { name: 'Servo positions over time' }).getByRole('slider', { name: FIELD });
+  await mark.scrollIntoViewIfNeeded();
+  return { app, mark };
+}
+
+async function middleOf(mark: Locator): Promise<{ x: number; y: number }> {
+  const box = await mark.boundingBox();
+  if (!box) throw new Error('The mark is not to be seen.');
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+const cell = (app: AppPage): Locator => app.table.getByRole('textbox', { name: FIELD, exact: true });
+
+/** The picture may be drawn a moment after the table. @param time in seconds. */
+const stands = (mark: Locator, time: number): Promise<void> =>
+  expect.poll(() => mark.getAttribute('aria-valuenow')).toBe(String(time));
+
+/** A mark that was moved: by whole steps of 0.1 s, in the table with the old value, and in one step that can be undone. */
+async function isMoved({ app, mark }: Seen): Promise<void> {
+  const value = await cell(app).inputValue();
+  const hundredths = Math.round(Number(value) * 100);
+  expect(hundredths).toBeGreaterThan(1150);
+  expect(hundredths, 'before its neighbour').toBeLessThan(1200);
+  expect(hundredths % 10, `steps of 0.1 s: ${value}`).toBe(0);
+  await stands(mark, hundredths / 100);
+  expect(await cell(app).getAttribute('aria-describedby'), 'the old value is said with it').not.toBeNull();
+  await app.table.getByText('was 11.50').waitFor();
+  await app.text('1 change').waitFor();
+  await app.button(`Undo moving ${FIELD}`).click();
+  expect(await cell(app).inputValue()).toBe('11.50');
+  expect(await app.undo.isDisabled(), 'it was one step').toBe(true);
+  await app.button(`Redo moving ${FIELD}`).click();
+  expect(await cell(app).inputValue()).toBe(value);
+}
+
+describe('the mark of a function is moved', () => {
+  test('by mouse', async () => {
+    const seen = await opened();
+    const { mouse } = seen.app.page;
+    const { x, y } = await middleOf(seen.mark);
+    await mouse.move(x, y);
+    await mouse.down();
+    await mouse.move(x + 18, y, { steps: 6 });
+    // While it is in hand the table follows.
+    await expect.poll(() => cell(seen.app).inputValue()).not.toBe('11.50');
+    await mouse.up();
+    await isMoved(seen);
+  });
+
+  test('by mouse, and put back by Escape: it was no step', async () => {
+    const { app, mark } = await opened();
+    const { mouse, keyboard } = app.page;
+    const { x, y } = await middleOf(mark);
+    await mouse.move(x, y);
+    await mouse.down();
+    await mouse.move(x + 18, y, { steps: 6 });
+    await expect.poll(() => cell(app).inputValue()).not.toBe('11.50');
+    await keyboard.press('Escape');
+    await mouse.up();
+    expect(await cell(app).inputValue()).toBe('11.50');
+    await app.text('No changes').waitFor();
+    expect(await app.undo.isDisabled()).toBe(true);
+  });
+
+  test('by finger, and the page stays where it is', async () => {
+    const seen = await opened(PHONE);
+    const { page } = seen.app;
+    const { x, y } = await middleOf(seen.mark);
+    const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
+    const before = await scrolled();
+    const devTools = await page.context().newCDPSession(page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
+      devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', { x, y });
+    for (let way = 2; way <= 12; way += 2) await touch('touchMove', { x: x + way, y: y + way });
+    await touch('touchEnd');
+    expect(await scrolled()).toBe(before);
+    await isMoved(seen);
+  });
+
+  test('by keyboard: each key is a step of its own, and a key that is held is one', async () => {
+    const seen = await opened();
+    const { app } = seen;
+    const keys = new Keys(app.page);
+    await keys.tabTo(/^Servo positions over time/);
+    await keys.press('Enter');
+    while ((await keys.focused()) !== FIELD) await keys.press('Tab');
+    await keys.press('ArrowRight');
+    expect(await cell(app).inputValue()).toBe('11.60');
+    await keys.press('ArrowLeft');
+    expect(await cell(app).inputValue()).toBe('11.50');
+    for (const before of ['11.60', '11.50']) {
+      await keys.press('Control+z');
+      expect(await cell(app).inputValue()).toBe(before);
+      await stands(seen.mark, Number(before));
+    }
+
+    // The keyboard repeats it.
+    for (let i = 0; i < 3; i++) await app.page.keyboard.down('ArrowRight');
+    await app.page.keyboard.up('ArrowRight');
+    expect(await cell(app).inputValue()).toBe('11.80');
+    await isMoved(seen);
+  });
+});
