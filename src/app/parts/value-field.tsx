@@ -52,6 +52,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
       <input
         ref={input}
         type="text"
+        data-field={key}
         inputMode={field.kind === 'time' ? 'decimal' : 'numeric'}
         autocomplete="off"
         spellcheck={false}

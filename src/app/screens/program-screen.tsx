@@ -1,8 +1,8 @@
 import { useComputed, useSignal } from '@preact/signals';
 import { useCallback } from 'preact/hooks';
-import { fieldsOf, type ProgramField } from '../../program/index.js';
+import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { fieldLabel, messages, timerName } from '../messages/index.js';
+import { messages, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { AboutTimer } from '../parts/about-timer.js';
 import { BenchPanel, FollowNote } from '../parts/bench-panel.js';
@@ -53,14 +53,10 @@ export function ProgramScreen() {
   );
 }
 
-/** The field that a place on the screen is for: a field has the same name wherever it stands. */
+/** The field that a place on the screen is for. */
 function fieldAt(target: EventTarget | null, identity: Identity): ProgramField | null {
-  if (!(target instanceof HTMLInputElement)) return null;
-  const { program } = messages.value;
-  const name = target.getAttribute('aria-label');
-  if (name === program.dt) return { kind: 'time', column: identity.functions };
-  if (name === program.motorStop) return { kind: 'time', column: 0 };
-  return fieldsOf(identity).find((field) => fieldLabel(identity, field) === name) ?? null;
+  const key = target instanceof HTMLInputElement ? target.getAttribute('data-field') : null;
+  return fieldsOf(identity).find((field) => fieldKey(field) === key) ?? null;
 }
 
 /** Which memory is current is what flies next: it changes by a click or by Enter on one, never by passing over it. */
