@@ -146,9 +146,11 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.button('Keep it').first().click();
       await open('Memories side by side');
       await app.button('Read all…').click();
-      await app.dialog.getByRole('button', { name: 'Back up' }).click();
-      await app.result('were read and kept');
-      await app.close();
+      const dialog = app.page.getByRole('dialog');
+      await dialog.getByRole('button', { name: 'Back up' }).click();
+      await dialog.getByText('were read and kept').waitFor();
+      await dialog.getByRole('button', { name: 'Close' }).click();
+      await dialog.waitFor({ state: 'hidden' });
       await isWellMade(app, 'memories side by side');
     });
   }

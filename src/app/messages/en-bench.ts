@@ -54,8 +54,6 @@ export const overview = {
   compared: 'Comparison',
   same: 'They hold the same.',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
-  field: 'Value',
-  none: 'nothing',
 };
 
 const names: Record<ThemeName, string> = { system: 'System', light: 'Light', dark: 'Dark', sun: 'Sun' };

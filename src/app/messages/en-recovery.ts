@@ -17,7 +17,6 @@ export const recovery = {
   otherTimer: 'It is another timer',
   sameTimer: 'It is the same timer: show what was to be written',
   compare: 'Compare',
-  field: 'Value',
   before: 'Before',
   goal: 'To be written',
   held: 'Timer holds now',

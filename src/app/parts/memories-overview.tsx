@@ -1,9 +1,10 @@
 import { useSignal } from '@preact/signals';
-import { differences, fieldKey, type TimerProgram } from '../../program/index.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { differences, type TimerProgram } from '../../program/index.js';
+import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { formatValue } from '../state/editing.js';
 import { Timeline } from '../timeline/timeline.js';
+import { ValueTable } from './value-table.js';
 
 /** All memories of the timer as small pictures, once they were read: to pick one, to copy it, to compare two. */
 export function MemoriesOverview() {
@@ -130,27 +131,11 @@ function Comparison({ first, second, names }: ComparisonProps) {
     <>
       <p>{words.differs(changes.length)}</p>
       <Timeline program={first} overlay={{ program: second, name: names[1] }} />
-      <table class="difference">
-        <thead>
-          <tr>
-            <th scope="col">{words.field}</th>
-            {names.map((name) => (
-              <th scope="col" key={name}>
-                {name}
-              </th>
-            ))}
-          </tr>
-        </thead>
-        <tbody>
-          {changes.map(({ field, from, to }) => (
-            <tr key={fieldKey(field)}>
-              <th scope="row">{fieldLabel(first.identity, field)}</th>
-              <td>{from === null ? words.none : formatValue(field, from)}</td>
-              <td>{to === null ? words.none : formatValue(field, to)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <ValueTable
+        identity={first.identity}
+        names={names}
+        rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+      />
     </>
   );
 }

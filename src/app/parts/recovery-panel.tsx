@@ -1,8 +1,8 @@
-import { fieldKey, type TimerProgram, valueAt } from '../../program/index.js';
-import { dateText, fieldLabel, messages } from '../messages/index.js';
+import { type TimerProgram, valueAt } from '../../program/index.js';
+import { dateText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { formatValue } from '../state/editing.js';
 import type { Offer } from '../state/recovery.js';
+import { ValueTable } from './value-table.js';
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
 export function RecoveryPanel() {
@@ -23,7 +23,7 @@ type OfferOf<Kind extends Offer['kind']> = Extract<Offer, { kind: Kind }>;
 
 function InterruptedWrite({ offer: { record, part, read } }: { offer: OfferOf<'write'> }) {
   const { session, recover } = useModels();
-  const { recovery: words, write } = messages.value;
+  const { recovery: words } = messages.value;
   const busy = session.busy.value || !session.connection.value;
   const isForeign = part.extent === 'foreign';
   const said = {
@@ -40,26 +40,11 @@ function InterruptedWrite({ offer: { record, part, read } }: { offer: OfferOf<'w
       </p>
       <details>
         <summary>{words.compare}</summary>
-        <table class="difference">
-          <thead>
-            <tr>
-              <th scope="col">{words.field}</th>
-              <th scope="col">{words.before}</th>
-              <th scope="col">{words.goal}</th>
-              <th scope="col">{words.held}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {rows(record, part, read).map(({ field, values }) => (
-              <tr key={fieldKey(field)}>
-                <th scope="row">{fieldLabel(read.identity, field)}</th>
-                {values.map((value, index) => (
-                  <td key={index}>{value === null ? write.status.unknown : formatValue(field, value)}</td>
-                ))}
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <ValueTable
+          identity={read.identity}
+          names={[words.before, words.goal, words.held]}
+          rows={rows(record, part, read)}
+        />
       </details>
       {!isForeign && <p class="hint">{words.sure}</p>}
       <div class="buttons">

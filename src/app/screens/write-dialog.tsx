@@ -1,14 +1,13 @@
 import type { WriteReport } from '../../client/index.js';
-import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import { fieldKey, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, findingText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { DifferenceInWords, DifferenceTable } from '../parts/difference-table.js';
 import { Modal } from '../parts/modal.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
 import { SafetyCheck } from '../parts/safety-check.js';
-import { formatValue } from '../state/editing.js';
+import { DifferenceInWords, ValueTable } from '../parts/value-table.js';
 
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog() {
@@ -54,7 +53,12 @@ function Review({ identity }: { identity: Identity }) {
       </p>
       {changes.value.length > 0 && (
         <>
-          <DifferenceTable identity={identity} changes={changes.value} />
+          <ValueTable
+            identity={identity}
+            names={[words.from, words.to]}
+            rows={changes.value.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+            lastCounts
+          />
           <DifferenceInWords identity={identity} changes={changes.value} />
         </>
       )}
@@ -97,35 +101,17 @@ function Conflicts({ identity }: { identity: Identity }) {
   const { write, notes } = messages.value;
   const { conflicts, working } = session.editor;
   const changes = [...conflicts.value.values()];
-  const shown = (field: ProgramField, value: number | null): string =>
-    value === null ? write.status.unknown : formatValue(field, value);
   if (changes.length === 0 || !working.value) return null;
   const wanted = working.value;
   return (
     <div class="notice bad">
       <NoticeText said={notes['edits-moved']} />
-      <table class="difference">
-        <thead>
-          <tr>
-            <th scope="col">{write.field}</th>
-            <th scope="col">{write.wasRead}</th>
-            <th scope="col">{write.held}</th>
-            <th scope="col">{write.to}</th>
-          </tr>
-        </thead>
-        <tbody>
-          {changes.map(({ field, from, to }) => (
-            <tr key={fieldKey(field)}>
-              <th scope="row">{fieldLabel(identity, field)}</th>
-              <td>{shown(field, from)}</td>
-              <td>{shown(field, to)}</td>
-              <td>
-                <strong>{shown(field, valueAt(wanted, field))}</strong>
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <ValueTable
+        identity={identity}
+        names={[write.wasRead, write.held, write.to]}
+        rows={changes.map(({ field, from, to }) => ({ field, values: [from, to, valueAt(wanted, field)] }))}
+        lastCounts
+      />
     </div>
   );
 }
@@ -159,27 +145,16 @@ function Result({ identity, report }: { identity: Identity; report: WriteReport 
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
       </div>
       {shown.length > 0 && (
-        <table class="difference">
-          <thead>
-            <tr>
-              <th scope="col">{words.field}</th>
-              <th scope="col">{words.to}</th>
-              <th scope="col">{words.held}</th>
-            </tr>
-          </thead>
-          <tbody>
-            {shown.map(({ field, wanted, held, status, asked }) => (
-              <tr key={fieldKey(field)}>
-                <th scope="row">{fieldLabel(identity, field)}</th>
-                <td>{wanted === null ? words.status.unknown : formatValue(field, wanted)}</td>
-                <td>
-                  <strong>{held === null ? words.status.unknown : formatValue(field, held)}</strong>{' '}
-                  {asked || status !== 'verified' ? words.status[status] : words.putBack}
-                </td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <ValueTable
+          identity={identity}
+          names={[words.to, words.held]}
+          rows={shown.map(({ field, wanted, held, status, asked }) => ({
+            field,
+            values: [wanted, held],
+            note: asked || status !== 'verified' ? words.status[status] : words.putBack,
+          }))}
+          lastCounts
+        />
       )}
       <div class="buttons">
         <button type="button" class="primary" onClick={() => write.dismiss()}>

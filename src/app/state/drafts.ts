@@ -1,4 +1,4 @@
-import { differences } from '../../program/index.js';
+import { differences, sameLayout } from '../../program/index.js';
 import type { Draft, Keeper } from '../storage/index.js';
 import type { EditorContent } from './editor.js';
 import { programKey } from './keys.js';
@@ -55,5 +55,6 @@ export class Drafts {
 }
 
 function isEdited({ baseline, working, texts }: Draft): boolean {
+  if (!sameLayout(baseline.identity, working.identity)) return false;
   return Object.keys(texts).length > 0 || differences(baseline, working).length > 0;
 }

@@ -1,0 +1,60 @@
+import type { ComponentChildren } from 'preact';
+import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { changeText, fieldLabel, messages } from '../messages/index.js';
+import { formatValue } from '../state/editing.js';
+
+interface ValueTableProps {
+  readonly identity: Identity;
+  /** What the columns are of. */
+  readonly names: readonly string[];
+  readonly rows: readonly {
+    readonly field: ProgramField;
+    /** One for each column; null when it is not known. */
+    readonly values: readonly (number | null)[];
+    /** Stands behind the last value. */
+    readonly note?: ComponentChildren;
+  }[];
+  /** Whether the last column is the one that counts. */
+  readonly lastCounts?: boolean;
+}
+
+/** Values of some fields side by side. */
+export function ValueTable({ identity, names, rows, lastCounts = false }: ValueTableProps) {
+  const { write } = messages.value;
+  const last = names.length - 1;
+  return (
+    <table class="difference">
+      <thead>
+        <tr>
+          {[write.field, ...names].map((name) => (
+            <th scope="col" key={name}>
+              {name}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map(({ field, values, note }) => (
+          <tr key={fieldKey(field)}>
+            <th scope="row">{fieldLabel(identity, field)}</th>
+            {values.map((value, index) => {
+              const text = value === null ? write.status.unknown : formatValue(field, value);
+              return (
+                <td key={names[index]}>
+                  {lastCounts && index === last ? <strong>{text}</strong> : text}
+                  {index === last && note && <> {note}</>}
+                </td>
+              );
+            })}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** The same in one sentence, to be read aloud or sent to someone. */
+export function DifferenceInWords({ identity, changes }: { identity: Identity; changes: readonly Change[] }) {
+  return <p class="hint">{changes.map((change) => changeText(identity, change)).join('; ')}</p>;
+}
