@@ -52,6 +52,7 @@ export const overview = {
   from: 'Memory',
   to: 'compared with',
   compared: 'Comparison',
+  picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
   same: 'They hold the same.',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
 };

@@ -130,7 +130,7 @@ function Comparison({ first, second, names }: ComparisonProps) {
   return (
     <>
       <p>{words.differs(changes.length)}</p>
-      <Timeline program={first} overlay={{ program: second, name: names[1] }} />
+      <Timeline program={first} overlay={{ program: second, name: names[1] }} title={words.picture(...names)} />
       <ValueTable
         identity={first.identity}
         names={names}

@@ -30,6 +30,8 @@ export interface TimelineProps {
   readonly onEdit?: OnEdit | undefined;
   /** A handle has got the focus. */
   readonly onSelect?: ((field: ProgramField) => void) | undefined;
+  /** What it is called where there are several. */
+  readonly title?: string | undefined;
   /** A small picture to be looked at, with nothing to take hold of. */
   readonly compact?: boolean | undefined;
 }
@@ -108,7 +110,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   );
   const { height } = measures;
   return (
-    <section class="timeline" aria-label={timeline.title}>
+    <section class="timeline" aria-label={calls.title ?? timeline.title}>
       <div class="timeline-top">
         <Moment program={program} model={model} cursor={cursor} />
         <Tools model={model} />
