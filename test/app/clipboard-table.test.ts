@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { formatTable, MAX_CELLS, MAX_CHARACTERS, readTable } from '../../src/app/state/clipboard-table.js';
+import { formatTable, MAX_CELLS, MAX_CHARACTERS, readTable } from '../../src/app/edit/clipboard-table.js';
 import { programOf } from './grid-programs.js';
 
 const NO_BREAK = '\u00a0';

@@ -11,8 +11,8 @@ import {
   stepInterval,
   stepValue,
   withValues,
-} from '../../src/app/state/edits.js';
-import { intervalAt } from '../../src/app/state/grid.js';
+} from '../../src/app/edit/edits.js';
+import { intervalAt } from '../../src/app/edit/grid.js';
 import {
   fieldKey,
   fieldsOf,

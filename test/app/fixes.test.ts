@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { withValues } from '../../src/app/state/edits.js';
-import { fixFor } from '../../src/app/state/fixes.js';
+import { withValues } from '../../src/app/edit/edits.js';
+import { fixFor } from '../../src/app/edit/fixes.js';
 import { checkProgram, type FindingCode, type TimerProgram } from '../../src/program/index.js';
 import { anyProgram, programOf } from './grid-programs.js';
 

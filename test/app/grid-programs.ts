@@ -1,5 +1,5 @@
 import fc from 'fast-check';
-import type { GridRange } from '../../src/app/state/grid.js';
+import type { GridRange } from '../../src/app/edit/grid.js';
 import type { TimerProgram } from '../../src/program/index.js';
 
 /** A small Q timer. */

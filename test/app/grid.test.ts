@@ -8,7 +8,7 @@ import {
   programField,
   rangeBetween,
   rowsIn,
-} from '../../src/app/state/grid.js';
+} from '../../src/app/edit/grid.js';
 import { fieldKey } from '../../src/program/index.js';
 import { programOf, Q4 } from './grid-programs.js';
 

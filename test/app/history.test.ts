@@ -12,7 +12,7 @@ import {
   settle,
   type Turned,
   undo,
-} from '../../src/app/state/history.js';
+} from '../../src/app/edit/history.js';
 
 const named = (field: string): StepName => ({ code: 'type', params: { field } });
 

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { formatTable } from '../../src/app/state/clipboard-table.js';
-import { refusalOf, setInterval, withValues } from '../../src/app/state/edits.js';
-import { fieldsIn, type GridRange, intervalAt, programField } from '../../src/app/state/grid.js';
-import { type PasteOptions, type PastePreview, pasted, previewPaste } from '../../src/app/state/paste.js';
+import { formatTable } from '../../src/app/edit/clipboard-table.js';
+import { refusalOf, setInterval, withValues } from '../../src/app/edit/edits.js';
+import { fieldsIn, type GridRange, intervalAt, programField } from '../../src/app/edit/grid.js';
+import { type PasteOptions, type PastePreview, pasted, previewPaste } from '../../src/app/edit/paste.js';
 import { differences, fieldKey, type TimerProgram } from '../../src/program/index.js';
 import { columnCount } from '../../src/protocol/index.js';
 import { anyProgram, programAndRange, programOf, Q4 } from './grid-programs.js';

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
-import { formatValue, parseValue } from '../../src/app/state/editing.js';
+import { formatValue, parseValue } from '../../src/app/edit/content.js';
+import { MAX_STEPS } from '../../src/app/edit/history.js';
 import { Editor } from '../../src/app/state/editor.js';
-import { MAX_STEPS } from '../../src/app/state/history.js';
 import { draftSchema } from '../../src/app/storage/records.js';
 import {
   differences,

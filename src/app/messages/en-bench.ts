@@ -1,5 +1,3 @@
-import type { ThemeName } from '../state/theme.js';
-
 const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
 
 /** Servos and motor moved from the page. */
@@ -57,7 +55,7 @@ export const overview = {
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
 };
 
-const names: Record<ThemeName, string> = { system: 'System', light: 'Light', dark: 'Dark', sun: 'Sun' };
+const names = { system: 'System', light: 'Light', dark: 'Dark', sun: 'Sun' };
 
 /** How the page looks. */
 export const theme = { title: 'Colours', names };

@@ -1,7 +1,7 @@
 import type { FindingCode } from '../../program/index.js';
-import type { RefusalCode } from '../state/edits.js';
-import type { StepCode } from '../state/history.js';
-import type { PasteProblemCode } from '../state/paste.js';
+import type { RefusalCode } from '../edit/edits.js';
+import type { StepCode } from '../edit/history.js';
+import type { PasteProblemCode } from '../edit/paste.js';
 import type { UnreadableReason } from '../units.js';
 
 type Params = Readonly<Record<string, string>>;

@@ -1,8 +1,5 @@
 import type { LineErrorKind } from '../../client/index.js';
 import type { CodecErrorCode, Command, CommandName, RejectionReason } from '../../protocol/index.js';
-import type { FrameFault } from '../state/frame-form.js';
-import type { LineFilter } from '../state/line-view.js';
-import type { RecordingFault } from '../state/recording.js';
 
 const count = (number: number, one: string, many: string): string => `${number} ${number === 1 ? one : many}`;
 
@@ -65,7 +62,7 @@ const unreadable: Record<CodecErrorCode, string> = {
   'bad-capture': 'it is no recording',
 };
 
-const filters: Record<LineFilter, string> = {
+const filters = {
   all: 'Everything',
   out: 'To the timer',
   in: 'From the timer',
@@ -81,14 +78,14 @@ const danger: Record<Command['effect'], string> = {
     'Nobody knows for certain what this does: servos may move, a propeller may start, and what the timer holds may change.',
 };
 
-const frameFaults: Record<FrameFault, string> = {
+const frameFaults = {
   'not-hex': 'Not hex: type two digits, 0 to 9 or A to F, for each byte.',
   'odd-digits': 'A digit is missing: type two for each byte.',
   'not-a-byte': 'Type the letter as one byte in hex, such as 6B.',
   'too-long': 'A frame carries at most 252 bytes.',
 };
 
-const recordingFaults: Record<RecordingFault, (line: number) => string> = {
+const recordingFaults: Record<'heading' | 'line' | 'empty' | 'too-large' | 'unreadable', (line: number) => string> = {
   heading: () => 'This file is not a recording: its first line is not “# Sidus capture 1”.',
   line: (line) =>
     `Line ${line} of this file cannot be read. It should be a time in seconds, not before the one above it, then > or <, then bytes in hex.`,

@@ -2,10 +2,10 @@ import { signal } from '@preact/signals';
 import { type Change, columnKind, type Finding, fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { KnownPort } from '../../serial/index.js';
-import type { Obstacle } from '../state/attempt.js';
-import { formatValue } from '../state/editing.js';
-import type { StepName } from '../state/history.js';
-import type { PasteProblem } from '../state/paste.js';
+import { formatValue } from '../edit/content.js';
+import type { Obstacle } from '../edit/edits.js';
+import type { StepName } from '../edit/history.js';
+import type { PasteProblem } from '../edit/paste.js';
 import { formatInterval, formatTime } from '../units.js';
 import { en } from './en.js';
 

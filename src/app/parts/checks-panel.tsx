@@ -1,8 +1,8 @@
 import { type Finding, fieldKey } from '../../program/index.js';
+import { formatValue } from '../edit/content.js';
+import { fixFor } from '../edit/fixes.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { formatValue } from '../state/editing.js';
-import { fixFor } from '../state/fixes.js';
 import { allNotes } from './field-notes.js';
 import { useSteady } from './use-steady.js';
 

@@ -2,10 +2,10 @@ import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
+import { copyServo, type Obstacle, reverseServo } from '../edit/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { attempt, type Obstacle } from '../state/attempt.js';
-import { copyServo, reverseServo } from '../state/edits.js';
+import { attempt } from '../state/attempt.js';
 
 /** What can be done to all positions of a servo at once. */
 export function ColumnMenu({ identity, servo }: { readonly identity: Identity; readonly servo: number }) {

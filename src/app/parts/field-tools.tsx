@@ -1,7 +1,7 @@
 import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import type { StepOptions } from '../edit/edits.js';
 import { messages } from '../messages/index.js';
-import type { StepOptions } from '../state/edits.js';
 
 export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 

@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
+import { type Edit, setInterval, stepInterval } from '../edit/edits.js';
+import { intervalAt } from '../edit/grid.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../state/attempt.js';
-import { type Edit, setInterval, stepInterval } from '../state/edits.js';
-import { intervalAt } from '../state/grid.js';
 import { formatInterval, parseInterval } from '../units.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { useSteady } from './use-steady.js';

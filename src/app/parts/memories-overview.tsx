@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { differences, type TimerProgram } from '../../program/index.js';
+import { formatValue } from '../edit/content.js';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { formatValue } from '../state/editing.js';
 import { Timeline } from '../timeline/timeline.js';
 import { ValueTable } from './value-table.js';
 

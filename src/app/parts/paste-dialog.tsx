@@ -1,9 +1,9 @@
 import type { Signal } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
+import type { GridRange } from '../edit/grid.js';
+import { pasted, previewPaste } from '../edit/paste.js';
 import { changeText, messages, pasteProblemText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import type { GridRange } from '../state/grid.js';
-import { pasted, previewPaste } from '../state/paste.js';
 import { Modal } from './modal.js';
 
 /** A text that is to be pasted, and where. */

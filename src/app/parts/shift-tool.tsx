@@ -1,9 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { columnCount } from '../../protocol/index.js';
+import { shiftFrom } from '../edit/edits.js';
 import { columnLabel, messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../state/attempt.js';
-import { shiftFrom } from '../state/edits.js';
 import { parseInterval } from '../units.js';
 
 /** Moves a function and all later ones in time. */

@@ -1,5 +1,5 @@
+import { type GridCell, gridColumns } from '../edit/grid.js';
 import type { Editor } from '../state/editor.js';
-import { type GridCell, gridColumns } from '../state/grid.js';
 import type { Selection } from '../state/selection.js';
 
 /** What the keys of the table work on. */

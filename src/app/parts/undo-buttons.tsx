@@ -1,8 +1,8 @@
 import { useEffect } from 'preact/hooks';
+import type { StepName } from '../edit/history.js';
 import { messages, stepText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import type { Editor } from '../state/editor.js';
-import type { StepName } from '../state/history.js';
 
 /** Undo and redo, with the name of what they would do; by keys everywhere on the page but in texts that are no part of the program. */
 export function UndoButtons() {

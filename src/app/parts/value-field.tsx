@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
+import { formatValue } from '../edit/content.js';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { stepField } from '../state/attempt.js';
-import { formatValue } from '../state/editing.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { useSteady } from './use-steady.js';

@@ -1,8 +1,8 @@
 import type { ComponentChildren } from 'preact';
 import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import { formatValue } from '../edit/content.js';
 import { changeText, fieldLabel, messages } from '../messages/index.js';
-import { formatValue } from '../state/editing.js';
 
 interface ValueTableProps {
   readonly identity: Identity;

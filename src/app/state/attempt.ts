@@ -1,10 +1,7 @@
 import { fieldKey, type ProgramField } from '../../program/index.js';
+import { type Edit, type Obstacle, type StepOptions, stepValue } from '../edit/edits.js';
+import type { StepName } from '../edit/history.js';
 import type { Editor } from './editor.js';
-import { type Edit, type Refusal, type StepOptions, stepValue } from './edits.js';
-import type { StepName } from './history.js';
-
-/** Why an edit was not done: it cannot be, or a text that is no value yet stands where it would write. */
-export type Obstacle = Refusal | { readonly code: 'unreadable'; readonly field: ProgramField };
 
 /**
  * Does an edit of several fields as one step. A text that is no value is not replaced by it: the pilot may not see that field.

@@ -9,7 +9,7 @@ import {
   type TimerProgram,
 } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
-import type { FieldValue } from './edits.js';
+import type { FieldValue } from '../edit/edits.js';
 import { programKey } from './keys.js';
 import type { Session } from './session.js';
 

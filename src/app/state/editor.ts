@@ -25,10 +25,10 @@ import {
   unreadableIn,
   valuesOf,
   without,
-} from './editing.js';
-import { type FieldValue, withValues } from './edits.js';
-import type { History, StepName, Turned } from './history.js';
-import * as histories from './history.js';
+} from '../edit/content.js';
+import { type FieldValue, withValues } from '../edit/edits.js';
+import type { History, StepName, Turned } from '../edit/history.js';
+import * as histories from '../edit/history.js';
 import { steady } from './steady.js';
 
 /** What can be put back into an editor: see {@link Editor.snapshot}. */

@@ -1,5 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { type GridCell, type GridRange, rangeBetween } from './grid.js';
+import { type GridCell, type GridRange, rangeBetween } from '../edit/grid.js';
 
 /** Which cells of the table are meant: the one that is being edited, and those up to another corner. */
 export class Selection {

@@ -1,7 +1,7 @@
 import * as v from 'valibot';
 import type { TimerProgram } from '../../program/index.js';
-import type { Content } from '../state/editing.js';
-import { type History, MAX_STEPS, STEP_CODES } from '../state/history.js';
+import type { Content } from '../edit/content.js';
+import { type History, MAX_STEPS, STEP_CODES } from '../edit/history.js';
 
 const finite = v.pipe(v.number(), v.finite());
 const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255));

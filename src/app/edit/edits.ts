@@ -36,6 +36,9 @@ export interface Refusal {
   readonly params: Readonly<Record<'value' | 'min' | 'max', number>>;
 }
 
+/** Why an edit was not done: it cannot be, or a text that is no value yet stands where it would write. */
+export type Obstacle = Refusal | { readonly code: 'unreadable'; readonly field: ProgramField };
+
 /**
  * What an edit sets, or why it sets nothing. An edit is done whole or not at all: no value is bent to fit. What was asked for is in the
  * list also where it is the value already, so that a text in such a field gives way.
