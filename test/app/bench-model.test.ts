@@ -1,12 +1,14 @@
-import { describe, expect, it, vi } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { HOLD, Hold } from '../../src/app/state/hold.js';
 import type { ProgramField } from '../../src/program/index.js';
 import type { Request } from '../../src/protocol/index.js';
-import { type AppBench, type BenchOptions, connectedBench, idle, run } from './bench.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from './bench.js';
 
 const S2: ProgramField = { kind: 'position', servo: 1, column: 4 };
 const S3: ProgramField = { kind: 'position', servo: 2, column: 5 };
 const DT: ProgramField = { kind: 'time', column: 10 };
+
+afterEach(() => localStorage.clear());
 
 /** A bench whose pilot has said that it is safe. */
 async function safeBench(options: BenchOptions = {}) {
@@ -253,5 +255,89 @@ describe('following', () => {
     await bench.stopFollowing();
     await run(starting);
     expect(bench.following.value).toBe(false);
+  });
+
+  it('sends no value behind a text that is none', async () => {
+    const app = await followingBench();
+    app.editor.type(S2, '6');
+    app.editor.type(S2, '6x');
+    await idle();
+    app.editor.type(S2, '');
+    await idle();
+    expect(stored(app)).toEqual([]);
+    app.editor.type(S2, '61');
+    await idle();
+    expect(stored(app)).toEqual([61]);
+  });
+
+  it('is off as soon as another memory is asked for, also when that is stopped', async () => {
+    const app = await followingBench();
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') app.session.job.value?.stop.abort();
+    };
+    await run(app.session.selectMemory(1));
+    app.timer.core.onAnswer = undefined;
+    const { memory } = app.timer.core;
+    expect([app.bench.following.value, app.session.memoryOpen.value]).toEqual([false, false]);
+    expect(app.editor.working.value?.memory, 'what is shown is current').toBe(memory);
+    set(app, S2, 66);
+    await idle();
+    expect(stored(app)).toEqual([]);
+  });
+
+  it('leaves the choice open for a value of which it is not known whether it was stored', async () => {
+    const app = await followingBench();
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETSERVO') app.adapter.unplug();
+    };
+    set(app, S2, 66);
+    await idle();
+    app.timer.core.onAnswer = undefined;
+    app.adapter.replug();
+    await idle(60_000);
+    expect(heldBy(app, S2)).toBe(66);
+    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+  });
+
+  it('keeps a choice for each memory', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    await run(app.session.selectMemory(1));
+    await run(app.bench.follow());
+    set(app, S3, 7);
+    await idle();
+    await run(app.bench.stopFollowing());
+    expect(app.bench.tried.value).toMatchObject([{ field: S3, to: 7 }]);
+    await run(app.session.selectMemory(0));
+    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    app.bench.keep();
+    await run(app.session.selectMemory(1));
+    expect(app.bench.tried.value).toMatchObject([{ field: S3, to: 7 }]);
+  });
+
+  it('leaves the choice open through a reload', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    const after = await reloaded(app);
+    await run(after.session.connect());
+    expect(after.bench.following.value).toBe(false);
+    expect(after.bench.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    after.bench.keep();
+    const later = await reloaded(after);
+    await run(later.session.connect());
+    expect(later.bench.tried.value).toEqual([]);
+  });
+
+  it('keeps what was tried on the screen too, when putting it back was begun and not written', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    await run(app.bench.stopFollowing());
+    app.editor.apply(app.bench.takeBack(), { code: 'restore', params: {} });
+    expect(app.editor.changes.value).toHaveLength(1);
+    app.bench.keep();
+    expect([app.editor.changes.value, app.bench.trial.value]).toEqual([[], null]);
   });
 });

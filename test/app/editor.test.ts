@@ -116,6 +116,22 @@ describe('when the timer is read again', () => {
     expect(editor.rebase(withValue(held, S3, 99))).toBe(false);
   });
 
+  it('names what is in conflict, as long as it is edited', () => {
+    const editor = editorOf();
+    editor.type(S1, '7');
+    editor.leave(S1);
+    editor.type(DT, '4:00');
+    editor.rebase([S1, DT, S3].reduce((now, field) => withValue(now, field, 99), held));
+    const named = () => [...editor.conflicts.value.keys()];
+    expect(named()).toEqual([DT, S1].map(fieldKey));
+    editor.revert(S1);
+    expect(named()).toEqual([fieldKey(DT)]);
+    editor.undo();
+    expect(named()).toEqual([DT, S1].map(fieldKey));
+    editor.revertAll();
+    expect(named()).toEqual([]);
+  });
+
   it('drops an edit that the timer holds by now', () => {
     const editor = editorOf();
     editor.type(S1, '7');

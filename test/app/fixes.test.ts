@@ -38,6 +38,13 @@ describe('what the pilot has to decide', () => {
   it.each([
     ['a motor that stops after DT', { ...held, timers: held.timers.with(0, 19000) }, 'motor-stop-after-dt'],
     ['a short DT', timed(5, 2000), 'dt-short'],
+    ['a DT before the function before it', timed(4, 35000), 'time-falls'],
+    ['a DT at the function before it', timed(4, 18000), 'position-never-reached'],
+    [
+      'a DT at the function before it, with nothing to reach',
+      { ...timed(4, 18000), positions: [Array(6).fill(50), Array(6).fill(50)] },
+      'time-repeats',
+    ],
     ['an unusual throttle', { ...held, idleThrottle: 150 }, 'throttle-unusual'],
     ['an unknown class', { ...held, identity: { ...held.identity, timerClass: 'X' } }, 'class-unknown'],
     [

@@ -119,6 +119,13 @@ describe('steps of one group', () => {
     expect(new Screen().do('a').do('b').names[0]).toEqual(['b', 'a']);
   });
 
+  it('are none if they have come back to where they began', () => {
+    const screen = new Screen().do('a').do('b', 'b').do('a', 'b');
+    const settled = settle(screen.history, (state) => state === screen.state);
+    expect([settled.past.map(({ state }) => state), settled.open]).toEqual([['start'], null]);
+    expect(settle(screen.history, (state) => state === 'b').past).toHaveLength(2);
+  });
+
   it('are taken back whole by giving them up, as if they had not been', () => {
     const screen = new Screen().do('a').do('b1', 'b').do('b2', 'b').abandon();
     expect([screen.state, screen.names]).toEqual(['a', [['a'], []]]);

@@ -42,6 +42,18 @@ function kept({ session }: AppBench) {
   }));
 }
 
+describe('the memories at a glance', () => {
+  it('are as they were read last, also when another one is current since', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    made.timer.core.memories[1]?.timers.fill(100);
+    await run(made.session.read());
+    await run(made.session.selectMemory(0));
+    expect(made.memories.contents.value.get(1)?.timers).toEqual(made.timer.core.memories[1]?.timers);
+  });
+});
+
 describe('backing up all memories', () => {
   it('keeps what each holds, and the one that was current is so again', async () => {
     const made = await bench();
@@ -104,6 +116,16 @@ describe('backing up all memories', () => {
 });
 
 describe('copying a memory', () => {
+  it('reads what is copied for that: it may have changed since all were read', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    made.timer.core.memories[2]?.timers.fill(1234);
+    await job(made, { kind: 'copy', from: 2, to: 3 });
+    expect(made.timer.core.memories[3]?.timers).toEqual(made.timer.core.memories[2]?.timers);
+    expect([made.timer.core.memory, made.store.unfinished.records.size]).toEqual([1, 0]);
+  });
+
   it('writes what the current one holds into another, verified, and keeps what that held', async () => {
     const made = await bench();
     const before = contents(made);

@@ -280,17 +280,29 @@ describe('the memories', () => {
     expect(field('DT').value).toBe('4:00');
   });
 
-  it('show the one that is current when the other could not be selected', async () => {
+  it('show none while it is open whether the other was selected, then the one that is current', async () => {
     const { timer } = await connected();
     timer.core.sleep();
     fireEvent.click(screen.getByRole('button', { name: 'M3' }));
     await idle();
-    expect(pressed()).toEqual(['M1']);
+    expect(pressed()).toEqual([]);
     expect(screen.getByText('No answer yet.')).toBeTruthy();
     timer.core.press();
     await idle();
     expect([timer.core.memory, pressed()]).toEqual([0, ['M1']]);
     expect(screen.getByText('The timer is back.')).toBeTruthy();
+  });
+
+  it('can be chosen again, the one before too, after a failure that leaves open which is current', async () => {
+    const { timer, session } = await connected();
+    session.memoryOpen.value = true;
+    await idle(0);
+    expect(pressed()).toEqual([]);
+    expect(screen.getByText('It is not known which memory is current. Choose one, or read again.')).toBeTruthy();
+    timer.core.memory = 2;
+    fireEvent.click(screen.getByRole('button', { name: 'M1' }));
+    await idle();
+    expect([timer.core.memory, pressed()]).toEqual([0, ['M1']]);
   });
 
   it('say when the timer does not tell which it is', async () => {

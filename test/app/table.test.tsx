@@ -28,6 +28,22 @@ async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
   await idle();
 }
 
+/** Types a text letter by letter; the focus stays. */
+async function typeOut(name: string, text: string): Promise<void> {
+  field(name).focus();
+  for (let end = 1; end <= text.length; end++) {
+    fireEvent.input(field(name), { target: { value: text.slice(0, end) } });
+  }
+  await idle();
+}
+
+/** What Enter in a field of a form does. */
+async function submitFrom(name: string): Promise<void> {
+  field(name).focus();
+  fireEvent.submit(field(name).closest('form') as HTMLFormElement);
+  await idle();
+}
+
 async function enter(name: string, text: string): Promise<void> {
   field(name).focus();
   fireEvent.input(field(name), { target: { value: text } });
@@ -43,12 +59,13 @@ async function paste(text: string): Promise<void> {
   await idle();
 }
 
-/** What Ctrl+C would put into the clipboard. */
-function copied(): string | null {
+/** What Ctrl+C, or Ctrl+X, would put into the clipboard; null where that is left to the browser. */
+function copied(by: 'copy' | 'cut' = 'copy'): string | null {
   let text: string | null = null;
-  const event = new Event('copy', { bubbles: true, cancelable: true });
+  const event = new Event(by, { bubbles: true, cancelable: true });
   Object.assign(event, { clipboardData: { setData: (_: string, set: string) => (text = set) } });
   fireEvent(document.activeElement ?? document.body, event);
+  expect(event.defaultPrevented).toBe(text !== null);
   return text;
 }
 
@@ -118,6 +135,28 @@ describe('stepping', () => {
   });
 });
 
+describe('Escape', () => {
+  it('takes back the steps after a typed value, then what differs from the timer', async () => {
+    await connected();
+    await typeOut('Function 2, S1', '50');
+    await key('ArrowUp', { altKey: true });
+    expect(field('Function 2, S1').value).toBe('51');
+    await key('Escape');
+    expect(field('Function 2, S1').value).toBe('50');
+    await key('Escape');
+    expect(field('Function 2, S1').value).toBe('35');
+  });
+
+  it('takes back the steps of an interval, and what was typed before them no more', async () => {
+    await connected();
+    await typeOut('Function 3 interval', '2');
+    await key('ArrowUp', { altKey: true });
+    expect(field('Function 3 interval').value).toBe('2.10');
+    await key('Escape');
+    expect(field('Function 3 interval').value).toBe('2.00');
+  });
+});
+
 describe('intervals', () => {
   it('move their function and those after it, but not DT', async () => {
     await connected();
@@ -144,6 +183,42 @@ describe('intervals', () => {
     expect(field('Function 3 interval').value).toBe('0.50');
   });
 
+  it.each(['700', '12.345', '1x'])('change nothing by %j, whatever it began with', async (text) => {
+    const { editor } = await connected();
+    await typeOut('Function 3 interval', text);
+    expect(screen.getByRole('alert').textContent).not.toBe('');
+    expect([editor.dirty.value, editor.undoStep.value]).toEqual([false, null]);
+    field('Function 3 interval').blur();
+    await idle();
+    expect(field('Function 3 interval').value).toBe('0.50');
+  });
+
+  it('count again when a text has become one', async () => {
+    await connected();
+    await typeOut('Function 3 interval', '700');
+    await enter('Function 3 interval', '2');
+    expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['2.00', '13.50']);
+    await press('Undo interval of Function 3');
+    expect([field('Function 3 interval').value, field('Function 4 time').value]).toEqual(['0.50', '12.00']);
+  });
+
+  it('show what was undone while they are typed', async () => {
+    await connected();
+    await typeOut('Function 3 interval', '12');
+    await key('z', { ctrlKey: true });
+    expect([field('Function 3 interval').value, field('Function 3 time').value]).toEqual(['0.50', '11.50']);
+  });
+
+  it('do not count from a time that is no value', async () => {
+    await connected();
+    await enter('Function 2 time', 'soon');
+    await typeOut('Function 3 interval', '1');
+    expect(screen.getByRole('alert').textContent).toMatch(/^Function 2 time: /);
+    await key('ArrowUp', { altKey: true });
+    expect(screen.getByRole('alert').textContent).toMatch(/^Function 2 time: /);
+    expect(['Function 3', 'Function 4'].map((row) => field(`${row} time`).value)).toEqual(['11.50', '12.00']);
+  });
+
   it('do not pass over a text that is no value', async () => {
     await connected();
     await enter('Function 5 time', 'soon');
@@ -163,6 +238,18 @@ describe('a range', () => {
     expect(copied()).toBe('10.50\t25\t25\n11.00\t35\t35');
     await key('Escape');
     expect(screen.queryByText('6 values selected')).toBeNull();
+  });
+
+  it('is copied by Ctrl+X too, for no cell can be empty; a part of a text is cut as anywhere', async () => {
+    const { editor } = await connected();
+    field('Function 1 time').focus();
+    expect(copied('cut')).toBe('10.50');
+    await key('ArrowDown', { shiftKey: true });
+    expect(copied('cut')).toBe('10.50\n11.00');
+    await key('Escape');
+    field('Function 1 time').setSelectionRange(0, 2);
+    expect(copied('cut')).toBeNull();
+    expect(editor.dirty.value).toBe(false);
   });
 
   it('is filled down with Ctrl+D', async () => {
@@ -313,6 +400,8 @@ describe('undo by keys', () => {
   it('works in a field, and not in a text that is no part of the program', async () => {
     await connected();
     await enter('Function 2, S1', '7');
+    const tool = screen.getByText('Shift in time').closest('details') as HTMLDetailsElement;
+    tool.open = true;
     field('By, in seconds').focus();
     await key('z', { ctrlKey: true });
     expect(field('Function 2, S1').value).toBe('7');
@@ -323,6 +412,17 @@ describe('undo by keys', () => {
     expect(field('Function 2, S1').value).toBe('7');
     await key('z', { ctrlKey: true });
     await key('y', { ctrlKey: true });
+    expect(field('Function 2, S1').value).toBe('7');
+  });
+
+  it('does nothing while the timer is read, not even in the field', async () => {
+    const { session } = await connected();
+    await enter('Function 2, S1', '7');
+    const reading = session.read();
+    field('Function 2, S1').focus();
+    expect(fireEvent.keyDown(field('Function 2, S1'), { key: 'z', ctrlKey: true }), 'the browser may').toBe(false);
+    await idle();
+    await reading;
     expect(field('Function 2, S1').value).toBe('7');
   });
 
@@ -342,6 +442,17 @@ describe('undo by keys', () => {
     render(<App models={again.models} />);
     await press('Undo typing in DT time');
     expect(field('DT time').value).toBe('4:00');
+  });
+});
+
+describe('the reserved time', () => {
+  it('is locked again in another memory', async () => {
+    await connected({ identity: { timerClass: 'B' } });
+    await press('Edit the reserved time');
+    await press('M2');
+    expect(field('Start time').readOnly).toBe(true);
+    await press('M1');
+    expect(field('Start time').readOnly).toBe(true);
   });
 });
 
@@ -371,6 +482,19 @@ describe('DT', () => {
     expect(again.editor.shortDt.value).toBe(21000);
   });
 
+  it('adds no preset, and asks for none, when the limit is taken by Enter', async () => {
+    const { models } = await connected();
+    const before = models.preferences.presets.value;
+    await press('Change presets');
+    fireEvent.change(field('DT is short below'), { target: { value: '3:30' } });
+    await submitFrom('DT is short below');
+    expect(screen.queryByRole('alert')).toBeNull();
+    await submitFrom('New preset');
+    expect(screen.getByRole('alert').textContent).toContain('Empty');
+    expect(models.preferences.presets.value).toEqual(before);
+    expect(screen.getByText('Short DT')).toBeTruthy();
+  });
+
   it('takes no preset that no timer can hold', async () => {
     await connected();
     await press('Change presets');
@@ -389,6 +513,12 @@ describe('the checks', () => {
     expect(field('Function 3 time').value).toBe('11.10');
     await press('Undo correction of Function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');
+  });
+
+  it('never offer to lengthen the flight for a time that was mistyped', async () => {
+    await connected();
+    await enter('Function 9 time', '350');
+    expect(screen.queryByRole('button', { name: /^Set to .*: DT time$/ })).toBeNull();
   });
 });
 

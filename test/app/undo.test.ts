@@ -3,6 +3,7 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 import { formatValue, parseValue } from '../../src/app/edit/content.js';
 import { MAX_STEPS } from '../../src/app/edit/history.js';
+import { stepField } from '../../src/app/state/attempt.js';
 import { Editor } from '../../src/app/state/editor.js';
 import { draftSchema } from '../../src/app/storage/records.js';
 import {
@@ -78,6 +79,45 @@ describe('undo and redo', () => {
     expect(editor.undoStep.value).toBeNull();
   });
 
+  it.each([
+    ['typed that stands there already', (editor: Editor) => type(editor, DT, '3:00', '3', '180')],
+    ['typed and taken back letter by letter', (editor: Editor) => type(editor, DT, '3:005', '3:00')],
+    [
+      'typed that stands there already, and stepped until Escape',
+      (editor: Editor) => {
+        editor.type(DT, '180');
+        stepField(editor, DT, 1);
+        editor.escape(DT);
+        editor.leave(DT);
+      },
+    ],
+    [
+      'stepped up and down again',
+      (editor: Editor) => {
+        stepField(editor, DT, 1);
+        stepField(editor, DT, -1);
+        editor.leave(DT);
+      },
+    ],
+  ])('know no step of what was %s, once the field is left', (_, act) => {
+    const editor = editorOf();
+    type(editor, S1, '7');
+    act(editor);
+    expect([editor.textOf(DT), editor.undoStep.value?.params]).toEqual(['3:00', { field: fieldKey(S1) }]);
+    editor.undo();
+    expect([editor.textOf(S1), editor.undoStep.value]).toEqual(['30', null]);
+  });
+
+  it('know a step that put a text where the value stays', () => {
+    const editor = editorOf();
+    type(editor, DT, 'soon');
+    type(editor, DT, '180');
+    editor.undo();
+    expect(editor.textOf(DT)).toBe('soon');
+    editor.undo();
+    expect(editor.textOf(DT)).toBe('3:00');
+  });
+
   it('one drag is one step, however many values it went through', () => {
     const editor = editorOf();
     for (const value of [41, 42, 43]) editor.apply([{ field: S1, value }], preset, 'drag');
@@ -101,6 +141,20 @@ describe('Escape', () => {
     expect(editor.textOf(DT)).toBe('3:00');
     editor.undo();
     expect(editor.textOf(DT), 'that too can be undone').toBe('4:00');
+  });
+});
+
+describe('Escape after steps', () => {
+  it('takes back the steps, and leaves what was typed before them', () => {
+    const editor = editorOf();
+    editor.type(S1, '50');
+    stepField(editor, S1, 1);
+    stepField(editor, S1, 1);
+    expect(editor.textOf(S1)).toBe('52');
+    editor.escape(S1);
+    expect(editor.textOf(S1)).toBe('50');
+    editor.escape(S1);
+    expect(editor.textOf(S1)).toBe('30');
   });
 });
 
@@ -178,9 +232,25 @@ const action = fc.oneof(
   { weight: 4, arbitrary: fc.record({ act: fc.constant('type' as const), field: aField, text: aText }) },
   { weight: 2, arbitrary: fc.record({ act: fc.constant('apply' as const), field: aField, value: fc.nat(140) }) },
   { weight: 1, arbitrary: fc.record({ act: fc.constantFrom('revert' as const), field: aField }) },
+  { weight: 2, arbitrary: fc.record({ act: fc.constant('escape' as const), field: aField, text: aText }) },
   { weight: 4, arbitrary: fc.record({ act: fc.constantFrom('undo' as const, 'redo' as const) }) },
   { weight: 1, arbitrary: fc.record({ act: fc.constantFrom('revertAll' as const, 'reload' as const) }) },
 );
+
+/** Typed, stepped, and Escape: what was typed stands. The first half of it typed, and Escape: nothing was. */
+function typeAndEscape(editor: Editor, field: ProgramField, text: string): void {
+  const before = editor.textOf(field);
+  editor.type(field, 'x');
+  editor.escape(field);
+  expect(editor.textOf(field)).toBe(before);
+  editor.type(field, text);
+  const working = editor.working.value;
+  stepField(editor, field, 1);
+  // A text that is no value has no next one, nor has the last value.
+  if (editor.working.value !== working) editor.escape(field);
+  expect(editor.textOf(field)).toBe(text);
+  editor.leave(field);
+}
 
 /** What stands in each field. */
 type Screen = ReadonlyMap<string, string>;
@@ -207,15 +277,14 @@ it('screen, working copy and difference agree over any edits, undos and redos', 
           expect(shown()).toEqual(before);
         } else {
           if (action.act === 'type') type(editor, action.field, action.text);
+          else if (action.act === 'escape') typeAndEscape(editor, action.field, action.text);
           else if (action.act === 'apply') editor.apply([action], preset);
           else if (action.act === 'revert') editor.revert(action.field);
           else editor.revertAll();
           const changed = [...shown()].some(([key, text]) => before.get(key) !== text);
-          // Typing what stands there already is a step too: the pilot has done it.
-          if (changed || action.act === 'type') {
-            past.push(before);
-            future.length = 0;
-          }
+          // Typing what stands there already is no step; but the first letter was one.
+          if (changed) past.push(before);
+          if (changed || action.act === 'type' || action.act === 'escape') future.length = 0;
           if (past.length > MAX_STEPS) past.shift();
         }
         const working = editor.working.value as TimerProgram;

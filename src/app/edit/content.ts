@@ -1,4 +1,12 @@
-import { type Change, fieldKey, fieldsOf, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import {
+  type Change,
+  differences,
+  fieldKey,
+  fieldsOf,
+  type ProgramField,
+  type TimerProgram,
+  valueAt,
+} from '../../program/index.js';
 import { formatTime, type Parsed, parseSteps, parseTime, type UnreadableReason } from '../units.js';
 import { type FieldValue, withValues } from './edits.js';
 
@@ -36,6 +44,13 @@ export function unreadableIn({ working, texts }: Content): Map<string, Unreadabl
   return found;
 }
 
+/** Whether two contents mean the same in every field: a text that is a value counts as that value. */
+export function meansSame(a: Content, b: Content): boolean {
+  const unreadable = (content: Content): string =>
+    JSON.stringify([...unreadableIn(content).keys()].map((key) => [key, content.texts[key]]));
+  return differences(a.working, b.working).length === 0 && unreadable(a) === unreadable(b);
+}
+
 /** A text as it was typed, and its value if it has one. */
 export function typed({ working, texts }: Content, field: ProgramField, text: string): Content {
   const parsed = parseValue(field, text);
@@ -65,14 +80,22 @@ export function valuesOf(program: TimerProgram, fields: readonly ProgramField[])
   });
 }
 
+/** These fields as a program has them, in the place of whatever stood there. */
+export function putBack(content: Content, to: TimerProgram, fields: readonly ProgramField[]): Content {
+  const { working, texts } = applied(content, valuesOf(to, fields));
+  return { working, texts: without(texts, fields.map(fieldKey)) };
+}
+
 /** Fields that nobody had touched follow the timer to what it holds now, and so do texts that say what it held. */
-export function followed({ working, texts }: Content, moved: readonly Change[]): Content {
+export function followed({ working, texts }: Content, moved: readonly Change[], read: TimerProgram): Content {
   const untouched = moved.flatMap(({ field, from, to }): FieldValue[] =>
     to !== null && valueAt(working, field) === from ? [{ field, value: to }] : [],
   );
   const unreadable = unreadableIn({ working, texts });
   const said = untouched.map(({ field }) => fieldKey(field)).filter((key) => !unreadable.has(key));
-  return { working: withValues(working, untouched), texts: without(texts, said) };
+  const { memory } = read;
+  const idleThrottle = working.idleThrottle ?? read.idleThrottle;
+  return { working: { ...withValues(working, untouched), memory, idleThrottle }, texts: without(texts, said) };
 }
 
 /** Conflicts by field, after another reading: what counts is what was held when the edits were made. */

@@ -1,14 +1,18 @@
 import { type Finding, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { type FieldValue, MAX_VALUE } from './edits.js';
 
+/** The findings about times that do not rise. */
+const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repeats', 'position-never-reached']);
+
 /**
  * The value that a finding asks for, where there is one that a pilot would choose without thinking: the nearest that the wire carries, the
- * step that the manual gives, the limit that was passed, the next step after the function before.
+ * step that the manual gives, the limit that was passed, the next step after the function before. When DT comes too early, it is as likely
+ * that another time was mistyped: nothing that lengthens the flight is offered.
  * @returns null where the pilot has to decide.
  */
 export function fixFor({ code, field, params }: Finding, program: TimerProgram): FieldValue | null {
   const value = field && valueAt(program, field);
-  if (!field || value === null) return null;
+  if (!field || value === null || (OF_ORDER.has(code) && isDt(program, field))) return null;
   const better = betterValue(code, value, params, stepOf(program, field));
   const fits = better !== null && better !== value && better >= 0 && better <= MAX_VALUE[field.kind];
   return fits ? { field, value: better } : null;
@@ -41,6 +45,10 @@ function betterValue(
     default:
       return null;
   }
+}
+
+function isDt({ identity }: TimerProgram, field: ProgramField): boolean {
+  return field.kind === 'time' && field.column === identity.functions;
 }
 
 function stepOf(program: TimerProgram, field: ProgramField): number {

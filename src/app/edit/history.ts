@@ -17,6 +17,7 @@ export const STEP_CODES = [
   'finish-write',
   'restore',
   'fix',
+  'keep-tried',
 ] as const;
 
 export type StepCode = (typeof STEP_CODES)[number];
@@ -60,6 +61,11 @@ export const MAX_STEPS = 200;
 
 export const EMPTY_HISTORY: History<never> = { past: [], future: [], open: null };
 
+/** The group of what is typed in one field, and that of the steps in it. */
+export function groupOf(code: 'type' | 'step', field: string): string {
+  return `${code} ${field}`;
+}
+
 /**
  * Something was done. What could be redone is forgotten.
  * @param before the state before it.
@@ -74,8 +80,13 @@ export function record<T>(history: History<T>, name: StepName, before: T, group:
   return { past: [...earlier, step].slice(-MAX_STEPS), future: [], open: group };
 }
 
-/** The field was left, the drag has ended, the history comes from storage: what follows is a step of its own. */
-export function settle<T>(history: History<T>): History<T> {
+/**
+ * The field was left, the drag has ended, the history comes from storage: what follows is a step of its own.
+ * @param isNow whether a state is like the present one: a last step that has come back to where it began was none.
+ */
+export function settle<T>(history: History<T>, isNow: (state: T) => boolean = () => false): History<T> {
+  const last = history.past.at(-1);
+  if (last && isNow(last.state)) return { ...history, past: history.past.slice(0, -1), open: null };
   return history.open === null ? history : { ...history, open: null };
 }
 

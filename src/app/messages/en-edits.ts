@@ -25,6 +25,7 @@ const steps: Record<StepCode, (params: Params) => string> = {
   'finish-write': () => 'taking up the interrupted write',
   restore: () => 'taking over a backup',
   fix: ({ field }) => `correction of ${field}`,
+  'keep-tried': () => 'keeping what was tried',
 };
 
 /** What stands in the way of an edit or of a pasted cell, beyond what the checks and the fields say themselves. */

@@ -243,6 +243,7 @@ export const en = {
     time: 'Time',
     memory: 'Memory',
     memoryUnknown: 'This timer does not say which memory is current.',
+    memoryOpen: 'It is not known which memory is current. Choose one, or read again.',
     dt: 'DT',
     motorStop: 'Motor stop',
     idleThrottle: 'Idle throttle',

@@ -194,7 +194,7 @@ function Decide() {
       </button>
       <button
         type="button"
-        disabled={session.busy.value}
+        disabled={session.busy.value || session.editor.blocked.value}
         onClick={() => {
           session.editor.apply(bench.takeBack(), { code: 'restore', params: {} });
           void write.open();

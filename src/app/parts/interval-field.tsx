@@ -2,12 +2,23 @@ import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { type Edit, setInterval, stepInterval } from '../edit/edits.js';
 import { intervalAt } from '../edit/grid.js';
+import { groupOf } from '../edit/history.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { attempt } from '../state/attempt.js';
+import { attemptInterval } from '../state/attempt.js';
 import { formatInterval, parseInterval } from '../units.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { useSteady } from './use-steady.js';
+
+/** What was last done in the field. */
+interface Entry {
+  /** As it was typed; null when it was a step. */
+  readonly text: string | null;
+  /** Why it changed nothing; null when it was done. */
+  readonly problem: string | null;
+  /** The interval after it. When that has changed, as by undo, the entry counts no more. */
+  readonly interval: number | null;
+}
 
 /**
  * The time since the function before: the same truth as the time, seen from there. What is typed moves this function and those after it. A
@@ -17,33 +28,43 @@ export function IntervalField({ column, label }: { readonly column: number; read
   const { session } = useModels();
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
-  const typed = useSignal<string | null>(null);
-  const problem = useSignal<string | null>(null);
+  const entered = useSignal<Entry | null>(null);
   const focused = useSignal(false);
-  const interval = useSteady(() => editor.working.value && intervalAt(editor.working.value, column), [editor, column]);
-  const group = `interval ${column}`;
+  const find = (): number | null => editor.working.value && intervalAt(editor.working.value, column);
+  const interval = useSteady(find, [editor, column]);
+  const entry = entered.value?.interval === interval ? entered.value : null;
+  const problem = entry?.problem ?? null;
+  const typing = groupOf('type', `interval:${column}`);
+  const stepping = groupOf('step', `interval:${column}`);
   const notesId = `interval-notes-${column}`;
 
-  const set = (edit: Edit): void => {
+  /** @returns why it was not done; null when it was. */
+  const set = (edit: Edit, group: string): string | null => {
     const identity = editor.identity.value;
-    const obstacle = attempt(editor, edit, { code: 'interval', params: { column } }, group);
-    problem.value = obstacle && identity && obstacleText(identity, obstacle);
+    const obstacle = attemptInterval(editor, column, edit, group);
+    return obstacle && identity && obstacleText(identity, obstacle);
   };
   const step: OnStep = (direction, options) => {
-    typed.value = null;
     const working = editor.working.value;
-    if (working) set(stepInterval(working, column, direction, options));
+    if (!working) return;
+    const problem = set(stepInterval(working, column, direction, options), stepping);
+    entered.value = { text: null, problem, interval: find() };
   };
   const type = (text: string): void => {
-    typed.value = text;
     const parsed = parseInterval(text);
     const working = editor.working.value;
-    if ('unreadable' in parsed) problem.value = messages.value.unreadable[parsed.unreadable];
-    else if (working) set(setInterval(working, column, parsed.value));
+    if (!working) return;
+    const problem =
+      'unreadable' in parsed
+        ? messages.value.unreadable[parsed.unreadable]
+        : set(setInterval(working, column, parsed.value), typing);
+    // What it began with may have been an interval.
+    if (problem) editor.abandon(typing);
+    entered.value = { text, problem, interval: find() };
   };
   useWheel(input, step);
   return (
-    <span class={`value ${problem.value ? 'wrong' : ''}`}>
+    <span class={`value ${problem ? 'wrong' : ''}`}>
       <input
         ref={input}
         type="text"
@@ -51,9 +72,9 @@ export function IntervalField({ column, label }: { readonly column: number; read
         autocomplete="off"
         spellcheck={false}
         aria-label={label}
-        aria-invalid={problem.value !== null}
-        aria-describedby={problem.value ? notesId : undefined}
-        value={typed.value ?? (interval === null ? '' : formatInterval(interval))}
+        aria-invalid={problem !== null}
+        aria-describedby={problem ? notesId : undefined}
+        value={entry?.text ?? (interval === null ? '' : formatInterval(interval))}
         onFocus={(event) => {
           focused.value = true;
           event.currentTarget.select();
@@ -61,20 +82,18 @@ export function IntervalField({ column, label }: { readonly column: number; read
         onInput={(event) => type(event.currentTarget.value)}
         onBlur={() => {
           focused.value = false;
-          typed.value = null;
-          problem.value = null;
+          entered.value = null;
           editor.settle();
         }}
         onKeyDown={(event) => {
           if (event.defaultPrevented || stepByKey(event, step) || event.key !== 'Escape') return;
-          typed.value = null;
-          problem.value = null;
-          editor.abandon(group);
+          entered.value = null;
+          if (!problem && !editor.abandon(typing)) editor.abandon(stepping);
         }}
       />
-      {problem.value && (
+      {problem && (
         <span class="notes bad-text" role="alert" id={notesId}>
-          {problem.value}
+          {problem}
         </span>
       )}
       {focused.value && <FieldTools label={label} onStep={step} />}

@@ -54,13 +54,15 @@ export function BackupsPanel() {
 }
 
 function BackupRow({ set }: { set: readonly Backup[] }) {
-  const { session, memories } = useModels();
+  const { session, memories, bench } = useModels();
   const { backups: words, memories: all, memoryName, recovery } = messages.value;
   const [first] = set;
   if (!first) return null;
   const { identity, memory } = first.program;
   const working = session.editor.working.value;
   const fits = working !== null && sameLayout(working.identity, identity);
+  // What is shown would be stored at once.
+  const canShow = fits && !bench.following.value;
   const isSet = first.reason === 'memories';
   const name = memory === null ? recovery.unknownMemory : memoryName(memory);
   return (
@@ -80,7 +82,7 @@ function BackupRow({ set }: { set: readonly Backup[] }) {
           </button>
         )}
         {!isSet && (
-          <button type="button" disabled={!fits} onClick={() => session.showBackup(first)}>
+          <button type="button" disabled={!canShow} onClick={() => session.showBackup(first)}>
             {words.show}
           </button>
         )}
@@ -96,7 +98,7 @@ function BackupRow({ set }: { set: readonly Backup[] }) {
         <Picks
           label={words.show}
           picks={set.flatMap(({ program }) => (program.memory === null ? [] : [program.memory])).reverse()}
-          disabled={!fits}
+          disabled={!canShow}
           nameOf={(picked) => words.showOf(memoryName(picked))}
           onPick={(picked) => {
             const backup = set.find(({ program }) => program.memory === picked);

@@ -30,6 +30,8 @@ export function Modal({ open, title, titleId, onEscape, held, children }: ModalP
         onEscape();
       }}
       onClose={() => {
+        // It is told late: the dialog may be open again, for something else.
+        if (dialog.current?.open) return;
         // A browser lets Escape be refused once, then closes all the same.
         if (held) dialog.current?.showModal();
         else onEscape();

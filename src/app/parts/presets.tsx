@@ -1,4 +1,5 @@
 import { useComputed, useSignal } from '@preact/signals';
+import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
@@ -66,6 +67,7 @@ function PresetSettings() {
   const { session, preferences } = useModels();
   const { presets: words } = messages.value.edits;
   const added = useSignal('');
+  const limitInput = useRef<HTMLInputElement>(null);
   const limit = useSignal(formatTime(session.editor.shortDt.value));
   const problem = useSignal<string | null>(null);
   const take = (text: string, use: (value: number) => boolean): boolean => {
@@ -79,6 +81,8 @@ function PresetSettings() {
       class="tool-fields"
       onSubmit={(event) => {
         event.preventDefault();
+        // Enter in the field of the limit: it has taken that, and no preset is asked for.
+        if (added.value === '' && document.activeElement === limitInput.current) return;
         if (take(added.value, (value) => preferences.addPreset(value))) added.value = '';
       }}
     >
@@ -96,6 +100,7 @@ function PresetSettings() {
       <label>
         {words.shortDt}
         <input
+          ref={limitInput}
           type="text"
           inputMode="decimal"
           autocomplete="off"

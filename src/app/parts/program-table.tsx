@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useMemo } from 'preact/hooks';
+import { useEffect, useMemo } from 'preact/hooks';
 import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
 import { formatTable } from '../edit/clipboard-table.js';
@@ -8,6 +8,7 @@ import { FIRST_SERVO_COLUMN, fieldsIn, INTERVAL_COLUMN, TIME_COLUMN } from '../e
 import { columnLabel, fieldLabel, messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../state/attempt.js';
+import { programKey } from '../state/keys.js';
 import { Selection } from '../state/selection.js';
 import { ColumnMenu } from './column-menu.js';
 import { notesFor } from './field-notes.js';
@@ -49,6 +50,15 @@ export function ProgramTable() {
     event.preventDefault();
     event.clipboardData.setData('text/plain', formatTable(working.value, range));
   };
+  /** No cell of a program can be empty: what is cut is only copied, but for a part of a text. */
+  const cut = (event: ClipboardEvent): void => {
+    copy(event);
+    const { target, clipboardData } = event;
+    if (event.defaultPrevented || !(target instanceof HTMLInputElement) || !clipboardData) return;
+    if (target.selectionStart !== 0 || target.selectionEnd !== target.value.length) return;
+    event.preventDefault();
+    clipboardData.setData('text/plain', target.value);
+  };
   const paste = (event: ClipboardEvent): void => {
     const text = event.clipboardData?.getData('text/plain') ?? '';
     const range = selection.range.value;
@@ -89,6 +99,7 @@ export function ProgramTable() {
           if (cellOf(document.activeElement)) selection.extendTo(cell);
         }}
         onCopy={copy}
+        onCut={cut}
         onPaste={paste}
       >
         <caption class="visually-hidden">{program.tableCaption}</caption>
@@ -215,8 +226,18 @@ function ProgramRow({ identity, column, servos, selection }: ProgramRowProps) {
 
 /** Column 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
 function TimeCell({ identity, column }: { identity: Identity; column: number }) {
+  const { session } = useModels();
+  const { editor } = session;
   const { program } = messages.value;
   const unlocked = useSignal(false);
+  const shown = useSteady(
+    () => editor.working.value && programKey(editor.working.value, session.simulated.value),
+    [editor, session],
+  );
+  // It was asked for in the program that was on the screen then.
+  useEffect(() => {
+    unlocked.value = false;
+  }, [unlocked, shown]);
   const field: ProgramField = { kind: 'time', column };
   const label = fieldLabel(identity, field);
   const isMotorStop = column === 0 && identity.timerClass === 'Q';

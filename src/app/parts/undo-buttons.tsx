@@ -1,3 +1,4 @@
+import { useComputed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { StepName } from '../edit/history.js';
 import { messages, stepText } from '../messages/index.js';
@@ -10,14 +11,16 @@ export function UndoButtons() {
   const { editor } = session;
   const { edits } = messages.value;
   const identity = editor.identity.value;
-  const isOff = session.busy.value || write.current.value !== null;
+  // What the servos follow is sent one by one: an undo between two commands is followed too.
+  const off = useComputed(
+    () => (session.busy.value && session.job.value?.kind !== 'bench') || write.current.value !== null,
+  );
+  const isOff = off.value;
   useEffect(() => {
-    const onKey = (event: KeyboardEvent): void => {
-      if (!isOff) undoByKey(event, editor);
-    };
+    const onKey = (event: KeyboardEvent): void => undoByKey(event, off.peek() ? null : editor);
     document.addEventListener('keydown', onKey);
     return () => document.removeEventListener('keydown', onKey);
-  }, [editor, isOff]);
+  }, [editor]);
   if (!identity) return null;
   const named = (plain: string, full: (step: string) => string, step: StepName | null): string =>
     step ? full(stepText(identity, step)) : plain;
@@ -49,7 +52,8 @@ export function UndoButtons() {
   );
 }
 
-function undoByKey(event: KeyboardEvent, editor: Editor): void {
+/** @param editor null while nothing can be undone: a browser would undo in the field what is no step of the program. */
+function undoByKey(event: KeyboardEvent, editor: Editor | null): void {
   const { target } = event;
   if (event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey)) return;
   const key = event.key.toLowerCase();
@@ -60,6 +64,6 @@ function undoByKey(event: KeyboardEvent, editor: Editor): void {
     if (isText || target.closest('dialog')) return;
   }
   event.preventDefault();
-  if (isRedo) editor.redo();
-  else editor.undo();
+  if (isRedo) editor?.redo();
+  else editor?.undo();
 }

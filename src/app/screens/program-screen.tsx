@@ -68,7 +68,8 @@ function MemoryChoice() {
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   if (!identity) return null;
   const memories = Array.from({ length: identity.memories }, (_, index) => index);
-  const shown = session.job.value?.memory ?? memory;
+  const isOpen = session.memoryOpen.value && !session.busy.value;
+  const shown = session.job.value?.memory ?? (isOpen ? null : memory);
   const connected = session.connection.value !== null;
   return (
     <fieldset class="memories">
@@ -82,13 +83,14 @@ function MemoryChoice() {
             // Not while a job runs; but the focus stays, which a disabled button would lose.
             aria-disabled={session.busy.value}
             disabled={!connected}
-            onClick={() => void (index !== memory && session.selectMemory(index))}
+            onClick={() => void (index !== shown && session.selectMemory(index))}
           >
             {memoryName(index)}
           </button>
         ))}
       </div>
       {memory === null && <p class="hint">{program.memoryUnknown}</p>}
+      {isOpen && connected && <p class="bad-text">{program.memoryOpen}</p>}
     </fieldset>
   );
 }

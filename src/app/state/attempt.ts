@@ -1,6 +1,6 @@
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { type Edit, type Obstacle, type StepOptions, stepValue } from '../edit/edits.js';
-import type { StepName } from '../edit/history.js';
+import { groupOf, type StepName } from '../edit/history.js';
 import type { Editor } from './editor.js';
 
 /**
@@ -15,11 +15,19 @@ export function attempt(editor: Editor, edit: Edit, step: StepName, group: strin
   return null;
 }
 
+/** Does an edit of the interval of a column, as {@link attempt}. One cannot count from a time whose text is no value. */
+export function attemptInterval(editor: Editor, column: number, edit: Edit, group: string): Obstacle | null {
+  const before: ProgramField = { kind: 'time', column: column - 1 };
+  const countsFromIt = column > 1;
+  if (countsFromIt && editor.unreadable.value.has(fieldKey(before))) return { code: 'unreadable', field: before };
+  return attempt(editor, edit, { code: 'interval', params: { column } }, group);
+}
+
 /** Steps a field up or down. Steps that follow each other are one to undo. A text that is no value has no next one. */
 export function stepField(editor: Editor, field: ProgramField, direction: 1 | -1, options: StepOptions = {}): void {
   const working = editor.working.value;
   if (!working) return;
   const key = fieldKey(field);
   const values = stepValue(working, field, direction, options);
-  attempt(editor, { values }, { code: 'step', params: { field: key } }, `step ${key}`);
+  attempt(editor, { values }, { code: 'step', params: { field: key } }, groupOf('step', key));
 }

@@ -10,6 +10,8 @@ import {
 } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import type { FieldValue } from '../edit/edits.js';
+import { trialsSchema } from '../storage/records.js';
+import { loadSetting, saveSetting } from '../storage/settings.js';
 import { programKey } from './keys.js';
 import type { Session } from './session.js';
 
@@ -32,6 +34,9 @@ export interface Trial {
 
 type Position = Extract<ProgramField, { kind: 'position' }>;
 
+/** Under which name the trials are kept. */
+const TRIALS = 'trials';
+
 /** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
 const TYPED = 600;
 
@@ -42,12 +47,16 @@ export class Bench {
   /** Whether each position that changes is stored in the timer at once. */
   readonly following: ReadonlySignal<boolean>;
   /** What was tried since the servos began to follow, until the pilot keeps it or it is put back. */
-  readonly trial = signal<Trial | null>(null, { name: 'trial' });
+  readonly trial: ReadonlySignal<Trial | null>;
   /** The positions that the timer holds otherwise than before the trial. */
   readonly tried: ReadonlySignal<readonly Change[]>;
   /** Whether anything may be begun: a timer that does nothing else, and a pilot who has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
   readonly #following = signal(false, { name: 'following' });
+  /** By kind of timer and memory, see `programKey`; through a reload too. */
+  readonly #trials = signal<ReadonlyMap<string, Trial>>(keptTrials(), { name: 'trials' });
+  /** What the servos follow. */
+  #followed: string | null = null;
   readonly #session: Session;
   readonly #isElsewhere: () => boolean;
   #starting = false;
@@ -62,13 +71,17 @@ export class Bench {
     this.#session = session;
     this.#isElsewhere = isElsewhere;
     this.following = this.#following;
+    this.trial = computed(() => {
+      const held = session.editor.baseline.value;
+      return (held && this.#trials.value.get(this.#keyOf(held))) ?? null;
+    });
     this.ready = computed(
       () => session.connection.value !== null && session.safe.value && !session.busy.value && !isElsewhere(),
     );
     this.tried = computed(() => {
       const trial = this.trial.value;
       const held = session.editor.baseline.value;
-      if (!trial || !held || !this.#isOf(trial.before, held)) return [];
+      if (!trial || !held) return [];
       return differences(trial.before, held).filter(({ field }) => trial.touched.has(fieldKey(field)));
     });
     session.connection.subscribe(() => {
@@ -81,11 +94,17 @@ export class Bench {
     });
     effect(() => this.#follow());
     effect(() => {
-      // A write has put it back, or nothing was tried at all.
-      const trial = this.trial.value;
-      const held = session.editor.baseline.value;
-      if (this.#following.value || !trial || !held || !this.#isOf(trial.before, held)) return;
-      if (this.tried.value.length === 0) this.keep();
+      // A reading says that a write has put it back, or that nothing was stored at all.
+      const isOver = !this.#following.value && session.editor.fresh.value && this.tried.value.length === 0;
+      if (isOver && this.trial.value) untracked(() => this.#setTrial(null));
+    });
+    effect(() => {
+      const kept = [...this.#trials.value].map(([key, { before, touched }]) => ({
+        key,
+        before,
+        touched: [...touched],
+      }));
+      saveSetting(TRIALS, kept);
     });
   }
 
@@ -117,7 +136,8 @@ export class Bench {
     if (!this.#starting || !this.ready.value) return;
     batch(() => {
       this.#seen = editor.working.value;
-      this.trial.value = { before, touched: new Set() };
+      this.#followed = this.#keyOf(before);
+      this.#setTrial({ before, touched: new Set() });
       this.#following.value = true;
     });
   }
@@ -132,9 +152,15 @@ export class Bench {
     if (this.#session.connection.value) await this.#session.read();
   }
 
-  /** What was tried stays in the timer. */
+  /** What was tried stays in the timer, and on the screen. */
   keep(): void {
-    this.trial.value = null;
+    const { editor } = this.#session;
+    const tried = new Set(this.tried.value.map(({ field }) => fieldKey(field)));
+    const putBack = editor.changes.value.map(({ field }) => field).filter((field) => tried.has(fieldKey(field)));
+    batch(() => {
+      this.#setTrial(null);
+      if (putBack.length > 0) editor.revertFields(putBack, { code: 'keep-tried', params: {} });
+    });
   }
 
   /** The values that bring back what the timer held before, for the editor and a write. */
@@ -162,11 +188,13 @@ export class Bench {
   /** Finds the next position to send, whenever something has changed or a command has come to its end. */
   #follow(): void {
     if (!this.#following.value) return;
-    const { editor, connection, busy } = this.#session;
+    const { editor, connection, busy, job, memoryOpen } = this.#session;
     const trial = this.trial.value;
     const working = editor.working.value;
     void this.#rested.value;
-    if (!trial || !working || !connection.value || !this.#isOf(trial.before, working)) {
+    // While another memory is being selected it is open where a position would be stored.
+    const isAway = memoryOpen.value || job.value?.kind === 'select';
+    if (isAway || !trial || !working || !connection.value || this.#keyOf(working) !== this.#followed) {
       this.#following.value = false;
       return;
     }
@@ -184,7 +212,7 @@ export class Bench {
     const changed = differences(before, working).map(({ field }) => fieldKey(field));
     for (const key of changed) this.#changedAt.set(key, performance.now());
     const touched = new Set([...trial.touched, ...changed]);
-    if (touched.size > trial.touched.size) this.trial.value = { ...trial, touched };
+    if (touched.size > trial.touched.size) this.#setTrial({ ...trial, touched });
   }
 
   #due(changes: readonly Change[]): { field: Position; value: number } | null {
@@ -193,7 +221,8 @@ export class Bench {
     let wait = Number.POSITIVE_INFINITY;
     for (const { field, to } of changes) {
       if (field.kind !== 'position' || to === null || to < 0 || to > MAX_POSITION) continue;
-      if (!touched?.has(fieldKey(field))) continue;
+      // A value that stands behind a text that is none was not asked for.
+      if (!touched?.has(fieldKey(field)) || this.#session.editor.unreadable.value.has(fieldKey(field))) continue;
       const rest = this.#session.editor.isTyped(field) ? this.#restOf(field) : 0;
       if (rest <= 0) return { field, value: to };
       wait = Math.min(wait, rest);
@@ -209,6 +238,7 @@ export class Bench {
   async #send({ field, value }: { field: Position; value: number }): Promise<void> {
     const { editor } = this.#session;
     const good = await this.#session.run('bench', null, async ({ client }, options) => {
+      editor.fresh.value = false;
       await client.setPosition(field.servo, field.column, value, options);
       editor.acknowledge(field, value);
     });
@@ -229,8 +259,22 @@ export class Bench {
     });
   }
 
-  #isOf(a: TimerProgram, b: TimerProgram): boolean {
-    const simulated = this.#session.simulated.value;
-    return programKey(a, simulated) === programKey(b, simulated);
+  #keyOf(program: TimerProgram): string {
+    return programKey(program, this.#session.simulated.value);
   }
+
+  /** Keeps the trial of what the timer holds now, or ends it. */
+  #setTrial(trial: Trial | null): void {
+    const held = this.#session.editor.baseline.value;
+    if (!held) return;
+    const trials = new Map(this.#trials.value);
+    if (trial) trials.set(this.#keyOf(held), trial);
+    else trials.delete(this.#keyOf(held));
+    this.#trials.value = trials;
+  }
+}
+
+function keptTrials(): ReadonlyMap<string, Trial> {
+  const kept = loadSetting(TRIALS, trialsSchema) ?? [];
+  return new Map(kept.map(({ key, before, touched }) => [key, { before, touched: new Set(touched) }]));
 }

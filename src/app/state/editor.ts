@@ -19,11 +19,12 @@ import {
   conflictsWith,
   followed,
   formatValue,
+  meansSame,
+  putBack,
   textsFor,
   typed,
   type UnreadableField,
   unreadableIn,
-  valuesOf,
   without,
 } from '../edit/content.js';
 import { type FieldValue, withValues } from '../edit/edits.js';
@@ -46,10 +47,11 @@ const NOTHING_UNREADABLE: ReadonlyMap<string, UnreadableField> = new Map();
 export class Editor {
   readonly baseline = signal<TimerProgram | null>(null, { name: 'baseline' });
   readonly working = signal<TimerProgram | null>(null, { name: 'working' });
+  /** Whether the baseline is what a reading of this connection gave, whole, with nothing sent since. */
+  readonly fresh = signal(false, { name: 'fresh' });
   readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
   readonly #history = signal<History<Content>>(histories.EMPTY_HISTORY, { name: 'history' });
-  /** What the timer held where it has changed under the pilot's edits, by field: `from` when they were made, `to` by the last read. */
-  readonly conflicts = signal<ReadonlyMap<string, Change>>(new Map(), { name: 'conflicts' });
+  readonly #moved = signal<ReadonlyMap<string, Change>>(new Map(), { name: 'moved' });
 
   /** What kind of timer the program on the screen is for; null when there is none. */
   readonly identity: ReadonlySignal<Identity | null> = computed(() => this.working.value?.identity ?? null);
@@ -62,6 +64,10 @@ export class Editor {
   });
   readonly changed: ReadonlySignal<ReadonlyMap<string, Change>> = computed(
     () => new Map(this.changes.value.map((change) => [fieldKey(change.field), change])),
+  );
+  /** What the timer held where it has changed under the pilot's edits, by field: `from` when they were made, `to` by the last read. */
+  readonly conflicts: ReadonlySignal<ReadonlyMap<string, Change>> = computed(
+    () => new Map([...this.#moved.value].filter(([key]) => this.changed.value.has(key))),
   );
   /** Fields whose text is no value. */
   readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(() => {
@@ -106,24 +112,27 @@ export class Editor {
   /** A key was pressed in a field: the text is kept, and its value taken over if it has one. One step until the field is left. */
   type(field: ProgramField, text: string): void {
     const key = fieldKey(field);
-    this.#change({ code: 'type', params: { field: key } }, groupOf(field), (content) => typed(content, field, text));
+    const step: StepName = { code: 'type', params: { field: key } };
+    this.#change(step, histories.groupOf('type', key), (content) => typed(content, field, text));
   }
 
   /** The field was left: a text that has a value gives way to that value's usual form. */
   leave(field: ProgramField): void {
     const key = fieldKey(field);
     batch(() => {
-      this.settle();
       if (!this.unreadable.value.has(key)) this.#texts.value = without(this.#texts.value, [key]);
+      this.settle();
     });
   }
 
   /**
-   * Escape in a field: what was typed since it was entered will not have been; if nothing was, the field is put back to what the timer
-   * holds.
+   * Escape in a field: what was typed last, or stepped last, since it was entered will not have been; if nothing was, the field is put back
+   * to what the timer holds.
    */
   escape(field: ProgramField): void {
-    if (!this.abandon(groupOf(field))) this.revert(field);
+    const key = fieldKey(field);
+    const taken = this.abandon(histories.groupOf('type', key)) || this.abandon(histories.groupOf('step', key));
+    if (!taken) this.revert(field);
   }
 
   /**
@@ -141,9 +150,10 @@ export class Editor {
     this.#change(step, group, (content) => applied(content, values));
   }
 
-  /** The field was left, the drag has ended: what follows is a step of its own. */
+  /** The field was left, the drag has ended: what follows is a step of its own. What has come back to where it began was none. */
   settle(): void {
-    this.#history.value = histories.settle(this.#history.value);
+    const now = this.#content();
+    this.#history.value = histories.settle(this.#history.value, (state) => now !== null && meansSame(state, now));
   }
 
   undo(): void {
@@ -164,12 +174,7 @@ export class Editor {
   /** Puts some fields back to what the timer holds, as one step. */
   revertFields(fields: readonly ProgramField[], step: StepName): void {
     const baseline = this.baseline.value;
-    if (!baseline) return;
-    const keys = fields.map(fieldKey);
-    this.#change(step, null, (content) => {
-      const { working, texts } = applied(content, valuesOf(baseline, fields));
-      return { working, texts: without(texts, keys) };
-    });
+    if (baseline) this.#change(step, null, (content) => putBack(content, baseline, fields));
   }
 
   /** Puts everything back to what the timer holds. */
@@ -178,7 +183,7 @@ export class Editor {
     if (baseline.value && working.value) {
       this.revertFields(fieldsOf(working.value.identity), { code: 'revert-all', params: {} });
     }
-    this.conflicts.value = new Map();
+    this.#moved.value = new Map();
   }
 
   /** Puts a whole program of the same layout in the place of what the pilot wants, as one step. */
@@ -199,6 +204,7 @@ export class Editor {
       batch(() => {
         this.clear();
         this.baseline.value = read;
+        this.fresh.value = true;
         this.working.value = read;
       });
       return false;
@@ -207,8 +213,9 @@ export class Editor {
     const unforeseen = differences(before, read).filter(({ field, to }) => valueAt(wanted, field) !== to);
     const moved = edits.length > 0 && unforeseen.length > 0;
     batch(() => {
-      if (moved) this.conflicts.value = conflictsWith(this.conflicts.value, differences(before, read));
+      if (moved) this.#moved.value = conflictsWith(this.#moved.value, differences(before, read));
       this.baseline.value = read;
+      this.fresh.value = true;
       const onTop = edits.flatMap(({ field, to }): FieldValue[] => (to === null ? [] : [{ field, value: to }]));
       this.working.value = withValues(read, onTop);
       // A text that says what the timer held before must not stand for what it holds now.
@@ -218,12 +225,7 @@ export class Editor {
         Object.keys(this.#texts.value).filter((key) => !stays.has(key)),
       );
       // Undo must not bring back what nobody typed; what the pilot wrote is no surprise and can be undone.
-      const { memory, idleThrottle } = read;
-      this.#history.value = histories.mapStates(this.#history.value, (state) => {
-        const content = followed(state, unforeseen);
-        const { working } = content;
-        return { ...content, working: { ...working, memory, idleThrottle: working.idleThrottle ?? idleThrottle } };
-      });
+      this.#history.value = histories.mapStates(this.#history.value, (state) => followed(state, unforeseen, read));
     });
     return moved;
   }
@@ -232,7 +234,7 @@ export class Editor {
   wrote(held: TimerProgram): void {
     batch(() => {
       this.rebase(held);
-      this.conflicts.value = new Map();
+      this.#moved.value = new Map();
     });
   }
 
@@ -258,11 +260,12 @@ export class Editor {
     const steps = [...history.past, ...history.future];
     const fits = steps.every(({ state }) => sameLayout(baseline.identity, state.working.identity));
     batch(() => {
+      this.fresh.value = false;
       this.baseline.value = baseline;
       this.working.value = working;
       this.#texts.value = textsFor(working, texts);
       this.#history.value = fits ? histories.settle(history) : histories.EMPTY_HISTORY;
-      this.conflicts.value = new Map();
+      this.#moved.value = new Map();
     });
     return true;
   }
@@ -274,7 +277,7 @@ export class Editor {
       this.working.value = null;
       this.#texts.value = {};
       this.#history.value = histories.EMPTY_HISTORY;
-      this.conflicts.value = new Map();
+      this.#moved.value = new Map();
     });
   }
 
@@ -300,8 +303,4 @@ export class Editor {
       this.#texts.value = turned.state.texts;
     });
   }
-}
-
-function groupOf(field: ProgramField): string {
-  return `type ${fieldKey(field)}`;
 }

@@ -1,4 +1,4 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { MemoriesReport, Progress, TimerClient, TimerError } from '../../client/index.js';
 import { sameKind, type TimerProgram } from '../../program/index.js';
 import type { CodecError, Identity } from '../../protocol/index.js';
@@ -50,13 +50,16 @@ export class Memories {
 
   constructor(session: Session) {
     this.#session = session;
-    // The one that is current may have been read again since.
-    this.contents = computed(() => {
+    this.contents = this.#contents;
+    effect(() => {
+      // Whatever is read or acknowledged since stands for its memory, also when another one is current later.
       const held = session.editor.baseline.value;
-      const contents = this.#contents.value;
-      if (held === null || held.memory === null || contents.size === 0) return contents;
-      const other = contents.values().next().value;
-      return other && sameKind(other.identity, held.identity) ? new Map(contents).set(held.memory, held) : new Map();
+      const contents = this.#contents.peek();
+      const [other] = contents.values();
+      if (!held || held.memory === null || !other) return;
+      this.#contents.value = sameKind(other.identity, held.identity)
+        ? new Map(contents).set(held.memory, held)
+        : new Map();
     });
     session.connection.subscribe(() => {
       this.#contents.value = new Map();
@@ -89,7 +92,11 @@ export class Memories {
     await this.#session.run('memories', null, async ({ client, identity }, options) => {
       const told = { ...options, onProgress: (progress: Progress) => this.#follow(plan, progress, options) };
       if (plan.kind === 'back-up') outcome = { ...outcome, saved: await this.#backUp(client, identity, told) };
-      else outcome = { ...outcome, ...(await this.#write(client, identity, this.#goals(plan), told)) };
+      else
+        outcome = {
+          ...outcome,
+          ...(await this.#write(client, identity, await this.#goals(client, identity, plan, told), told)),
+        };
       if (outcome.stopped) throw outcome.stopped;
     });
     // What stopped a backup stands in the notice of the page.
@@ -104,14 +111,9 @@ export class Memories {
   }
 
   async #backUp(client: TimerClient, identity: Identity, options: JobOptions): Promise<number> {
-    const { recovery, backups, simulated } = this.#session;
-    const onHome = (home: number): Promise<void> => this.#leave(identity, home);
-    const { programs } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
-      await this.#home(identity, error);
-      throw error;
-    });
+    const { backups, simulated } = this.#session;
+    const programs = await this.#read(client, identity, options);
     this.#remember(programs);
-    await recovery.cameHome(identity, simulated.value);
     const savedAt = Date.now();
     for (const program of programs) {
       await backups.add(program, 'memories', simulated.value, savedAt).catch(() => {
@@ -119,6 +121,21 @@ export class Memories {
       });
     }
     return programs.length;
+  }
+
+  /** Reads some memories, or all; the one that was current is so again. */
+  async #read(
+    client: TimerClient,
+    identity: Identity,
+    options: JobOptions & { readonly memories?: readonly number[] },
+  ): Promise<readonly TimerProgram[]> {
+    const onHome = (home: number): Promise<void> => this.#leave(identity, home);
+    const { programs } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
+      await this.#home(identity, error);
+      throw error;
+    });
+    await this.#home(identity, null);
+    return programs;
   }
 
   async #write(
@@ -169,11 +186,16 @@ export class Memories {
     if (stop) this.current.value = { step: 'running', plan, progress, stop };
   }
 
-  #goals(plan: Exclude<Plan, { kind: 'back-up' }>): TimerProgram[] {
-    const held = this.#session.editor.baseline.value;
+  /** What the memories shall hold: a memory that is copied is read for that. */
+  async #goals(
+    client: TimerClient,
+    identity: Identity,
+    plan: Exclude<Plan, { kind: 'back-up' }>,
+    options: JobOptions,
+  ): Promise<TimerProgram[]> {
     if (plan.kind === 'restore') return plan.backups.map(({ program }) => program);
-    const source = plan.from === held?.memory ? held : this.contents.value.get(plan.from);
+    const sources = await this.#read(client, identity, { ...options, memories: [plan.from] });
     // Whether the idle throttle belongs to a memory is not known: it is left as it is.
-    return source ? [{ ...source, memory: plan.to, idleThrottle: null }] : [];
+    return sources.map((source) => ({ ...source, memory: plan.to, idleThrottle: null }));
   }
 }

@@ -82,6 +82,8 @@ export class Session {
   readonly safe = signal(false, { name: 'safe' });
   /** It is open how this timer writes its times: the pilot has to choose before they are written. */
   readonly byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
+  /** Another memory was asked for, and none was read since: the one on the screen need not be the current one. */
+  readonly memoryOpen = signal(false, { name: 'memoryOpen' });
   /** Whether the program on the screen is of the simulated timer. */
   readonly simulated = signal(false, { name: 'simulated' });
   readonly connection: ReadonlySignal<TimerConnection | null>;
@@ -183,12 +185,22 @@ export class Session {
     return await this.run('read', null, async ({ client }, options) => this.#show(await client.readProgram(options)));
   }
 
-  /** Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. */
+  /**
+   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When it is stopped or
+   * fails on the way, the memory that is current by then is read.
+   */
   async selectMemory(memory: number): Promise<boolean> {
-    return await this.run('select', memory, async ({ client }, options) => {
+    const good = await this.run('select', memory, async ({ client }, options) => {
+      this.memoryOpen.value = true;
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options));
     });
+    if (!good && this.memoryOpen.value && this.connection.value) {
+      const { value } = this.notice;
+      await this.read();
+      this.notice.value ??= value;
+    }
+    return good;
   }
 
   /** The pilot has said how this timer is: it is read again that way. */
@@ -291,6 +303,7 @@ export class Session {
     batch(() => {
       this.safe.value = false;
       this.byteOrderOpen.value = false;
+      this.memoryOpen.value = false;
       this.recovery.meet();
     });
     await Promise.all([this.link.remember(), this.read()]);
@@ -317,6 +330,7 @@ export class Session {
       if (!same) editor.clear();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
+      this.memoryOpen.value = false;
       this.byteOrderOpen.value = this.connection.value?.client.byteOrderOpen ?? false;
       this.simulated.value = simulated;
       if (completed) this.say('write-completed');

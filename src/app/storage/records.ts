@@ -100,6 +100,9 @@ export const backupSchema = v.object({
 });
 export type Backup = v.InferOutput<typeof backupSchema>;
 
+/** What was tried on the bench and is neither kept nor put back yet, under the kind of timer and the memory. */
+export const trialsSchema = v.array(v.object({ key: v.string(), before: program, touched: v.array(v.string()) }));
+
 /** What is remembered of a port. Two adapters of one make share it: nothing tells them apart. */
 export const portSchema = v.object({
   key: v.string(),
