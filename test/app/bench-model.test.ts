@@ -285,6 +285,16 @@ describe('following', () => {
     expect(stored(app)).toEqual([]);
   });
 
+  it('is off as soon as all memories are walked through', async () => {
+    const app = await followingBench();
+    app.memories.open({ kind: 'back-up' });
+    const walking = app.memories.start();
+    await Promise.resolve();
+    expect(app.bench.following.value).toBe(false);
+    await run(walking);
+    expect(app.session.memoryOpen.value).toBe(false);
+  });
+
   it('leaves the choice open for a value of which it is not known whether it was stored', async () => {
     const app = await followingBench();
     app.timer.core.onAnswer = ({ name }) => {

@@ -90,6 +90,8 @@ export class Memories {
     this.#kept = true;
     let outcome: MemoriesOutcome = { saved: 0, written: [], stopped: null };
     await this.#session.run('memories', null, async ({ client, identity }, options) => {
+      // Others are selected on the way; what is read at the end says which one is current.
+      this.#session.memoryOpen.value = true;
       const told = { ...options, onProgress: (progress: Progress) => this.#follow(plan, progress, options) };
       if (plan.kind === 'back-up') outcome = { ...outcome, saved: await this.#backUp(client, identity, told) };
       else

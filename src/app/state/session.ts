@@ -82,7 +82,7 @@ export class Session {
   readonly safe = signal(false, { name: 'safe' });
   /** It is open how this timer writes its times: the pilot has to choose before they are written. */
   readonly byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
-  /** Another memory was asked for, and none was read since: the one on the screen need not be the current one. */
+  /** None was read since the timer came, or since another one was asked for: the memory on the screen need not be the current one. */
   readonly memoryOpen = signal(false, { name: 'memoryOpen' });
   /** Whether the program on the screen is of the simulated timer. */
   readonly simulated = signal(false, { name: 'simulated' });
@@ -303,7 +303,7 @@ export class Session {
     batch(() => {
       this.safe.value = false;
       this.byteOrderOpen.value = false;
-      this.memoryOpen.value = false;
+      this.memoryOpen.value = true;
       this.recovery.meet();
     });
     await Promise.all([this.link.remember(), this.read()]);
