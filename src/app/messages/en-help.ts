@@ -1,6 +1,6 @@
 import type { System, UnsupportedReason } from '../platform.js';
 import type { StepCode } from '../trouble.js';
-import type { Said } from './en.js';
+import type { Said } from './en-notices.js';
 
 const systems: Record<System, string> = {
   windows: 'Windows',

@@ -9,7 +9,8 @@ import type { PasteProblem } from '../edit/paste.js';
 import { formatInterval, formatTime } from '../units.js';
 import { en } from './en.js';
 
-export type { Said, TimelineFacts } from './en.js';
+export type { TimelineFacts } from './en.js';
+export type { Said } from './en-notices.js';
 
 /** What every language must give: a missing sentence does not compile. */
 export type Messages = typeof en;
