@@ -340,6 +340,20 @@ describe('following', () => {
     expect(later.bench.tried.value).toEqual([]);
   });
 
+  it('reads over a choice that was kept of another layout', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    const [kept] = JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
+    const { before } = kept;
+    before.identity.servos = 1;
+    before.positions.length = 1;
+    localStorage.setItem('sidus-timer/trials', JSON.stringify([kept]));
+    const after = await reloaded(app);
+    await run(after.session.connect());
+    expect([after.bench.trial.value, after.editor.working.value?.positions[1]?.[4]]).toEqual([null, 66]);
+  });
+
   it('keeps what was tried on the screen too, when putting it back was begun and not written', async () => {
     const app = await followingBench();
     set(app, S2, 66);

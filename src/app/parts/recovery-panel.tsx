@@ -91,12 +91,7 @@ function WriteElsewhere({ offer: { memory } }: { offer: OfferOf<'elsewhere'> }) 
         <button type="button" disabled={session.busy.value} onClick={() => void session.selectMemory(memory)}>
           {words.show(memoryName(memory))}
         </button>
-        <button type="button" onClick={() => session.recovery.setAside()}>
-          {words.otherTimer}
-        </button>
-        <button type="button" class="quiet" onClick={() => void session.recovery.settle()}>
-          {words.leave}
-        </button>
+        <NotNow />
       </div>
     </>
   );
@@ -118,13 +113,24 @@ function MemoryLeft({ offer: { record, current } }: { offer: OfferOf<'memories'>
         >
           {words.goHome(memoryName(record.home))}
         </button>
-        <button type="button" onClick={() => session.recovery.setAside()}>
-          {words.otherTimer}
-        </button>
-        <button type="button" class="quiet" onClick={() => void session.recovery.settle()}>
-          {words.leave}
-        </button>
+        <NotNow />
       </div>
+    </>
+  );
+}
+
+/** It is another timer, for which the offer is not meant; or nothing shall be done about it. */
+function NotNow() {
+  const { session } = useModels();
+  const { recovery: words } = messages.value;
+  return (
+    <>
+      <button type="button" onClick={() => session.recovery.setAside()}>
+        {words.otherTimer}
+      </button>
+      <button type="button" class="quiet" onClick={() => void session.recovery.settle()}>
+        {words.leave}
+      </button>
     </>
   );
 }

@@ -73,7 +73,9 @@ export class Bench {
     this.following = this.#following;
     this.trial = computed(() => {
       const held = session.editor.baseline.value;
-      return (held && this.#trials.value.get(this.#keyOf(held))) ?? null;
+      const trial = held && this.#trials.value.get(this.#keyOf(held));
+      // What was kept may be damaged.
+      return trial && sameLayout(trial.before.identity, held.identity) ? trial : null;
     });
     this.ready = computed(
       () => session.connection.value !== null && session.safe.value && !session.busy.value && !isElsewhere(),
