@@ -209,7 +209,7 @@ export class AppPage {
     return this.page.evaluate(`(${act.toString()})(window.workbench)`) as Promise<T>;
   }
 
-  /** Waits until what was typed has come to rest in the storage. */
+  /** Waits until what was typed has come to rest in the storage: the page keeps it when it has nothing else to do. */
   async kept(): Promise<void> {
     let before = '';
     await expect
@@ -240,6 +240,7 @@ export class AppPage {
 
   #stored(): Promise<string> {
     return this.page.evaluate(async () => {
+      await new Promise((resolve) => requestIdleCallback(resolve));
       const opening = indexedDB.open('sidus-timer');
       const database = await new Promise<IDBDatabase>((resolve) => {
         opening.onsuccess = () => resolve(opening.result);
@@ -262,8 +263,12 @@ export class AppPage {
   async expectNoSidewaysScrolling(): Promise<void> {
     const beyond = await this.page.evaluate(() => {
       const { scrollWidth, clientWidth } = document.documentElement;
-      return scrollWidth - clientWidth;
+      if (scrollWidth <= clientWidth) return [];
+      const over = [...document.body.querySelectorAll('*')].filter(
+        (element) => element.getBoundingClientRect().right > clientWidth,
+      );
+      return [`${scrollWidth - clientWidth} px`, ...over.map((element) => element.outerHTML.slice(0, 90))];
     });
-    expect(beyond, 'pixels beyond the edge').toBeLessThanOrEqual(0);
+    expect(beyond, 'beyond the edge').toEqual([]);
   }
 }
