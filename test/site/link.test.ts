@@ -226,4 +226,4 @@ test('with one byte in a hundred damaged it is read, written and verified, and t
     .getByRole('definition')
     .filter({ hasText: /^[1-9]\d*$/ })
     .waitFor();
-}, 120_000);
+});

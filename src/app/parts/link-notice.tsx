@@ -25,7 +25,7 @@ export function LinkNotice() {
         />
       );
     case 'waiting':
-      return <Waiting said={link.waiting} detail={link.asked(state.asked)} onStop={stop} />;
+      return <Waiting said={link.waiting} detail={state.asked > 0 && link.asked(state.asked)} onStop={stop} />;
     case 'away':
       return <Waiting said={link.away} onStop={stop} />;
     case 'closing':
@@ -37,7 +37,7 @@ export function LinkNotice() {
 
 interface WaitingProps {
   readonly said: { readonly title: string; readonly advice: string };
-  readonly detail?: string;
+  readonly detail?: string | false;
   readonly onStop: () => void;
 }
 

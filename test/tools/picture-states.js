@@ -1,0 +1,300 @@
+// The states of the page that docs/screens.md shows, and how each is reached. Run by pictures.js.
+
+/** @typedef {import('playwright').Page} Page */
+
+/**
+ * @typedef {object} State
+ * @property {string} title
+ * @property {(page: Page) => Promise<void>} reach
+ * @property {import('../site/workbench.js').WorkbenchOptions} [bench] what is in the place of the browser's serial ports, where it is
+ *   not the simulated timer of the page
+ */
+
+/** @param {Page} page @param {string | RegExp} name */
+const press = (page, name) => page.getByRole('button', { name }).first().click();
+
+/** @param {Page} page @param {string} field @param {string} text */
+async function enter(page, field, text) {
+  const box = page.getByRole('textbox', { name: field, exact: true });
+  await box.fill(text);
+  await box.press('Enter');
+}
+
+/** @param {Page} page @param {string} title */
+async function open(page, title) {
+  const summary = page.locator('summary', { hasText: title }).first();
+  await summary.click();
+  await summary.evaluate((element) => element.scrollIntoView({ block: 'start' }));
+  await page.evaluate(() => scrollBy(0, -80));
+}
+
+/** @param {Page} page */
+const toTop = (page) => page.evaluate(() => scrollTo(0, 0));
+
+/** @param {Page} page */
+const settled = (page) => page.locator('button:enabled', { hasText: /^Read again$/ }).waitFor();
+
+/** @param {Page} page */
+async function connect(page) {
+  await press(page, 'Try a simulated F1Q timer');
+  await settled(page);
+}
+
+/** @param {Page} page */
+async function change(page) {
+  await connect(page);
+  await enter(page, 'DT', '6:00');
+  await enter(page, 'Function 4, S2', '70');
+  await toTop(page);
+}
+
+/** @param {Page} page */
+async function review(page) {
+  await change(page);
+  await press(page, 'Write…');
+  await page.getByRole('dialog').waitFor();
+}
+
+/** @param {Page} page */
+const promise = (page) =>
+  page
+    .getByRole('checkbox', { name: /^The propeller/ })
+    .first()
+    .check();
+
+/** @param {Page} page */
+async function follow(page) {
+  await connect(page);
+  await open(page, 'Bench');
+  await promise(page);
+  await page.getByRole('switch').click();
+  await page.getByRole('switch', { checked: true }).waitFor();
+  await enter(page, 'Function 4, S1', '60');
+  await page.getByText('Tried: 1 position').first().waitFor();
+}
+
+/** @param {Page} page */
+async function edit(page) {
+  await press(page, 'Connect');
+  await settled(page);
+  await enter(page, 'DT', '6:00');
+  await enter(page, 'Function 4, S2', '70');
+  await toTop(page);
+}
+
+/** @param {Page} page */
+async function conflict(page) {
+  await edit(page);
+  await page.evaluate(() => {
+    window.workbench.content.timers[10] = 21000;
+  });
+  await press(page, 'Write…');
+  await page.getByRole('dialog').waitFor();
+}
+
+/** In the order of docs/screens.md. @type {Readonly<Record<string, State>>} */
+export const states = {
+  start: {
+    title: 'Before anything is connected',
+    reach: async (page) => {
+      await page.getByRole('button', { name: 'Connect' }).first().waitFor();
+    },
+  },
+  program: {
+    title: 'What the timer holds',
+    reach: connect,
+  },
+  changed: {
+    title: 'Two values changed',
+    reach: change,
+  },
+  field: {
+    title: 'A field being edited',
+    reach: async (page) => {
+      await change(page);
+      await page.getByRole('textbox', { name: 'Function 4, S2', exact: true }).click();
+    },
+  },
+  checks: {
+    title: 'Checks, with corrections',
+    reach: async (page) => {
+      await connect(page);
+      await enter(page, 'Function 3 time', '10.5');
+      await enter(page, 'Function 5, S1', '999');
+      await enter(page, 'DT', '0:50');
+      await page.getByRole('heading', { name: 'Checks' }).scrollIntoViewIfNeeded();
+    },
+  },
+  shift: {
+    title: 'Shift in time',
+    reach: async (page) => {
+      await connect(page);
+      await open(page, 'Shift in time');
+    },
+  },
+  paste: {
+    title: 'A paste, before it is done',
+    reach: async (page) => {
+      await connect(page);
+      await page.getByRole('textbox', { name: 'Function 2, S1', exact: true }).click();
+      await page.evaluate(() => {
+        const clipboardData = new DataTransfer();
+        clipboardData.setData('text/plain', '40\t41\t42\n50\tup\t52');
+        document.activeElement?.dispatchEvent(
+          new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }),
+        );
+      });
+      await page.getByRole('dialog').waitFor();
+    },
+  },
+  presets: {
+    title: 'Presets for DT',
+    reach: async (page) => {
+      await connect(page);
+      await press(page, 'Change presets');
+    },
+  },
+  write: {
+    title: 'Before a write',
+    reach: review,
+  },
+  verified: {
+    title: 'After a write',
+    reach: async (page) => {
+      await review(page);
+      await promise(page);
+      await page
+        .getByRole('dialog')
+        .getByRole('button', { name: /^Write/ })
+        .click();
+      await page
+        .getByRole('dialog')
+        .getByText(/verified/i)
+        .first()
+        .waitFor();
+    },
+  },
+  preview: {
+    title: 'Flight preview',
+    reach: async (page) => {
+      await connect(page);
+      await open(page, 'Flight preview');
+    },
+  },
+  bench: {
+    title: 'The bench',
+    reach: async (page) => {
+      await connect(page);
+      await open(page, 'Bench');
+      await promise(page);
+      await press(page, 'Next function');
+      await page.getByText('Servos at start').waitFor();
+    },
+  },
+  following: {
+    title: 'Servos follow the positions',
+    reach: follow,
+  },
+  tried: {
+    title: 'What was tried: keep it or put it back',
+    reach: async (page) => {
+      await follow(page);
+      await page.getByRole('switch').click();
+      await page.getByRole('button', { name: 'Keep it' }).first().waitFor();
+      await settled(page);
+    },
+  },
+  memories: {
+    title: 'Memories side by side',
+    reach: async (page) => {
+      await connect(page);
+      await open(page, 'Memories side by side');
+      await press(page, 'Read all…');
+      await page.getByRole('dialog').getByRole('button', { name: 'Back up' }).click();
+      await page.getByText('were read and kept').waitFor();
+      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+      await settled(page);
+    },
+  },
+  disconnected: {
+    title: 'Not connected, with changes',
+    reach: async (page) => {
+      await change(page);
+      await press(page, 'Disconnect');
+      await page.getByText('2 changes').waitFor();
+    },
+  },
+  known: {
+    title: 'A known adapter, and the settings of its port',
+    bench: { granted: true },
+    reach: async (page) => {
+      await page.getByText('Serial settings').click();
+    },
+  },
+  waiting: {
+    title: 'Nothing answers yet',
+    bench: { granted: true },
+    reach: async (page) => {
+      await page.evaluate(() => window.workbench.sleep());
+      await press(page, 'Connect');
+      await page.locator('.notices').getByText('No answer yet.').waitFor();
+    },
+  },
+  refused: {
+    title: 'The port does not open',
+    bench: { granted: true },
+    reach: async (page) => {
+      await page.evaluate(() => window.workbench.setBusy(true));
+      await press(page, 'Connect');
+      await page.getByText('Close other programs and tabs that talk to the timer').waitFor();
+    },
+  },
+  disturbed: {
+    title: 'A disturbed line',
+    bench: { granted: true, damage: 0.1 },
+    reach: async (page) => {
+      await press(page, 'Connect');
+      await page.getByText(/^Line disturbed/).waitFor();
+    },
+  },
+  away: {
+    title: 'The adapter is out',
+    bench: { granted: true },
+    reach: async (page) => {
+      await edit(page);
+      await page.evaluate(() => window.workbench.adapter.unplug());
+      await page.locator('.notices').getByText('The adapter is unplugged.').waitFor();
+    },
+  },
+  conflict: {
+    title: 'The timer holds something else than was read',
+    bench: { granted: true },
+    reach: conflict,
+  },
+  interrupted: {
+    title: 'A write was interrupted',
+    bench: { granted: true },
+    reach: async (page) => {
+      await conflict(page);
+      await page.evaluate(() => window.workbench.unplugAt('SETTIMERS'));
+      await promise(page);
+      await page.getByRole('button', { name: 'Write 2 changes' }).click();
+      await page.getByRole('alert').getByText('It is not certain what the timer holds.').waitFor();
+      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+      await page.evaluate(() => window.workbench.replug());
+      await settled(page);
+      await page.locator('summary', { hasText: 'Compare' }).click();
+      await toTop(page);
+    },
+  },
+  line: {
+    title: 'What went over the line',
+    bench: { granted: true },
+    reach: async (page) => {
+      await page.evaluate(() => window.workbench.damageAfter(20));
+      await press(page, 'Connect');
+      await settled(page);
+      await open(page, 'Line');
+    },
+  },
+};

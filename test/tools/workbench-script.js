@@ -1,0 +1,15 @@
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+/** What puts a workbench in the place of the browser's serial ports, with all that it imports, to be run in a page. */
+export async function workbenchScript() {
+  const entry = fileURLToPath(new URL('../site/workbench.ts', import.meta.url));
+  const built = await build({
+    configFile: false,
+    logLevel: 'warn',
+    build: { write: false, target: 'es2022', lib: { entry, formats: ['iife'], name: 'script' } },
+  });
+  const [output] = [built].flat();
+  if (!output || !('output' in output)) throw new Error('The workbench was not built.');
+  return output.output[0].code;
+}
