@@ -7,6 +7,7 @@ export type { AssumedQuirks, QuirkCode, QuirkParams } from './quirks.js';
 export {
   type IdentifyOptions,
   type JobOptions,
+  type MoveOptions,
   type ReadMemoriesOptions,
   type ReadOptions,
   TimerClient,

@@ -86,12 +86,13 @@ export async function writeMemories(
   job: Job,
   goals: readonly TimerProgram[],
   hooks: MemoriesHooks,
+  moveServos = false,
 ): Promise<MemoriesReport> {
   for (const goal of goals) requireGoal(job, goal);
   const plan = goals.flatMap((goal) => [
     ...SELECT,
     ...readPlan(goal.identity, asksThrottle(goal)),
-    ...wholeWrite(goal),
+    ...wholeWrite(goal, moveServos),
   ]);
   const tour = await Tour.begin(job, plan, hooks.onHome);
   const memories: MemoryReport[] = [];
@@ -99,7 +100,9 @@ export async function writeMemories(
     const memory = goal.memory as number;
     const before = await tour.read(memory, readPlan(goal.identity, asksThrottle(goal)), asksThrottle(goal));
     await job.exchange.budget.waitFor(() => hooks.onMemory?.(before, goal));
-    const report = await tour.part(memory, wholeWrite(goal), (part) => writeContent(part, before, goal));
+    const report = await tour.part(memory, wholeWrite(goal, moveServos), (part) =>
+      writeContent(part, before, goal, moveServos),
+    );
     memories.push({ memory, before, report });
     if (report.stopped) throw report.stopped;
   };
@@ -139,8 +142,16 @@ function readPlan(identity: Identity, idleThrottle: boolean): CommandName[] {
 }
 
 /** The exchanges of writing every value of a program and reading it back. */
-function wholeWrite(goal: TimerProgram): CommandName[] {
+function wholeWrite(goal: TimerProgram, moveServos: boolean): CommandName[] {
   const positions = goal.positions.flat().map((): CommandName => 'SETSERVO');
+  const moves = goal.timers.flatMap((): CommandName[] => (moveServos ? ['MOVETOFUNC'] : []));
   const throttle: CommandName[] = asksThrottle(goal) ? ['SETLOWRPM'] : [];
-  return ['GETMEMORY', 'SETTIMERS', ...positions, ...throttle, ...readPlan(goal.identity, asksThrottle(goal))];
+  return [
+    'GETMEMORY',
+    'SETTIMERS',
+    ...moves,
+    ...positions,
+    ...throttle,
+    ...readPlan(goal.identity, asksThrottle(goal)),
+  ];
 }

@@ -42,6 +42,11 @@ export type QuirkParams = Readonly<Record<string, number>>;
 export interface AssumedQuirks extends LayoutQuirks {
   /** SETMEMORY and SETLOWRPM go out with the bare command byte where their checksum belongs (row 5). */
   readonly bareChecksumRequests?: boolean;
+  /**
+   * Positions are kept only for the function at which the servos stand (row 15). Taken for true once `positions-unchanged` was found. Nothing
+   * moves because of it: each write has to be told that it may, see `moveServos`.
+   */
+  readonly positionsNeedMove?: boolean;
 }
 
 /** What is known of one timer's ways: found on the line, or assumed. */

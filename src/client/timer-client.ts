@@ -45,12 +45,15 @@ export interface ReadOptions extends JobOptions {
   readonly idleThrottle?: boolean | undefined;
 }
 
-export interface WriteOptions extends JobOptions {
+export interface MoveOptions {
   /**
    * The pilot agrees that the servos move: each function's positions are sent after a MOVETOFUNC to it, for a timer that keeps them only
    * then (quirk `positions-unchanged`). Default false: nothing moves.
    */
   readonly moveServos?: boolean | undefined;
+}
+
+export interface WriteOptions extends JobOptions, MoveOptions {
   /** What the timer held when it was last read. Only what differs from it is sent. */
   readonly baseline: TimerProgram;
 }
@@ -60,7 +63,7 @@ export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'o
   readonly memories?: readonly number[] | undefined;
 }
 
-export interface WriteMemoriesOptions extends JobOptions, MemoriesHooks {}
+export interface WriteMemoriesOptions extends JobOptions, MoveOptions, MemoriesHooks {}
 
 /**
  * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time; each
@@ -172,7 +175,7 @@ export class TimerClient {
    * what a hook throws: of all else the report tells.
    */
   writeMemories(goals: readonly TimerProgram[], options: WriteMemoriesOptions = {}): Promise<MemoriesReport> {
-    return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options));
+    return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options, options.moveServos));
   }
 
   /**

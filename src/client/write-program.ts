@@ -115,7 +115,7 @@ export async function writeContent(
   if (held && changedElsewhere(unasked(held, goal, asked), requests)) {
     stopped = new TimerError('changed', 'more values differ from what was read than this write can have changed');
   }
-  const repair = held && stopped?.code !== 'changed' && repairs(job, held, asked, goal, requests);
+  const repair = held && stopped?.code !== 'changed' && repairs(job, held, asked, goal, requests, stopped === null);
   if (repair) {
     const { assumed } = quirks;
     quirks.assumed = { ...assumed, ...repair.quirks };
@@ -210,6 +210,7 @@ function changedElsewhere(wrong: readonly Change[], sent: readonly Request[]): b
 /**
  * What to send after the reading back, or nothing. Values that changed without being asked are put back. Values that did not take
  * are sent once more only when damage was seen on the line: otherwise the timer rounds, or wants something else, and would do so again.
+ * @param acknowledged whether each request was.
  */
 function repairs(
   job: Job,
@@ -217,6 +218,7 @@ function repairs(
   asked: readonly Change[],
   goal: TimerProgram,
   sent: readonly Request[],
+  acknowledged: boolean,
 ): { requests: Request[]; quirks: LayoutQuirks } | null {
   const wrong = unasked(held, goal, asked);
   const exchanged = wrong.find(({ field, from }) => isExchanged(sent, field, from))?.field;
@@ -226,8 +228,10 @@ function repairs(
     return { requests: requestsFor(held, goal, cells), quirks: { servoFirst: !job.quirks.assumed.servoFirst } };
   }
   const positions = asked.filter(({ field }) => field.kind === 'position');
-  if (positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from)) {
+  // What the timer never took up says nothing of what it does.
+  if (acknowledged && positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from)) {
     job.quirks.note('positions-unchanged');
+    job.quirks.assume({ positionsNeedMove: true });
   }
   const again = requestsFor(held, goal, job.exchange.damaged ? differences(held, goal) : wrong);
   return again.length > 0 ? { requests: again, quirks: {} } : null;

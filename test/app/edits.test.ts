@@ -321,6 +321,25 @@ describe('fill down', () => {
     expect(refusalIn(fillDown(late, { top: 1, left: 1, bottom: 2, right: 1 }))).toBe('time-out-of-range time:2');
   });
 
+  it.each([
+    ['an interval', 1, 'time:2', 'unreadable time:2'],
+    ['an interval', 1, 'time:1', 'unreadable time:1'],
+    ['an interval, past what it would move', 1, 'time:4', 'unreadable time:4'],
+    ['an interval', 1, 'time:5', 'done'],
+    ['a time', 0, 'time:2', 'unreadable time:2'],
+    ['a time', 0, 'time:1', 'done'],
+    ['a position', 2, 'position:0:2', 'unreadable position:0:2'],
+    ['a position', 2, 'time:2', 'done'],
+  ])('gives %s (column %i) on only where it can be read: %s', (_, left, key, result) => {
+    const range = { top: 2, left, bottom: 3, right: left };
+    expect(refusalIn(fillDown(program, range, { unreadable: new Set([key]) }))).toBe(result);
+  });
+
+  it('of the first interval counts from launch, whatever stands at the start', () => {
+    const range = { top: 1, left: 1, bottom: 2, right: 1 };
+    expect(refusalIn(fillDown(program, range, { unreadable: new Set(['time:0']) }))).toBe('done');
+  });
+
   it('twice is the same as once, and touches nothing outside of the range but times after it', () => {
     fc.assert(
       fc.property(programAndRange, fc.boolean(), ([before, range], moveDt) => {

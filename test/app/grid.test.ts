@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import {
+  cellFor,
   columnsIn,
   fieldsIn,
   type GridField,
@@ -9,7 +10,7 @@ import {
   rangeBetween,
   rowsIn,
 } from '../../src/app/edit/grid.js';
-import { fieldKey } from '../../src/program/index.js';
+import { fieldKey, fieldsOf } from '../../src/program/index.js';
 import { programOf, Q4 } from './grid-programs.js';
 
 function keysIn(...[top, left, bottom, right]: [number, number, number, number]): string[] {
@@ -37,6 +38,13 @@ describe('the grid', () => {
       [6, 3],
     ] as const) {
       expect(gridField(Q4, { row, column })).toBeNull();
+    }
+  });
+
+  it('has one cell for each value of the program, and none for the idle throttle', () => {
+    for (const field of fieldsOf(Q4)) {
+      const cell = cellFor(field);
+      expect(cell && gridField(Q4, cell)).toEqual(field.kind === 'idleThrottle' ? null : field);
     }
   });
 

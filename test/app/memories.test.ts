@@ -246,3 +246,23 @@ describe('which memory is current', () => {
     expect(made.memories.current.value).toBeNull();
   });
 });
+
+describe('a copy to a timer that keeps positions only where its servos stand', () => {
+  it('moves them only when it is asked for, and says what it was for want of', async () => {
+    const made = await bench({ quirks: { servoNeedsMove: true } });
+    const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
+    const copy: Plan = { kind: 'copy', from: 1, to: 3 };
+    await job(made, copy);
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: true } });
+    expect(moves()).toBe(0);
+    made.session.servoMoves.allowed.value = true;
+    made.memories.dismiss();
+    made.memories.open(copy);
+    expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
+    made.session.servoMoves.allowed.value = true;
+    await run(made.memories.start());
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: false } });
+    expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
+    expect(moves()).toBe(1);
+  });
+});

@@ -420,6 +420,27 @@ describe('whatever is pasted', () => {
     expect(changed).toBeGreaterThan(500);
   });
 
+  it.each([
+    ['counts from it', '2', at(3, 1), 'time:2', ['0:0 2 before-unreadable']],
+    ['would move it', '2', at(3, 1), 'time:4', ['0:0 2 later-unreadable']],
+    ['replaces it', '2', at(3, 1), 'time:3', []],
+    ['moves nothing', '2.5', at(3, 1), 'time:4', []],
+    ['is DT', '2', at(3, 1), 'time:5', []],
+    ['counts from launch', '2', at(1, 1), 'time:0', []],
+    ['counts from one that is pasted too', '1\n2', at(2, 1), 'time:2', []],
+    [
+      'counts from one that cannot be',
+      '999\n2',
+      at(2, 1),
+      'time:2',
+      ['0:0 999 time-out-of-range', '1:0 2 before-unreadable'],
+    ],
+    ['stands beside a time', '14\t2\t1\t1', at(3, 0), 'time:2', ['0:1 2 before-unreadable']],
+    ['stands below a time', '11\t\t1\t1\n\t2\t1\t1', at(2, 0), 'time:2', []],
+  ])('an interval and a text that is no value: it %s', (_, text, range, key, problems) => {
+    expect(problemsIn(paste(text, range, { unreadable: new Set([key]) }))).toEqual(problems);
+  });
+
   it('is refused or done in little time, with thousands of columns and rows', () => {
     for (const text of [`${'1\t'.repeat(99)}1\n`.repeat(1e5), '65\n'.repeat(1e6), 'x'.repeat(5e6), '"'.repeat(5e6)]) {
       const preview = paste(text, at(0, 2));

@@ -359,6 +359,31 @@ describe('writing', () => {
     expect(dialog.getByRole('row', { name: /Function 2, S1/ }).textContent).toMatch(/7\s*35\s*differs/);
   });
 
+  it('offers to move the servos once it is known that positions need it, and moves them only then', async () => {
+    const { timer } = await connected({ quirks: { servoNeedsMove: true } });
+    const move = () => screen.queryByRole<HTMLInputElement>('checkbox', { name: /^Move the servos to each function/ });
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    expect(move(), 'nothing is known yet').toBeNull();
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await press('Write 1 change');
+    expect(screen.getByRole('alert').textContent).toContain('The positions were acknowledged and not kept.');
+    await press('Write again…');
+    expect(move()?.checked).toBe(false);
+    const hint = document.getElementById(move()?.getAttribute('aria-describedby') ?? '');
+    expect(hint?.textContent).toMatch(/^The servos will move/);
+    expect(screen.getByText(/will probably not keep these/)).toBeTruthy();
+    fireEvent.click(move() as HTMLElement);
+    await press('Write 1 change');
+    expect(screen.getByRole('alert').textContent).toContain('Verified.');
+    expect(screen.queryByRole('button', { name: 'Write again…' })).toBeNull();
+    expect(timer.core.content.positions[0]?.[2]).toBe(7);
+    await press('Close');
+    await type('DT time', '4:00');
+    await press('Write…');
+    expect(move(), 'no position is among the changes').toBeNull();
+  });
+
   it('is cancelled without a trace', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');

@@ -105,7 +105,7 @@ describe.runIf(typeof indexedDB !== 'undefined')('the storage of the browser', (
     usedAt: 5,
     settings: { baudRate: 'find', dataBits: 8, parity: 'none', stopBits: 1, dtr: null, rts: null },
     foundRate: 9600,
-    quirks: { 'timer/Q': { bigEndianTimes: true } },
+    quirks: { 'timer/Q': { bigEndianTimes: true, positionsNeedMove: true } },
   } as const;
 
   it('gives back what was saved, by key and in the order of the keys, also to the next page', async () => {

@@ -219,6 +219,21 @@ describe('intervals', () => {
     expect(['Function 3', 'Function 4'].map((row) => field(`${row} time`).value)).toEqual(['11.50', '12.00']);
   });
 
+  it('are neither filled down nor pasted from a time that is no value', async () => {
+    const { editor } = await connected();
+    await enter('Function 2 time', 'soon');
+    field('Function 3 interval').focus();
+    await key('d', { ctrlKey: true });
+    expect(screen.getByRole('alert').textContent).toBe(
+      'Nothing was changed. Function 2 time: The text in this field is no value. Put it right first.',
+    );
+    await paste('1\n1');
+    const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
+    expect(dialog.getByText(/^Row 1, column 1, “1”: It counts from a time whose text is no value/)).toBeTruthy();
+    await press('Cancel');
+    expect(editor.changes.value).toEqual([]);
+  });
+
   it('do not pass over a text that is no value', async () => {
     await connected();
     await enter('Function 5 time', 'soon');

@@ -1,5 +1,6 @@
 import { act, fireEvent, render, screen, within } from '@testing-library/preact';
-import { afterEach, describe, expect, it } from 'vitest';
+import { options } from 'preact';
+import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { App } from '../../src/app/app.js';
 import { KeptLinkages } from '../../src/app/state/linkages.js';
 import { Theme } from '../../src/app/state/theme.js';
@@ -60,6 +61,41 @@ describe('the timeline', () => {
     act(() => screen.getByRole('textbox', { name: 'Function 4, S3' }).focus());
     await idle();
     expect(handle('Function 4, S3')).toBeTruthy();
+  });
+
+  it('marks in the table the cell of the handle that has the focus, or that the mouse is over', async () => {
+    await opened();
+    const marked = () =>
+      [...document.querySelectorAll('td.marked input')].map((input) => input.getAttribute('aria-label'));
+    expect(marked()).toEqual([]);
+    act(() => (handle('Function 4, S1') as SVGElement).focus());
+    expect(marked()).toEqual(['Function 4, S1']);
+    const picture = screen.getByRole('group', { name: /^Servo positions over time/ });
+    const [, x, y] = /translate\((\S+) (\S+)\)/.exec(handle('Function 6 time').getAttribute('transform') ?? '') ?? [];
+    const { left, top } = picture.getBoundingClientRect();
+    const place = { pointerType: 'mouse', clientX: left + Number(x), clientY: top + Number(y) };
+    fireEvent.pointerMove(picture, place);
+    await expect.poll(marked).toEqual(['Function 6 time']);
+    fireEvent.pointerLeave(picture, place);
+    await expect.poll(marked).toEqual(['Function 4, S1']);
+  });
+
+  it('has no row of the table drawn for that but the one that is left and the one that is come to', async () => {
+    await opened();
+    act(() => (handle('Function 4, S1') as SVGElement).focus());
+    await idle(100);
+    const drawn: string[] = [];
+    const before = options.diffed ?? (() => {});
+    options.diffed = (vnode) => {
+      if (typeof vnode.type === 'function') drawn.push(vnode.type.name);
+      before(vnode);
+    };
+    onTestFinished(() => {
+      options.diffed = before;
+    });
+    act(() => (handle('Function 6, S1') as SVGElement).focus());
+    await idle(100);
+    expect(drawn.filter((name) => name === 'ProgramRow')).toHaveLength(2);
   });
 
   it('has a backup behind it, or nothing, as chosen', async () => {

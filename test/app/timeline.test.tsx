@@ -393,6 +393,23 @@ describe('reading', () => {
     expect(screen.getByText('Point or tap to read')).toBeTruthy();
   });
 
+  it('tells what the mouse is over, until it leaves it or takes hold of it', async () => {
+    const told: (ProgramField | null)[] = [];
+    shown(PROGRAM, { onPoint: (field) => told.push(field) });
+    const place = placeOf(handle('Function 2 time'));
+    await act(() => void fireEvent.pointerMove(picture(), { ...mouse, ...place }));
+    await drawn();
+    expect(told.at(-1)).toEqual({ kind: 'time', column: 2 });
+    await act(() => void fireEvent.pointerLeave(picture(), { ...mouse, ...place }));
+    expect(told.at(-1)).toBeNull();
+    await act(() => void fireEvent.pointerMove(picture(), { ...mouse, ...placeOf(handle('Function 2, S1')) }));
+    await drawn();
+    expect(told.at(-1)).toEqual({ kind: 'position', servo: 0, column: 2 });
+    const release = await hold('Function 2 time', 12, 0);
+    expect(told.at(-1), 'the focus says what is in hand').toBeNull();
+    await release();
+  });
+
   it('shows the cursor when no pointer asks', () => {
     shown(PROGRAM, { cursor: 450 });
     expect(document.querySelector('.timeline-readout')?.textContent).toBe('4.50 s Function 2');

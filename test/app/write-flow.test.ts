@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { ProgramField } from '../../src/program/index.js';
-import { type AppBench, connectedBench, idle, run } from './bench.js';
+import { type AppBench, connectedBench, idle, reloaded, run } from './bench.js';
 
 const DT: ProgramField = { kind: 'time', column: 10 };
 const STOP: ProgramField = { kind: 'time', column: 0 };
@@ -209,5 +209,99 @@ describe('a write', () => {
       report: { result: 'differs', values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] },
     });
     expect(bench.editor.textOf(S1)).toBe('7');
+  });
+});
+
+describe('a write to a timer that keeps positions only where its servos stand', () => {
+  const moves = ({ timer }: AppBench): number => timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
+
+  /** One write has shown what it does. */
+  async function unkept(): Promise<AppBench> {
+    const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
+    bench.editor.type(S1, '7');
+    await run(bench.write.open());
+    expect(bench.session.servoMoves.needed, 'nothing is known yet').toBe(false);
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', unkept: true });
+    return bench;
+  }
+
+  it('moves nothing unasked, also when it is known what the timer does', async () => {
+    const bench = await unkept();
+    await run(bench.write.again());
+    expect([bench.write.current.value?.step, bench.session.servoMoves.allowed.value]).toEqual(['review', false]);
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'differs' }, unkept: true });
+    expect(moves(bench)).toBe(0);
+  });
+
+  it('moves them when it is asked for, once', async () => {
+    const bench = await unkept();
+    bench.write.dismiss();
+    await run(bench.models.bench.moveTo(9));
+    expect(bench.models.bench.done.value).not.toBeNull();
+    const before = moves(bench);
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, unkept: false });
+    expect([moves(bench) - before, bench.timer.core.content.positions[0]?.[2]]).toEqual([1, 7]);
+    expect(bench.models.bench.done.value, 'the bench no longer says where they stand').toBeNull();
+    bench.write.dismiss();
+    bench.editor.type(S1, '8');
+    await run(bench.write.open());
+    expect(bench.session.servoMoves.allowed.value).toBe(false);
+  });
+
+  it('moves nothing when it was agreed to and the dialog was left', async () => {
+    const bench = await unkept();
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    bench.write.dismiss();
+    await run(bench.write.open());
+    await run(bench.write.start());
+    expect(moves(bench)).toBe(0);
+  });
+
+  it('does not begin, and moves nothing, without the safety', async () => {
+    const bench = await unkept();
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    bench.session.safe.value = false;
+    await run(bench.write.start());
+    expect([bench.write.current.value?.step, moves(bench), bench.session.servoMoves.take()]).toEqual([
+      'review',
+      0,
+      false,
+    ]);
+  });
+
+  it('is known again after a reload, for this port and kind of timer', async () => {
+    const after = await reloaded(await unkept());
+    await run(after.session.connect());
+    expect(after.session.servoMoves.needed).toBe(true);
+    const other = await connectedBench({ store: after.store, identity: { timerClass: 'B' } });
+    expect(other.session.servoMoves.needed).toBe(false);
+  });
+
+  it('asks the same of what finishes an interrupted write, or goes back', async () => {
+    const bench = await unkept();
+    bench.editor.type(S3, '8');
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && bench.adapter.unplug();
+    await run(bench.write.start());
+    bench.write.dismiss();
+    bench.timer.core.onAnswer = undefined;
+    bench.adapter.replug();
+    await idle();
+    expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    await run(bench.recover.finish());
+    expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
+    bench.session.servoMoves.allowed.value = true;
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
   });
 });

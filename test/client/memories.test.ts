@@ -182,6 +182,17 @@ describe('reading several memories', () => {
 });
 
 describe('writing several memories', () => {
+  it('moves the servos to each function where that was asked for, and nowhere else', async () => {
+    const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
+    const goals = [1, 2].map((memory) => edited(memoryOf(timer, memory), [], [[0, 3, 90 + memory]]));
+    const still = await run(client.writeMemories(goals));
+    expect(still.memories.map(({ report }) => report.result)).toEqual(['differs', 'differs']);
+    expect(names(timer.core.answered)).not.toContain('MOVETOFUNC');
+    const moved = await run(client.writeMemories(goals, { moveServos: true }));
+    expect(moved.memories.map(({ report }) => report.result)).toEqual(['verified', 'verified']);
+    expect(timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC')).toHaveLength(2);
+  });
+
   it('writes each into its own, hands over what it held before, and goes back', async () => {
     const { client, timer, run } = bench();
     timer.core.memory = 1;

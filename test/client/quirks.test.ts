@@ -186,6 +186,8 @@ describe('servo before function', () => {
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
     expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, column: 7 });
+    expect(found(client), 'what it never took up it need not have kept').toEqual(['servo-unanswered']);
+    expect(client.quirksAssumed).toEqual({});
     client.assume({ servoFirst: true });
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(contentOf(timer)).toEqual(goal);
@@ -199,8 +201,16 @@ describe('positions that are kept only where the servos stand', () => {
     const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
     expect(report.result).toBe('differs');
     expect(found(client)).toEqual(['positions-unchanged']);
+    expect(client.quirksAssumed).toEqual({ positionsNeedMove: true });
     expect(names(timer.core.answered)).not.toContain('MOVETOFUNC');
     expect(names(timer.core.answered).filter((name) => name === 'SETSERVO')).toHaveLength(1);
+  });
+
+  it('are nothing that moves servos by being known', async () => {
+    const { client, timer, run } = bench({}, { quirks: { positionsNeedMove: true } });
+    const baseline = await run(client.readProgram());
+    const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
+    expect([report.result, names(timer.core.answered).includes('MOVETOFUNC')]).toEqual(['verified', false]);
   });
 
   it('are written when the pilot agreed that the servos move: once to each function', async () => {

@@ -1,5 +1,6 @@
 import {
   type FindingCode,
+  fieldKey,
   manualRange,
   type ProgramField,
   type TimerProgram,
@@ -7,7 +8,16 @@ import {
   withValue,
 } from '../../program/index.js';
 import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
-import { type CellField, fieldsIn, type GridRange, intervalAt, timeBefore } from './grid.js';
+import {
+  type CellField,
+  countedFrom,
+  fieldsIn,
+  type GridField,
+  type GridRange,
+  intervalAt,
+  programField,
+  timeBefore,
+} from './grid.js';
 
 /** A value for one field: a time in hundredths of a second, a position in steps. */
 export interface FieldValue {
@@ -36,14 +46,20 @@ export interface Refusal {
   readonly params: Readonly<Record<'value' | 'min' | 'max', number>>;
 }
 
-/** Why an edit was not done: it cannot be, or a text that is no value yet stands where it would write. */
-export type Obstacle = Refusal | { readonly code: 'unreadable'; readonly field: ProgramField };
+/** Why an edit was not done: it cannot be, or a text that is no value yet stands where it would read or write. */
+export type Obstacle = Refusal | Unread<ProgramField>;
+
+/** The text in this field is no value. */
+export interface Unread<Field> {
+  readonly code: 'unreadable';
+  readonly field: Field;
+}
 
 /**
  * What an edit sets, or why it sets nothing. An edit is done whole or not at all: no value is bent to fit. What was asked for is in the
  * list also where it is the value already, so that a text in such a field gives way.
  */
-export type Edit = { readonly values: readonly FieldValue[] } | { readonly refused: Refusal };
+export type Edit = { readonly values: readonly FieldValue[] } | { readonly refused: Obstacle };
 
 /**
  * DT is set by the rules of a contest, not by what the model does before it: an edit of other times moves it only when asked.
@@ -52,6 +68,13 @@ export type Edit = { readonly values: readonly FieldValue[] } | { readonly refus
 export interface DtOption {
   readonly moveDt?: boolean;
 }
+
+export interface TextOption {
+  /** The keys of the fields whose text is no value: what the program has there is not what the pilot sees. Default: none. */
+  readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
+}
+
+const NONE_UNREADABLE: ReadonlySet<string> = new Set();
 
 const MAX_THROTTLE = 255;
 /** The largest value that the wire carries in a kind of field. */
@@ -167,10 +190,12 @@ export function reverseServo(program: TimerProgram, servo: number): FieldValue[]
 
 /**
  * Puts the values of the first row of a range into its other rows: times, or intervals where no times are in it, and positions. The start
- * has neither the time of a function nor an interval to give, and DT keeps its time unless `moveDt` is set.
+ * has neither the time of a function nor an interval to give, and DT keeps its time unless `moveDt` is set. A text that is no value has
+ * nothing to give.
  */
-export function fillDown(program: TimerProgram, range: GridRange, options: DtOption = {}): Edit {
+export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
   const { functions } = program.identity;
+  const { unreadable = NONE_UNREADABLE } = options;
   const takesTime = (column: number): boolean => range.top > 0 && (column < functions || options.moveDt === true);
   const copies: CellValue[] = [];
   const intervals = new Map<number, number>();
@@ -179,6 +204,8 @@ export function fillDown(program: TimerProgram, range: GridRange, options: DtOpt
     const value =
       field.kind === 'interval' ? intervalAt(program, range.top) : valueAt(program, { ...field, column: range.top });
     if (value === null) continue;
+    const hidden = sourcesOf({ ...field, column: range.top }).find((source) => unreadable.has(fieldKey(source)));
+    if (hidden) return { refused: { code: 'unreadable', field: hidden } };
     if (field.kind === 'interval') intervals.set(field.column, value);
     else copies.push({ field, value });
   }
@@ -186,10 +213,17 @@ export function fillDown(program: TimerProgram, range: GridRange, options: DtOpt
   return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...copies]);
 }
 
+/** What the value of a cell is read from: an interval from the time that it counts from and the one at its end. */
+function sourcesOf(field: GridField): CellField[] {
+  const before = field.kind === 'interval' ? countedFrom(field.column) : null;
+  return before ? [before, programField(field)] : [programField(field)];
+}
+
 /**
  * The times that follow from given times and intervals, first to last: a column takes its time, else its interval after the one before,
  * else it is moved as far as the nearest interval above moved its own column. DT without either stays unless `moveDt` is set. Only what
- * comes out has to be carried by the wire, not what would be on the way there.
+ * comes out has to be carried by the wire, not what would be on the way there. No interval counts from a time that cannot be read, and none
+ * moves one.
  * @param times by column; whether the wire carries them is not looked at.
  * @param intervals by column, from 1 on.
  * @returns with a refusal also `cause`, the column of the interval that led to it.
@@ -198,8 +232,10 @@ export function retime(
   program: TimerProgram,
   times: ReadonlyMap<number, number>,
   intervals: ReadonlyMap<number, number>,
-  { moveDt = false }: DtOption = {},
-): { readonly values: readonly CellValue[] } | { readonly refused: Refusal; readonly cause: number } {
+  { moveDt = false, unreadable = NONE_UNREADABLE }: DtOption & TextOption = {},
+):
+  | { readonly values: readonly CellValue[] }
+  | { readonly refused: Refusal | Unread<CellField>; readonly cause: number } {
   const timers = [...program.timers];
   const values: CellValue[] = [];
   let by = 0;
@@ -209,18 +245,34 @@ export function retime(
     const time = times.get(column);
     const interval = intervals.get(column);
     let value = before;
+    let hidden: CellField | null = null;
     if (time !== undefined) value = time;
     else if (interval !== undefined) {
+      hidden = startOf(column, times, intervals);
       value = timeBefore(timers, column) + interval;
       by = value - before;
       cause = column;
-    } else if (column < program.identity.functions || moveDt) value += by;
+    } else if (column < program.identity.functions || moveDt) {
+      value += by;
+      if (by !== 0) hidden = field;
+    }
     timers[column] = value;
+    if (hidden && unreadable.has(fieldKey(hidden))) return { refused: { code: 'unreadable', field: hidden }, cause };
     const refused = time === undefined && value !== before ? refusalOf(field, value) : null;
     if (refused) return { refused, cause };
     if (value !== before || time !== undefined || interval !== undefined) values.push({ field, value });
   }
   return { values };
+}
+
+/** The time that an interval counts from as it stands in its field: null where that is launch, or is itself given. */
+export function startOf(
+  column: number,
+  times: ReadonlyMap<number, number>,
+  intervals: ReadonlyMap<number, number>,
+): CellField | null {
+  const from = countedFrom(column);
+  return from && !times.has(from.column) && !intervals.has(from.column) ? from : null;
 }
 
 interface CellValue extends FieldValue {

@@ -40,6 +40,13 @@ export function gridField(identity: Identity, { row, column }: GridCell): GridFi
   return { kind: 'position', servo: column - FIRST_SERVO_COLUMN, column: row };
 }
 
+/** The cell in which a value stands; null where it is none of the grid. */
+export function cellFor(field: ProgramField): GridCell | null {
+  if (field.kind === 'idleThrottle') return null;
+  const column = field.kind === 'time' ? TIME_COLUMN : FIRST_SERVO_COLUMN + field.servo;
+  return { row: field.column, column };
+}
+
 /** The value of the program that an entry in a cell changes: for an interval the time at its end. */
 export function programField(field: GridField): CellField {
   return field.kind === 'interval' ? { kind: 'time', column: field.column } : field;
@@ -88,7 +95,13 @@ export function intervalAt({ timers }: TimerProgram, column: number): number | n
   return column < 1 || time === undefined ? null : time - timeBefore(timers, column);
 }
 
+/** The field that the interval of a column counts from; null where that is launch. */
+export function countedFrom(column: number): CellField | null {
+  return column > 1 ? { kind: 'time', column: column - 1 } : null;
+}
+
 /** The time that the interval of a column counts from: that of the column before, or launch. */
 export function timeBefore(timers: readonly number[], column: number): number {
-  return column > 1 ? (timers[column - 1] as number) : 0;
+  const from = countedFrom(column);
+  return from ? (timers[from.column] as number) : 0;
 }

@@ -1,8 +1,15 @@
-import { type Change, differences, type FindingCode, type TimerProgram, valueAt } from '../../program/index.js';
+import {
+  type Change,
+  differences,
+  type FindingCode,
+  fieldKey,
+  type TimerProgram,
+  valueAt,
+} from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { type Parsed, parseInterval, parseSteps, parseTime, type UnreadableReason } from '../units.js';
 import { MAX_CELLS, MAX_CHARACTERS, readTable } from './clipboard-table.js';
-import { type FieldValue, MAX_VALUE, refusalOf, retime, withValues } from './edits.js';
+import { type FieldValue, MAX_VALUE, refusalOf, retime, startOf, type TextOption, withValues } from './edits.js';
 import {
   columnsIn,
   fieldsIn,
@@ -20,6 +27,8 @@ import {
  * - `not-a-time`, `too-fine`, `not-a-whole-number`: it is no value.
  * - `time-out-of-range`, `position-out-of-range` (min, max): the wire cannot carry it.
  * - `later-out-of-range` (min, max): its interval would move a later function to where the wire cannot carry it.
+ * - `before-unreadable`: its interval counts from a time that is not pasted, and whose text is no value.
+ * - `later-unreadable`: its interval would move a later function whose text is no value.
  * - `interval-disagrees`: the row has a time too, and this is not the interval that follows from the times.
  * - `reserved`: column 0 of a class other than Q is edited only as a field of its own.
  * - `too-large` (cells, characters): the rest of the text from this row on was not read.
@@ -28,6 +37,8 @@ export type PasteProblemCode =
   | Exclude<UnreadableReason, 'empty'>
   | Extract<FindingCode, 'time-out-of-range' | 'position-out-of-range'>
   | 'later-out-of-range'
+  | 'before-unreadable'
+  | 'later-unreadable'
   | 'interval-disagrees'
   | 'reserved'
   | 'too-large';
@@ -60,7 +71,7 @@ export interface PastePreview {
   readonly names: boolean;
 }
 
-export interface PasteOptions {
+export interface PasteOptions extends TextOption {
   /** What the columns of the grid are called, time first. A table pasted at the time column under such headings goes where they say. */
   readonly headings?: readonly string[];
 }
@@ -85,14 +96,14 @@ export function previewPaste(
   program: TimerProgram,
   range: GridRange,
   text: string,
-  { headings = [] }: PasteOptions = {},
+  { headings = [], unreadable }: PasteOptions = {},
 ): PastePreview {
   const { rows, cut } = readTable(text);
   const isSingle = !cut && rows.length === 1 && rows[0]?.length === 1;
   const { cells, ...read } = isSingle
     ? fill(program.identity, range, rows[0]?.[0] ?? '')
     : place(program.identity, range, rows, headings);
-  const { values, problems } = resolve(program, cells);
+  const { values, problems } = resolve(program, cells, { unreadable });
   if (cut) {
     const params = { cells: MAX_CELLS, characters: MAX_CHARACTERS };
     problems.push({ code: 'too-large', params, row: rows.length, column: 0, text: '', field: null });
@@ -177,7 +188,11 @@ function areWords(texts: readonly string[]): boolean {
 }
 
 /** What the cells set, and which of them cannot be. */
-function resolve(program: TimerProgram, cells: readonly Pasted[]): { values: FieldValue[]; problems: PasteProblem[] } {
+function resolve(
+  program: TimerProgram,
+  cells: readonly Pasted[],
+  texts: TextOption,
+): { values: FieldValue[]; problems: PasteProblem[] } {
   const problems: PasteProblem[] = [];
   const refuse = (cell: Pasted, code: PasteProblemCode, params: PasteProblem['params'] = {}): void => {
     const { row, column } = cell;
@@ -209,17 +224,22 @@ function resolve(program: TimerProgram, cells: readonly Pasted[]): { values: Fie
   }
 
   const followed = new Map([...intervals].map(([column, { value }]) => [column, value]));
-  let retimed = retime(program, times, followed);
+  let retimed = retime(program, times, followed, texts);
   while ('refused' in retimed) {
     const { cause, refused } = retimed;
-    const code = refused.field.column === cause ? 'time-out-of-range' : 'later-out-of-range';
-    refuse(intervals.get(cause)?.cell as Pasted, code, { min: 0, max: MAX_VALUE.time });
+    const cell = intervals.get(cause)?.cell as Pasted;
+    const { column } = refused.field;
+    if (refused.code === 'unreadable') refuse(cell, column < cause ? 'before-unreadable' : 'later-unreadable');
+    else refuse(cell, column === cause ? 'time-out-of-range' : 'later-out-of-range', { min: 0, max: MAX_VALUE.time });
     followed.delete(cause);
-    retimed = retime(program, times, followed);
+    retimed = retime(program, times, followed, texts);
   }
   const after = withValues(program, retimed.values);
   for (const [column, { cell, value }] of intervals) {
-    if (times.has(column) && intervalAt(after, column) !== value) refuse(cell, 'interval-disagrees');
+    if (!times.has(column)) continue;
+    const from = startOf(column, times, followed);
+    if (from && texts.unreadable?.has(fieldKey(from))) refuse(cell, 'before-unreadable');
+    else if (intervalAt(after, column) !== value) refuse(cell, 'interval-disagrees');
   }
   problems.sort((a, b) => a.row - b.row || a.column - b.column);
   return { values: [...retimed.values, ...positions], problems };

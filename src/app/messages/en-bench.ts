@@ -8,7 +8,7 @@ export const bench = {
   previous: 'Previous function',
   next: 'Next function',
   at: (column: string) => `Servos at ${column}`,
-  atNone: 'Servos have not been moved from here.',
+  atNone: 'Where the servos stand is not known here.',
   moveMaybe: (column: string) =>
     `No answer came: the servos may have moved to ${column} all the same. Look at the model.`,
   unlocked: 'The motor is unlocked. The propeller may start.',

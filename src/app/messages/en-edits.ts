@@ -36,6 +36,8 @@ const refused: Record<
   reserved: () => 'The reserved time is changed only in its own field.',
   'no-interval': () => 'The start follows nothing, so it has no interval.',
   'later-out-of-range': ({ min, max }) => `This interval would move a later function out of ${min} to ${max}.`,
+  'before-unreadable': () => 'It counts from a time whose text is no value. Put that right first.',
+  'later-unreadable': () => 'It would move a later time whose text is no value. Put that right first.',
   'interval-disagrees': () => 'This is not the interval between the times of the two rows.',
   'too-large': ({ cells }) => `The table is too large: the rest was not read. At most ${cells} cells are.`,
 };

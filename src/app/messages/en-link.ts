@@ -113,5 +113,6 @@ export const about = {
     servoFirst: 'A position is written with the servo before the function',
     memoriesFromOne: 'Memories are counted from 1',
     bareChecksumRequests: '“Select memory” and “write idle throttle” go out without a true checksum',
+    positionsNeedMove: 'Positions are kept only where the servos stand',
   },
 };

@@ -125,6 +125,17 @@ export const en = {
     wasRead: 'Was read',
     safety: 'The propeller is off or the model is held, and the timer is not armed.',
     acknowledge: 'I have read this and want to write it all the same.',
+    move: {
+      why: 'This timer seems to keep positions only where its servos stand. Without the following it will probably not keep these.',
+      label: 'Move the servos to each function before its positions are stored',
+      hint: 'The servos will move then: hold the model safely, with nothing in their way.',
+      unkept: {
+        title: 'The positions were acknowledged and not kept.',
+        advice:
+          'This timer probably keeps them only where its servos stand. Write again, and let the servos move to each function.',
+      },
+      again: 'Write again…',
+    },
     start: (count: number) => (count === 0 ? 'Read back and compare' : `Write ${plural(count, 'change', 'changes')}`),
     cancel: 'Cancel',
     stop: 'Stop',

@@ -40,7 +40,7 @@ function Preview({ pasting: { range, text }, close }: { readonly pasting: Pastin
   const servos = Array.from({ length: identity.servos }, (_, servo) => servoName(servo));
   const headings = [program.time, edits.table.interval, ...servos];
   // The program may change while the dialog is open, as when a timer comes back: what is shown is what will be done.
-  const preview = previewPaste(working, range, text, { headings });
+  const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
   const { changes, problems, ignored } = preview;
   const apply = (): void => {
     const values = pasted(preview, true);

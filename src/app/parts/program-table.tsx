@@ -1,10 +1,10 @@
-import { useSignal } from '@preact/signals';
+import { type ReadonlySignal, useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
 import { formatTable } from '../edit/clipboard-table.js';
 import { fillDown } from '../edit/edits.js';
-import { FIRST_SERVO_COLUMN, fieldsIn, INTERVAL_COLUMN, TIME_COLUMN } from '../edit/grid.js';
+import { cellFor, FIRST_SERVO_COLUMN, fieldsIn, INTERVAL_COLUMN, TIME_COLUMN } from '../edit/grid.js';
 import { columnLabel, fieldLabel, messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../state/attempt.js';
@@ -18,8 +18,11 @@ import { cellOf, onTableKey } from './table-keys.js';
 import { useSteady } from './use-steady.js';
 import { ValueField } from './value-field.js';
 
-/** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
-export function ProgramTable() {
+/**
+ * Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet.
+ * @param marked the field whose handle is meant in the timeline: a signal, so that only its row is drawn anew.
+ */
+export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<ProgramField | null> }) {
   const { session } = useModels();
   const { editor } = session;
   const { program, edits, servoName } = messages.value;
@@ -38,7 +41,7 @@ export function ProgramTable() {
     if (!range || !working.value) return;
     const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
     if (from.top < 0) return;
-    const edit = fillDown(working.value, from);
+    const edit = fillDown(working.value, from, { unreadable: editor.unreadable.value });
     const count = 'values' in edit ? edit.values.length : 0;
     const found = attempt(editor, edit, { code: 'fill', params: { count } });
     obstacle.value = found && obstacleText(identity, found);
@@ -118,7 +121,7 @@ export function ProgramTable() {
         </thead>
         <tbody>
           {columns.map((column) => (
-            <ProgramRow key={column} {...{ identity, column, servos, selection }} />
+            <ProgramRow key={column} {...{ identity, column, servos, selection, marked }} />
           ))}
         </tbody>
       </table>
@@ -152,9 +155,10 @@ interface ProgramRowProps {
   readonly column: number;
   readonly servos: readonly number[];
   readonly selection: Selection;
+  readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
-function ProgramRow({ identity, column, servos, selection }: ProgramRowProps) {
+function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowProps) {
   const { session } = useModels();
   const { editor } = session;
   const { about, program, edits, servoName } = messages.value;
@@ -174,12 +178,16 @@ function ProgramRow({ identity, column, servos, selection }: ProgramRowProps) {
     const range = selection.isWide.value ? selection.range.value : null;
     return range && column >= range.top && column <= range.bottom ? range : null;
   }, [selection, column]);
+  const markedAt = useSteady(() => {
+    const place = marked.value && cellFor(marked.value);
+    return place?.row === column ? place.column : null;
+  }, [marked, column]);
   const name = columnLabel(identity, column);
-  const cell = (at: number, label: string) => ({
-    'data-cell': at,
-    'data-name': label,
-    class: selected && at >= selected.left && at <= selected.right ? 'selected' : '',
-  });
+  const cell = (at: number, label: string) => {
+    const isSelected = selected && at >= selected.left && at <= selected.right;
+    const classes = `${isSelected ? 'selected' : ''} ${at === markedAt ? 'marked' : ''}`;
+    return { 'data-cell': at, 'data-name': label, class: classes.trim() };
+  };
   const timeCell = cell(TIME_COLUMN, program.time);
   return (
     <>

@@ -21,10 +21,12 @@ interface TimelinePanelProps {
   /** The field that has the focus elsewhere on the screen. */
   readonly selected: ProgramField | null;
   readonly onSelect: (field: ProgramField) => void;
+  /** The mouse is over what can be taken hold of, or no longer. */
+  readonly onPoint: (field: ProgramField | null) => void;
 }
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
-export function TimelinePanel({ selected, onSelect }: TimelinePanelProps) {
+export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProps) {
   const { session } = useModels();
   const { preview } = messages.value;
   const { editor } = session;
@@ -37,7 +39,7 @@ export function TimelinePanel({ selected, onSelect }: TimelinePanelProps) {
   return (
     <div class="timeline-panel">
       <PlayedTimeline
-        {...{ program, player, selected, onSelect }}
+        {...{ program, player, selected, onSelect, onPoint }}
         overlay={useOverlay(program, behind.value)}
         now={() => editor.working.peek() ?? program}
         onEdit={(values, { final, back }) => {

@@ -2,6 +2,7 @@ import { TimerError } from '../../client/index.js';
 import { dateText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { Modal } from '../parts/modal.js';
+import { MoveServosCheck } from '../parts/move-servos-check.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
 import { SafetyCheck } from '../parts/safety-check.js';
@@ -35,6 +36,7 @@ function Review({ plan }: { plan: Plan }) {
   return (
     <>
       <p>{lead(plan)}</p>
+      {plan.kind !== 'back-up' && <MoveServosCheck />}
       {plan.kind !== 'back-up' && <SafetyCheck />}
       <div class="buttons">
         <button type="button" class="primary" disabled={!ready} onClick={() => void memories.start()}>
@@ -78,10 +80,10 @@ function Running({ current }: { current: StepOf<'running'> }) {
 }
 
 function Result({ current }: { current: StepOf<'done'> }) {
-  const { memories } = useModels();
+  const { memories, session } = useModels();
   const { memories: words, write, memoryName, timer } = messages.value;
-  const { outcome, kept } = current;
-  const { written, saved, stopped } = outcome;
+  const { plan, outcome, kept } = current;
+  const { written, saved, stopped, unkept } = outcome;
   const good = stopped === null && kept && written.every(({ report }) => report.result === 'verified');
   return (
     <>
@@ -92,10 +94,21 @@ function Result({ current }: { current: StepOf<'done'> }) {
         ))}
         {stopped instanceof TimerError &&
           (stopped.code === 'aborted' ? <p>{words.stopped}</p> : <NoticeText said={timer[stopped.code]} />)}
+        {unkept && <NoticeText said={write.move.unkept} />}
         {!kept && <p>{words.notKept}</p>}
       </div>
       <div class="buttons">
-        <button type="button" class="primary" onClick={() => memories.dismiss()}>
+        {unkept && (
+          <button
+            type="button"
+            class="primary"
+            disabled={!session.connection.value || session.busy.value}
+            onClick={() => memories.open(plan)}
+          >
+            {write.move.again}
+          </button>
+        )}
+        <button type="button" class={unkept ? '' : 'primary'} onClick={() => memories.dismiss()}>
           {write.close}
         </button>
       </div>

@@ -22,8 +22,13 @@ export function ProgramScreen() {
   const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
+  const pointed = useSignal<ProgramField | null>(null);
+  const marked = useComputed(() => pointed.value ?? selected.value);
   const select = useCallback((field: ProgramField | null) => {
     selected.value = field;
+  }, []);
+  const point = useCallback((field: ProgramField | null) => {
+    pointed.value = field;
   }, []);
   if (!identity) return null;
   return (
@@ -36,7 +41,7 @@ export function ProgramScreen() {
         <LargeFigures />
         <DtPresets column={identity.functions} />
         {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
-        <ProgramTable />
+        <ProgramTable marked={marked} />
         <ShiftTool />
         <BenchPanel />
         <MemoriesPanel />
@@ -45,7 +50,7 @@ export function ProgramScreen() {
         <AboutTimer />
       </div>
       <aside class="program-side">
-        <TimelinePanel selected={selected.value} onSelect={select} />
+        <TimelinePanel selected={selected.value} onSelect={select} onPoint={point} />
         <ChecksPanel />
       </aside>
       <Actions />

@@ -1,13 +1,14 @@
-import type { WriteReport } from '../../client/index.js';
 import { fieldKey, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, findingText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { Modal } from '../parts/modal.js';
+import { MoveServosCheck } from '../parts/move-servos-check.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
 import { SafetyCheck } from '../parts/safety-check.js';
 import { DifferenceInWords, ValueTable } from '../parts/value-table.js';
+import type { WriteStep } from '../state/write-flow.js';
 
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog() {
@@ -29,7 +30,7 @@ export function WriteDialog() {
           {current.step === 'running' && (
             <Running stage={current.progress ? words.stages[current.progress.stage] : words.title} />
           )}
-          {current.step === 'done' && <Result identity={identity} report={current.report} />}
+          {current.step === 'done' && <Result identity={identity} done={current} />}
           {current.step === 'refused' && <Refused />}
         </>
       )}
@@ -82,6 +83,7 @@ function Review({ identity }: { identity: Identity }) {
           </label>
         </div>
       )}
+      {changes.value.some(({ field }) => field.kind === 'position') && <MoveServosCheck />}
       <SafetyCheck />
       <div class="buttons">
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
@@ -133,15 +135,18 @@ function Running({ stage }: { stage: string }) {
   );
 }
 
-function Result({ identity, report }: { identity: Identity; report: WriteReport }) {
-  const { write } = useModels();
+function Result({ identity, done }: { identity: Identity; done: Extract<WriteStep, { step: 'done' }> }) {
+  const { write, session } = useModels();
+  const { report, unkept } = done;
   const { write: words, timer } = messages.value;
+  const canWrite = session.connection.value !== null && !session.busy.value && !session.editor.blocked.value;
   const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
   return (
     <>
       <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
         <NoticeText said={words[report.result]} />
         {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
+        {unkept && <NoticeText said={words.move.unkept} />}
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
       </div>
       {shown.length > 0 && (
@@ -157,7 +162,12 @@ function Result({ identity, report }: { identity: Identity; report: WriteReport 
         />
       )}
       <div class="buttons">
-        <button type="button" class="primary" onClick={() => write.dismiss()}>
+        {unkept && (
+          <button type="button" class="primary" disabled={!canWrite} onClick={() => void write.again()}>
+            {words.move.again}
+          </button>
+        )}
+        <button type="button" class={unkept ? '' : 'primary'} onClick={() => write.dismiss()}>
           {words.close}
         </button>
       </div>

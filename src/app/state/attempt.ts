@@ -1,5 +1,6 @@
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { type Edit, type Obstacle, type StepOptions, stepValue } from '../edit/edits.js';
+import { countedFrom } from '../edit/grid.js';
 import { groupOf, type StepName } from '../edit/history.js';
 import type { Editor } from './editor.js';
 
@@ -17,9 +18,8 @@ export function attempt(editor: Editor, edit: Edit, step: StepName, group: strin
 
 /** Does an edit of the interval of a column, as {@link attempt}. One cannot count from a time whose text is no value. */
 export function attemptInterval(editor: Editor, column: number, edit: Edit, group: string): Obstacle | null {
-  const before: ProgramField = { kind: 'time', column: column - 1 };
-  const countsFromIt = column > 1;
-  if (countsFromIt && editor.unreadable.value.has(fieldKey(before))) return { code: 'unreadable', field: before };
+  const before = countedFrom(column);
+  if (before && editor.unreadable.value.has(fieldKey(before))) return { code: 'unreadable', field: before };
   return attempt(editor, edit, { code: 'interval', params: { column } }, group);
 }
 

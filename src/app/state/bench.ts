@@ -94,6 +94,9 @@ export class Bench {
         if (this.done.peek()?.certain) this.done.value = null;
       });
     });
+    session.servoMoves.count.subscribe(() => {
+      this.done.value = null;
+    });
     effect(() => this.#follow());
     effect(() => {
       // A reading says that a write has put it back, or that nothing was stored at all.

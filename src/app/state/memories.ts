@@ -20,6 +20,8 @@ export interface MemoriesOutcome {
   readonly written: MemoriesReport['memories'];
   /** What stopped it; null when nothing did. */
   readonly stopped: TimerError | CodecError | null;
+  /** Positions were not kept, perhaps because the servos did not move. */
+  readonly unkept: boolean;
 }
 
 /** The steps of a job over several memories. */
@@ -69,6 +71,7 @@ export class Memories {
   /** Shows what is about to be done. */
   open(plan: Plan): void {
     if (!this.#session.connection.value || this.#session.busy.value) return;
+    this.#session.servoMoves.ask();
     this.current.value = { step: 'review', plan };
   }
 
@@ -88,7 +91,7 @@ export class Memories {
     if (value?.step !== 'review') return;
     const { plan } = value;
     this.#kept = true;
-    let outcome: MemoriesOutcome = { saved: 0, written: [], stopped: null };
+    let outcome: MemoriesOutcome = { saved: 0, written: [], stopped: null, unkept: false };
     await this.#session.run('memories', null, async ({ client, identity }, options) => {
       // Others are selected on the way; what is read at the end says which one is current.
       this.#session.memoryOpen.value = true;
@@ -145,10 +148,12 @@ export class Memories {
     identity: Identity,
     goals: readonly TimerProgram[],
     options: JobOptions,
-  ): Promise<Pick<MemoriesOutcome, 'written' | 'stopped'>> {
-    const { recovery, simulated } = this.#session;
+  ): Promise<Pick<MemoriesOutcome, 'written' | 'stopped' | 'unkept'>> {
+    const { recovery, simulated, servoMoves } = this.#session;
+    const moveServos = servoMoves.take();
     const { memories, stopped } = await client.writeMemories(goals, {
       ...options,
+      moveServos,
       onHome: (home) => this.#leave(identity, home),
       // The goal and a backup are kept before the first byte, as for any write.
       onMemory: async (read, goal) => {
@@ -160,7 +165,8 @@ export class Memories {
     }
     if (this.#contents.value.size > 0) this.#remember(memories.flatMap(({ report }) => report.held ?? []));
     await this.#home(identity, stopped);
-    return { written: memories, stopped };
+    const reports = memories.map(({ report }) => report);
+    return { written: memories, stopped, unkept: servoMoves.wanted(moveServos, reports) };
   }
 
   #remember(programs: readonly TimerProgram[]): void {

@@ -19,6 +19,7 @@ import { kindKey, programKey } from './keys.js';
 import { LineLog } from './line-log.js';
 import { Link } from './link.js';
 import { Recovery } from './recovery.js';
+import { ServoMoves } from './servo-moves.js';
 
 /** What there is to say beside errors. */
 export type NoteCode =
@@ -76,6 +77,7 @@ export class Session {
   readonly backups: Backups;
   readonly recovery: Recovery;
   readonly link: Link;
+  readonly servoMoves: ServoMoves;
   readonly job = signal<Job | null>(null, { name: 'job' });
   readonly notice = signal<Notice | null>(null, { name: 'notice' });
   /** Propeller off or model held, timer not armed: asked once for each connection. */
@@ -111,6 +113,7 @@ export class Session {
       onState: (state, before) => this.#follow(state, before),
     });
     this.connection = this.link.connection;
+    this.servoMoves = new ServoMoves(this.connection, this.safe);
     this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
     this.engaged = computed(() => this.busy.value || this.link.waiting.value);
   }

@@ -18,6 +18,8 @@ export type WriteStep =
       readonly report: WriteReport;
       /** What became of the write has to be seen: only its button closes it, not an Escape meant for something else. */
       readonly stays: boolean;
+      /** Positions were not kept, perhaps because the servos did not move. */
+      readonly unkept: boolean;
     }
   | { readonly step: 'refused'; readonly error: TimerError };
 
@@ -52,6 +54,7 @@ export class WriteFlow {
     if (editor.working.value?.memory !== memory) return;
     batch(() => {
       this.acknowledged.value = false;
+      this.#session.servoMoves.ask();
       this.current.value = { step: 'review' };
     });
   }
@@ -67,20 +70,22 @@ export class WriteFlow {
       this.current.value = { step: 'running', progress, stop, stopping: stop.signal.aborted };
     };
     running(null);
-    const { recovery, simulated } = this.#session;
+    const { recovery, simulated, servoMoves, link } = this.#session;
     const isSimulated = simulated.value;
     // The goal and a backup are kept before the first byte: whatever happens, what the timer holds can be explained.
     const kept = editor.changes.value.length === 0 || (await recovery.begin(baseline, working, isSimulated));
     if (!kept) this.#session.say('not-kept');
     try {
-      const options = { baseline, signal: stop.signal, onProgress: running };
+      const moveServos = servoMoves.take();
+      const options = { baseline, moveServos, signal: stop.signal, onProgress: running };
       const report = await connection.value.client.writeProgram(working, options);
       // What was read back to its end needs no finding out at the next meeting.
       if (report.held && report.stopped) await recovery.look(report.held, isSimulated);
       else if (report.held) await recovery.ended(baseline, isSimulated);
       batch(() => {
         if (report.held) editor.wrote(report.held);
-        this.current.value = { step: 'done', report, stays: report.result !== 'verified' || stop.signal.aborted };
+        const stays = report.result !== 'verified' || stop.signal.aborted;
+        this.current.value = { step: 'done', report, stays, unkept: servoMoves.wanted(moveServos, [report]) };
       });
       if (report.stopped?.code === 'no-answer') this.#session.report(report.stopped);
     } catch (error) {
@@ -93,7 +98,15 @@ export class WriteFlow {
       this.current.value = null;
       if (!(error instanceof TimerError)) this.#session.report(error);
       else if (error.code === 'aborted') this.#session.say('nothing-written');
+    } finally {
+      void link.learn();
     }
+  }
+
+  /** Leaves the result and shows what still differs. */
+  async again(): Promise<void> {
+    this.dismiss();
+    await this.open();
   }
 
   /** Whether the dialog has to stay open whatever key is pressed. */

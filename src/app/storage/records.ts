@@ -125,6 +125,7 @@ export const portSchema = v.object({
       servoFirst: v.exactOptional(v.boolean()),
       memoriesFromOne: v.exactOptional(v.boolean()),
       bareChecksumRequests: v.exactOptional(v.boolean()),
+      positionsNeedMove: v.exactOptional(v.boolean()),
     }),
   ),
 });

@@ -63,6 +63,7 @@ export class PointerControl {
     const target = this.#target();
     if (!target || event.button > 0) return;
     const point = pointIn(target.svg, event);
+    this.#model.pointed.value = null;
     this.#down.set(event.pointerId, point);
     if (this.#down.size === 1) this.#listen();
     if (this.#down.size === 2) this.#pinch(target);
@@ -106,6 +107,7 @@ export class PointerControl {
     if (event.pointerType === 'touch' || this.#doing) return;
     this.#latest = null;
     this.#model.asked.value = null;
+    this.#model.pointed.value = null;
   };
 
   /** With Ctrl, as pinching a touchpad gives it, the wheel zooms; sideways it moves what is in view; else it scrolls the page. */
@@ -231,7 +233,9 @@ export class PointerControl {
     }
     const { arrangement } = target;
     if (!doing) {
-      target.svg.setAttribute('data-aim', this.#aim(target, point, latest.coarse)?.kind ?? '');
+      const aim = this.#aim(target, point, latest.coarse);
+      target.svg.setAttribute('data-aim', aim?.kind ?? '');
+      this.#model.pointed.value = aim;
     } else {
       doing.moved ||= Math.abs(point.x - doing.from.x) > STILL;
       if (doing.pans && doing.moved) {

@@ -30,6 +30,8 @@ export interface TimelineProps {
   readonly onEdit?: OnEdit | undefined;
   /** A handle has got the focus. */
   readonly onSelect?: ((field: ProgramField) => void) | undefined;
+  /** The mouse has come over something that it could take hold of, or has left it: null. */
+  readonly onPoint?: ((field: ProgramField | null) => void) | undefined;
   /** What it is called where there are several. */
   readonly title?: string | undefined;
   /** A small picture to be looked at, with nothing to take hold of. */
@@ -49,6 +51,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   // While a flight is played all of this is drawn at each frame: only what has changed is made anew.
   const onEdit = useStable(calls.onEdit);
   const onSelect = useStable(calls.onSelect);
+  const onPoint = useStable(calls.onPoint);
   const latest = useRef(program);
   latest.current = program;
   const { now = () => latest.current } = calls;
@@ -94,6 +97,14 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       keys.up();
     };
   }, []);
+  useEffect(() => {
+    if (!onPoint) return;
+    const stop = model.pointed.subscribe(onPoint);
+    return () => {
+      stop();
+      onPoint(null);
+    };
+  }, [onPoint]);
   useEffect(() => {
     if (!selected || selected.kind === 'idleThrottle' || model.moving.peek()) return;
     if (selected.kind === 'position') model.front.value = selected.servo;

@@ -26,6 +26,8 @@ export class TimelineModel {
   /** The servo whose line has handles. */
   readonly front = signal(0);
   readonly moving = signal<Moving | null>(null);
+  /** What the mouse is over and could take hold of; null while something is in hand. */
+  readonly pointed = signal<ProgramField | null>(null);
   /** Whether the keyboard is among the handles. */
   readonly entered = signal(false);
   /** The field whose handle shall have the focus as soon as it is there. */

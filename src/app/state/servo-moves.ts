@@ -1,0 +1,49 @@
+import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import type { WriteReport } from '../../client/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+
+/** Whether a write may move the servos, for timers that keep positions only where they stand. It is asked anew for each write. */
+export class ServoMoves {
+  /** The pilot agrees that the servos move to each function before its positions are stored. */
+  readonly allowed = signal(false, { name: 'moveServos' });
+  /** How many writes may have moved them: where they stand is not known since. */
+  readonly count = signal(0, { name: 'servoMoves' });
+  readonly #connection: ReadonlySignal<TimerConnection | null>;
+  readonly #safe: ReadonlySignal<boolean>;
+
+  /** @param safe whether the pilot has said for this connection that it is safe. */
+  constructor(connection: ReadonlySignal<TimerConnection | null>, safe: ReadonlySignal<boolean>) {
+    this.#connection = connection;
+    this.#safe = safe;
+  }
+
+  /** Whether the timer at hand is taken to need it. */
+  get needed(): boolean {
+    return this.#connection.value?.client.quirksAssumed.positionsNeedMove === true;
+  }
+
+  /** Another write is about to be shown. */
+  ask(): void {
+    this.allowed.value = false;
+  }
+
+  /**
+   * A write begins.
+   * @returns whether this one may move the servos.
+   */
+  take(): boolean {
+    const isAllowed = this.allowed.value && this.needed && this.#safe.value;
+    batch(() => {
+      this.allowed.value = false;
+      if (isAllowed) this.count.value++;
+    });
+    return isAllowed;
+  }
+
+  /** Whether it may have been for want of a movement that positions were not kept. */
+  wanted(moved: boolean, reports: readonly WriteReport[]): boolean {
+    const values = reports.flatMap((report) => report.values);
+    const lost = values.some(({ field, asked, status }) => asked && field.kind === 'position' && status === 'differs');
+    return lost && !moved && this.needed;
+  }
+}
