@@ -6,6 +6,7 @@ import { registerOffline } from './offline.js';
 import { platformOf } from './platform.js';
 import { plugRecording, plugSimulatedTimer } from './simulated-timer.js';
 import { openTabChannel } from './state/other-tabs.js';
+import { TabNumber, tabMemory } from './state/tab-number.js';
 import { browserStorage } from './storage/index.js';
 import './styles/base.css';
 import './styles/bench.css';
@@ -30,6 +31,7 @@ const models = createModels({
     policyAllows: featurePolicy?.allowsFeature('serial'),
   },
   storage: browserStorage(),
+  tab: new TabNumber((navigator.locks as LockManager | undefined) ?? null, tabMemory),
   plugSimulated: plugSimulatedTimer,
   plugRecording,
   platform: platformOf(navigator),

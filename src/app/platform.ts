@@ -90,7 +90,7 @@ export type UnsupportedReason =
 const FIRST: Partial<Readonly<Record<Browser, readonly [number, UnsupportedReason]>>> = {
   chrome: [89, 'chrome-old'],
   edge: [89, 'edge-old'],
-  // Opera counts for itself: 76 is Chromium 90.
+  // Opera counts for itself: 75 is Chromium 89. MDN names that one, caniuse 76, so 76 is certain.
   opera: [76, 'opera-old'],
   firefox: [151, 'firefox-old'],
 };

@@ -72,7 +72,7 @@ export class Journey {
    * Waits until the port is there again, or all is over.
    * @returns why it is no longer waited for.
    */
-  async #await({ watch, lasted, error }: VisitEnd & { why: 'lost' }): Promise<ConnectionError | null> {
+  async #await({ watch, lasted, error, unplugged }: VisitEnd & { why: 'lost' }): Promise<ConnectionError | null> {
     this.#watch = watch;
     try {
       if (lasted >= STEADY) this.#failures = 0;
@@ -84,6 +84,11 @@ export class Journey {
         await pause(this.#trip.clock, delay, this.#stop.signal, watch.gone);
       }
       if (watch.gone.aborted) this.#failures = 0;
+      // A stream may fail before the browser tells that the plug was pulled.
+      if (!unplugged && !(await watch.isThere())) {
+        const { port, info } = this.#known;
+        this.#trip.tell('unplugged', { status: 'away', port, info, error, unplugged: true });
+      }
       const port = await watch.returned(this.#stop.signal);
       if (port) this.#known = known(port);
       return null;

@@ -57,5 +57,7 @@ export type LinkState =
       readonly port: SerialPortLike;
       readonly info: PortInfo;
       readonly error: ConnectionError;
+      /** Whether it is known to be unplugged; else its stream has failed, and its plug may be in. */
+      readonly unplugged: boolean;
     }
   | { readonly status: 'closing' };

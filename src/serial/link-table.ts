@@ -20,6 +20,7 @@
  * - `silent`: nothing answers, or no longer.
  * - `another`: a timer answers, and it is not the one that was there.
  * - `lost`: the port is gone or its stream has failed.
+ * - `unplugged`: a port whose stream has failed turns out to be unplugged.
  * - `returned`: the port is there again.
  * - `closed`: the port is closed.
  * - `failed`: it ends here, for the reason that comes with it.
@@ -46,7 +47,7 @@ export const LINK_TABLE = {
     failed: 'off',
   },
   on: { silent: 'waiting', another: 'searching', lost: 'away', stop: 'closing' },
-  away: { returned: 'opening', stop: 'closing', failed: 'off' },
+  away: { unplugged: 'away', returned: 'opening', stop: 'closing', failed: 'off' },
   closing: { open: 'opening', closed: 'off' },
 } as const satisfies Readonly<Record<string, Readonly<Record<string, string>>>>;
 

@@ -24,6 +24,8 @@ export type VisitEnd =
   | {
       readonly why: 'lost';
       readonly error: ConnectionError;
+      /** Whether it was known to be unplugged at the loss. */
+      readonly unplugged: boolean;
       readonly watch: ReturnWatch;
       /** Milliseconds from the first opening to the loss. */
       readonly lasted: number;
@@ -51,7 +53,7 @@ export class Visit {
     const { port } = this.#known;
     const { stop } = this.#trip;
     const onStop = (): void => this.#over.abort();
-    const onDisconnect = (): void => this.#lose();
+    const onDisconnect = (): void => this.#lose(undefined, true);
     stop.addEventListener('abort', onStop);
     port.addEventListener('disconnect', onDisconnect);
     try {
@@ -219,7 +221,7 @@ export class Visit {
   }
 
   /** The port is gone, or its stream has failed. */
-  #lose(cause?: unknown): void {
+  #lose(cause?: unknown, unplugged = this.#known.port.connected === false): void {
     if (this.#isOver) return;
     const { clock, serial, wasOpen } = this.#trip;
     const { port, info } = this.#known;
@@ -230,9 +232,9 @@ export class Visit {
     }
     const error = new ConnectionError('lost', 'the port was unplugged or its stream failed', cause);
     const lasted = clock.now() - (this.#openedAt ?? clock.now());
-    this.#finish({ why: 'lost', error, watch: new ReturnWatch(port, serial, clock), lasted });
+    this.#finish({ why: 'lost', error, unplugged, watch: new ReturnWatch(port, serial, clock), lasted });
     // Told at once, so that it is known before any request that was under way fails.
-    this.#trip.tell('lost', { status: 'away', port, info, error });
+    this.#trip.tell('lost', { status: 'away', port, info, error, unplugged });
   }
 
   #finish(end: VisitEnd): void {

@@ -3,6 +3,7 @@ import { createModels } from '../../src/app/models.js';
 import { platformOf } from '../../src/app/platform.js';
 import { plugRecording } from '../../src/app/simulated-timer.js';
 import type { TabChannel } from '../../src/app/state/other-tabs.js';
+import { TabNumber } from '../../src/app/state/tab-number.js';
 import type { Backup, Draft, Keeper, PortRecord, Storage, Unfinished } from '../../src/app/storage/index.js';
 import { MockSerial } from '../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../serial/bench.js';
@@ -58,10 +59,18 @@ export interface BenchOptions extends TimerOptions {
   readonly webSerial?: boolean;
   /** Between this page and other tabs of it. Default: none. */
   readonly channel?: TabChannel;
+  /** Default: of a browser without locks. */
+  readonly tab?: TabNumber;
 }
 
 /** Everything of the app but its screen, before a timer that is not there. Time is turned by {@link run} alone. */
-export async function appBench({ store = new MemoryStore(), webSerial = true, channel, ...timer }: BenchOptions = {}) {
+export async function appBench({
+  store = new MemoryStore(),
+  webSerial = true,
+  channel,
+  tab,
+  ...timer
+}: BenchOptions = {}) {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
   onTestFinished(() => void vi.useRealTimers());
   const serial = new MockSerial({ userActivation: true });
@@ -71,6 +80,7 @@ export async function appBench({ store = new MemoryStore(), webSerial = true, ch
   const models = createModels({
     surroundings: { serial: webSerial ? serial : undefined, isSecureContext: true },
     storage: store,
+    tab: tab ?? new TabNumber(null, { load: () => null, save: () => {} }),
     plugSimulated: (timerClass) => new Adapter(new MockSerial(), { identity: { timerClass } }).port,
     plugRecording,
     platform: platformOf({ userAgent: '' }),

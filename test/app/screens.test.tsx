@@ -442,6 +442,23 @@ describe('after a loss', () => {
     expect(button('Write…').disabled).toBe(false);
     expect(field('DT time').value).toBe('4:00');
   });
+
+  it('says only that the connection broke off while the plug may be in, and tries again by itself', async () => {
+    const { adapter, port } = await connected();
+    port.device.error('lost');
+    await idle(100);
+    expect(screen.getByText('The connection to the adapter broke off.')).toBeTruthy();
+    expect(screen.getByText('Connection broken off')).toBeTruthy();
+    expect(screen.queryByText(/unplugged/)).toBeNull();
+    await idle();
+    expect(screen.getByText('The timer is back.')).toBeTruthy();
+    port.device.error('lost');
+    await idle(100);
+    adapter.unplug();
+    await idle();
+    expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
+    expect(screen.queryByText(/broke off/)).toBeNull();
+  });
 });
 
 describe('without Web Serial', () => {

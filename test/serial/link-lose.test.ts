@@ -5,14 +5,14 @@ import { failure } from './bench.js';
 import { connectionOf, type LinkBench, linkBench, on, portOf, way } from './link-bench.js';
 
 describe('a loss', () => {
-  const ways: readonly [string, (bench: LinkBench) => void][] = [
-    ['the plug is pulled', ({ adapter }) => adapter.unplug()],
-    ['the stream fails', ({ port }) => port.device.error('lost')],
-    ['the browser says so', ({ port }) => port.dispatchEvent(new Event('disconnect', { bubbles: true }))],
-    ['the site gives up its permission', ({ port }) => void port.forget()],
+  const ways: readonly [string, (bench: LinkBench) => void, unplugged: boolean][] = [
+    ['the plug is pulled', ({ adapter }) => adapter.unplug(), true],
+    ['the stream fails', ({ port }) => port.device.error('lost'), false],
+    ['the browser says so', ({ port }) => port.dispatchEvent(new Event('disconnect', { bubbles: true })), true],
+    ['the site gives up its permission', ({ port }) => void port.forget(), false],
   ];
 
-  it.each(ways)('is told once when %s', async (_, lose) => {
+  it.each(ways)('is told once when %s', async (_, lose, unplugged) => {
     const bench = await on();
     lose(bench);
     await bench.clock.advance(100);
@@ -22,6 +22,7 @@ describe('a loss', () => {
         port: bench.port,
         info: bench.port.getInfo(),
         error: expect.objectContaining({ name: 'ConnectionError', code: 'lost' }),
+        unplugged,
       },
     ]);
     expect(bench.port.device.opened, 'the port is closed').toBeNull();
@@ -44,6 +45,20 @@ describe('a loss', () => {
       adapter.unplugAfter(bytes);
       const asked = [client.readProgram(), client.identify(), client.selectMemory(1)].map(failure);
       for (const error of await clock.run(Promise.all(asked))) expect(error).toMatchObject({ name: 'TimerError' });
+    },
+  );
+
+  it.each(['says', 'does not say'])(
+    'is told as an unplugged port once that is known, in a browser that %s whether a port is connected',
+    async (says) => {
+      const { clock, adapter, port, states } = await on();
+      if (says !== 'says') Object.defineProperty(port, 'connected', { value: undefined });
+      port.device.error('lost');
+      await clock.advance(50);
+      adapter.unplug();
+      await clock.advance(60_000);
+      const told = states.map((state) => state.status === 'away' && state.unplugged);
+      expect([way(states), told]).toEqual(['away', [false, true]]);
     },
   );
 

@@ -220,6 +220,17 @@ const JOURNEYS: readonly Journey[] = [
     way: 'opening > searching > on > away > opening > searching > on',
   },
   {
+    name: 'a stream that fails before its plug is seen to be out',
+    go: async ({ connect, adapter, port, clock }) => {
+      await connect();
+      port.device.error('lost');
+      await clock.advance(50);
+      adapter.unplug();
+      await clock.advance(1000);
+    },
+    way: 'opening > searching > on > away',
+  },
+  {
     name: 'a port that fails whenever it is open',
     go: async ({ port, clock, link }) => {
       port.device.onopenchange = (opened) => opened && port.device.error('lost');

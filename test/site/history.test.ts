@@ -63,6 +63,22 @@ for (const end of ['is loaded again', 'crashes']) {
   });
 }
 
+test('a key that is pressed just before the page is left is kept', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await app.field('Function 2, S1').focus();
+  for (const key of ['7', '8', '9']) {
+    await app.field('Function 2, S1').evaluate((field, typed) => {
+      const input = field as HTMLInputElement;
+      input.value = typed;
+      input.dispatchEvent(new InputEvent('input', { bubbles: true }));
+      location.reload();
+    }, key);
+    await app.says('Your edits are back.');
+    expect(await app.valueOf('Function 2, S1')).toBe(key);
+  }
+});
+
 test('each memory keeps a history of its own, also over a reload', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();

@@ -1,4 +1,6 @@
+import { once } from 'node:events';
 import { copyFileSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
+import { type AddressInfo, createServer } from 'node:net';
 import { delimiter, dirname, extname, join } from 'node:path';
 import process from 'node:process';
 import type { Page } from 'playwright';
@@ -81,6 +83,16 @@ describe('the package in a browser', () => {
   });
 });
 
+/** A port of this machine that nobody listens at. */
+async function freePort(): Promise<number> {
+  const server = createServer().listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  const { port } = server.address() as AddressInfo;
+  server.close();
+  await once(server, 'close');
+  return port;
+}
+
 test('the example tests of a page pass in Playwright, with the mock port put into the page', async () => {
   const consumer = await Consumer.create();
   consumer.link('playwright');
@@ -97,6 +109,7 @@ test('the example tests of a page pass in Playwright, with the mock port put int
   const { PATH = '' } = process.env;
   consumer.env = {
     CHROME_PATH: findBrowser() ?? '',
+    PORT: String(await freePort()),
     PATH: [join(root, 'node_modules/.bin'), PATH].join(delimiter),
   };
   const cli = join(root, 'node_modules/playwright/cli.js');

@@ -34,6 +34,10 @@ export const link = {
     title: 'The adapter is unplugged.',
     advice: 'Plug it in: the connection comes back by itself. What you typed is kept.',
   },
+  brokenOff: {
+    title: 'The connection to the adapter broke off.',
+    advice: 'It is tried again by itself. What you typed is kept.',
+  },
   asked: (count: number) => `asked ${count} ${count === 1 ? 'time' : 'times'}`,
   status: {
     off: 'Not connected',
@@ -42,6 +46,7 @@ export const link = {
     searching: 'Looking for the timer',
     waiting: 'Waiting for the timer',
     away: 'Adapter unplugged',
+    brokenOff: 'Connection broken off',
     closing: 'Disconnecting',
   },
   stop: 'Stop',

@@ -99,5 +99,6 @@ function LinkState() {
     );
   }
   const busy = state.status === 'off' ? '' : 'busy';
-  return <p class={`link-state ${busy}`}>{link.status[state.status]}</p>;
+  const status = state.status === 'away' && !state.unplugged ? 'brokenOff' : state.status;
+  return <p class={`link-state ${busy}`}>{link.status[status]}</p>;
 }

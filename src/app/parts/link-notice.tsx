@@ -27,7 +27,7 @@ export function LinkNotice() {
     case 'waiting':
       return <Waiting said={link.waiting} detail={state.asked > 0 && link.asked(state.asked)} onStop={stop} />;
     case 'away':
-      return <Waiting said={link.away} onStop={stop} />;
+      return <Waiting said={state.unplugged ? link.away : link.brokenOff} onStop={stop} />;
     case 'closing':
       return <ProgressLine label={link.closing} progress={null} />;
     default:

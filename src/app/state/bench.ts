@@ -12,7 +12,6 @@ import { MAX_POSITION } from '../../protocol/index.js';
 import type { FieldValue } from '../edit/edits.js';
 import { trialsSchema } from '../storage/records.js';
 import { loadSetting, saveSetting } from '../storage/settings.js';
-import { programKey } from './keys.js';
 import type { Session } from './session.js';
 
 /** What may happen on the bench when the timer is told so. */
@@ -53,8 +52,8 @@ export class Bench {
   /** Whether anything may be begun: a timer that does nothing else, and a pilot who has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
   readonly #following = signal(false, { name: 'following' });
-  /** By kind of timer and memory, see `programKey`; through a reload too. */
-  readonly #trials = signal<ReadonlyMap<string, Trial>>(keptTrials(), { name: 'trials' });
+  /** By what was worked on, see `workKey`; through a reload too. */
+  readonly #trials = signal<ReadonlyMap<string, Trial>>(keptTrials() ?? new Map(), { name: 'trials' });
   /** What the servos follow. */
   #followed: string | null = null;
   readonly #session: Session;
@@ -102,14 +101,6 @@ export class Bench {
       // A reading says that a write has put it back, or that nothing was stored at all.
       const isOver = !this.#following.value && session.editor.fresh.value && this.tried.value.length === 0;
       if (isOver && this.trial.value) untracked(() => this.#setTrial(null));
-    });
-    effect(() => {
-      const kept = [...this.#trials.value].map(([key, { before, touched }]) => ({
-        key,
-        before,
-        touched: [...touched],
-      }));
-      saveSetting(TRIALS, kept);
     });
   }
 
@@ -265,21 +256,25 @@ export class Bench {
   }
 
   #keyOf(program: TimerProgram): string {
-    return programKey(program, this.#session.simulated.value);
+    return this.#session.workKey(program);
   }
 
   /** Keeps the trial of what the timer holds now, or ends it. */
   #setTrial(trial: Trial | null): void {
     const held = this.#session.editor.baseline.value;
     if (!held) return;
-    const trials = new Map(this.#trials.value);
+    // Other tabs keep theirs in the same place.
+    const trials = new Map(keptTrials() ?? this.#trials.value);
     if (trial) trials.set(this.#keyOf(held), trial);
     else trials.delete(this.#keyOf(held));
     this.#trials.value = trials;
+    const kept = [...trials].map(([key, { before, touched }]) => ({ key, before, touched: [...touched] }));
+    saveSetting(TRIALS, kept);
   }
 }
 
-function keptTrials(): ReadonlyMap<string, Trial> {
-  const kept = loadSetting(TRIALS, trialsSchema) ?? [];
-  return new Map(kept.map(({ key, before, touched }) => [key, { before, touched: new Set(touched) }]));
+/** Null where nothing is kept. */
+function keptTrials(): ReadonlyMap<string, Trial> | null {
+  const kept = loadSetting(TRIALS, trialsSchema);
+  return kept && new Map(kept.map(({ key, before, touched }) => [key, { before, touched: new Set(touched) }]));
 }

@@ -6,7 +6,14 @@ export function kindKey({ timerClass, firmware, functions, servos }: Identity, s
   return [simulated ? 'simulated' : 'timer', timerClass, firmware, functions, servos].join('/');
 }
 
-/** Under what the work on a program is kept: kind of timer and memory. */
+/** What a program is for: kind of timer and memory. */
 export function programKey({ identity, memory }: TimerProgram, simulated: boolean): string {
   return `${kindKey(identity, simulated)}/${memory ?? '?'}`;
+}
+
+/** Under what the work on a program is kept. Each tab has a simulated timer of its own: `tab` is its number, see `TabNumber`. */
+export function workKey(program: TimerProgram, simulated: boolean, tab: number): string {
+  const key = programKey(program, simulated);
+  // The first is called as those were that had no number.
+  return simulated && tab > 1 ? `${key}/${tab}` : key;
 }

@@ -15,11 +15,12 @@ import type { Backup, Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
 import { Drafts } from './drafts.js';
 import { Editor } from './editor.js';
-import { kindKey, programKey } from './keys.js';
+import { kindKey, programKey, workKey } from './keys.js';
 import { LineLog } from './line-log.js';
 import { Link } from './link.js';
 import { Recovery } from './recovery.js';
 import { ServoMoves } from './servo-moves.js';
+import type { TabNumber } from './tab-number.js';
 
 /** What there is to say beside errors. */
 export type NoteCode =
@@ -66,6 +67,7 @@ export interface JobOptions {
 export interface SessionOptions {
   readonly surroundings: Surroundings;
   readonly storage: Storage;
+  readonly tab: TabNumber;
   readonly plugSimulated: (timerClass: 'Q' | 'B') => SerialPortLike;
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
 }
@@ -103,7 +105,7 @@ export class Session {
 
   constructor(options: SessionOptions) {
     this.#options = options;
-    this.#drafts = new Drafts(options.storage.drafts, () => this.say('not-kept'));
+    this.#drafts = new Drafts(options.storage.drafts, options.tab, () => this.say('not-kept'));
     this.backups = new Backups(options.storage.backups);
     this.recovery = new Recovery(options.storage.unfinished, this.backups);
     this.link = new Link({
@@ -156,14 +158,17 @@ export class Session {
 
   async trySimulated(timerClass: 'Q' | 'B'): Promise<void> {
     await this.#goTo(async () => {
-      await this.recovery.forgetSimulated();
+      await Promise.all([this.recovery.forgetSimulated(), this.#options.tab.takeAny()]);
       return () => this.link.connectSimulated(this.#options.plugSimulated(timerClass));
     });
   }
 
   /** Connects to a timer that answers as another one did while its line was recorded. */
   async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
-    await this.#goTo(async () => () => this.link.connectSimulated(this.#options.plugRecording(entries)));
+    await this.#goTo(async () => {
+      await this.#options.tab.takeAny();
+      return () => this.link.connectSimulated(this.#options.plugRecording(entries));
+    });
   }
 
   /** Stops what is under way, lets the last request end and closes the port. What was typed stays on the screen. */
@@ -257,6 +262,11 @@ export class Session {
     this.notice.value = { kind: 'note', code };
   }
 
+  /** Under what the work on a program of the timer on the screen is kept. */
+  workKey(program: TimerProgram): string {
+    return workKey(program, this.simulated.value, this.#options.tab.value);
+  }
+
   /** What was kept becomes what the pilot wants; nothing is written. */
   showBackup({ program }: Backup): void {
     const { working } = this.editor;
@@ -315,15 +325,14 @@ export class Session {
   /** Shows what was read, with the edits that belong to it. */
   async #show(read: TimerProgram): Promise<void> {
     const simulated = this.link.simulated.value;
-    const key = programKey(read, simulated);
     const { editor } = this;
     const before = editor.working.value;
     const held = editor.baseline.value;
-    const same = before !== null && programKey(before, this.simulated.value) === key;
+    const same = before !== null && programKey(before, this.simulated.value) === programKey(read, simulated);
     const otherKind =
       before !== null && kindKey(before.identity, this.simulated.value) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
-    const draft = same ? undefined : await this.#drafts.of(key);
+    const draft = same ? undefined : await this.#drafts.of(read, simulated);
     const completed = await this.recovery.look(read, simulated);
     // What an interrupted write explains is told by the offer to finish it, and by nothing else.
     const explained = this.recovery.offer.value?.kind === 'write';

@@ -47,12 +47,19 @@ export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>>
 /** So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in milliseconds. */
 const PATIENCE = 50;
 
-/** Copying a record takes time: what was typed is drawn first. */
-function drawn(): Promise<unknown> {
+/** Copying a record takes time: what was typed is drawn first. A page that is left, or put away on a phone, may never be idle again. */
+function drawn(): Promise<void> {
   return new Promise((resolve) => {
+    const settled = new AbortController();
+    const settle = (): void => {
+      settled.abort();
+      resolve();
+    };
+    addEventListener('pagehide', settle, settled);
+    document.addEventListener('visibilitychange', settle, settled);
     // Safari knows nothing of being idle.
-    if (typeof requestIdleCallback === 'function') requestIdleCallback(resolve, { timeout: PATIENCE });
-    else setTimeout(resolve, PATIENCE);
+    if (typeof requestIdleCallback === 'function') requestIdleCallback(settle, { timeout: PATIENCE });
+    else setTimeout(settle, PATIENCE);
   });
 }
 
@@ -80,7 +87,10 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     if (this.#durability === 'relaxed') await drawn();
     const options = { durability: this.#durability };
     const writing = (await this.#opened).transaction(this.#name, 'readwrite', options);
-    await Promise.all([writing.store.put(record), writing.done]);
+    const put = writing.store.put(record);
+    // Not left to the page, which may be gone when the record has been put.
+    writing.commit?.();
+    await Promise.all([put, writing.done]);
   }
 
   async remove(key: string): Promise<void> {

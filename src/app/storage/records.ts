@@ -59,6 +59,8 @@ export const draftSchema = v.object({
   savedAt: v.number(),
   /** Whether it came from the simulated timer. */
   simulated: v.boolean(),
+  /** The number of the tab with that simulated timer, see `TabNumber`. */
+  tab: v.optional(v.number(), 1),
 });
 export type Draft = v.InferOutput<typeof draftSchema>;
 

@@ -3,10 +3,17 @@ import * as v from 'valibot';
 /** Small choices that are kept in the browser. Where nothing is kept they last as long as the page. */
 const PREFIX = 'sidus-timer/';
 
+/** For all tabs and for good, or for one tab until it is closed. */
+type Place = 'localStorage' | 'sessionStorage';
+
 /** @returns null when nothing is kept under this name, or something else than a value of this form. */
-export function loadSetting<T>(name: string, schema: v.GenericSchema<unknown, T>): T | null {
+export function loadSetting<T>(
+  name: string,
+  schema: v.GenericSchema<unknown, T>,
+  place: Place = 'localStorage',
+): T | null {
   try {
-    const text = localStorage.getItem(PREFIX + name);
+    const text = globalThis[place].getItem(PREFIX + name);
     const parsed = v.safeParse(schema, text === null ? null : JSON.parse(text));
     return parsed.success ? parsed.output : null;
   } catch {
@@ -14,9 +21,9 @@ export function loadSetting<T>(name: string, schema: v.GenericSchema<unknown, T>
   }
 }
 
-export function saveSetting(name: string, value: unknown): void {
+export function saveSetting(name: string, value: unknown, place: Place = 'localStorage'): void {
   try {
-    localStorage.setItem(PREFIX + name, JSON.stringify(value));
+    globalThis[place].setItem(PREFIX + name, JSON.stringify(value));
   } catch {
     // The storage is full or switched off: the choice holds for this page alone.
   }

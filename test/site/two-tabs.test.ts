@@ -1,0 +1,32 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+test('two tabs with a simulated timer keep their edits apart, also when both are loaded again', async () => {
+  const first = await AppPage.open();
+  await first.trySimulated('F1Q');
+  await first.type('Function 2, S1', '7');
+  await first.kept();
+  const second = await first.sibling();
+  await second.page.getByRole('banner').waitFor();
+  expect(await second.text('Your edits are back.').count(), 'they are those of the first').toBe(0);
+  await second.trySimulated('F1Q');
+  expect(await second.valueOf('Function 2, S1')).toBe('35');
+  await second.type('Function 2, S1', '8');
+  await second.kept();
+  for (const [app, text] of [
+    [first, '7'],
+    [second, '8'],
+    [first, '7'],
+  ] as const) {
+    await app.reload();
+    await app.says('Your edits are back.');
+    expect(await app.valueOf('Function 2, S1')).toBe(text);
+  }
+  await second.page.close();
+  await first.reload();
+  await first.says('Your edits are back.');
+  expect(await first.valueOf('Function 2, S1'), 'not the later one of the tab that was closed').toBe('7');
+  const third = await first.sibling();
+  await third.says('Your edits are back.');
+  expect(await third.valueOf('Function 2, S1')).toBe('8');
+});
