@@ -18,6 +18,7 @@ import './styles/link.css';
 import './styles/overview.css';
 import './styles/preview.css';
 import './styles/program.css';
+import './styles/range.css';
 import './styles/table.css';
 import './styles/timeline.css';
 import './styles/write.css';

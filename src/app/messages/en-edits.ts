@@ -42,7 +42,8 @@ const refused: Record<
   'too-large': ({ cells }) => `The table is too large: the rest was not read. At most ${cells} cells are.`,
 };
 
-const cells = (count: number): string => `${count} ${count === 1 ? 'value' : 'values'}`;
+const counted = (count: number, name: string): string => `${count} ${name}${count === 1 ? '' : 's'}`;
+const cells = (count: number): string => counted(count, 'value');
 
 /** Undo, redo, and edits of many fields at once. */
 export const edits = {
@@ -63,12 +64,25 @@ export const edits = {
     up: (field: string) => `Step up ${field}`,
     down: (field: string) => `Step down ${field}`,
     putBack: (field: string) => `Put back ${field}`,
+    selectRange: 'Select range',
     signs: { up: '+', down: '−', putBack: '↺' },
   },
   table: {
     interval: 'Interval',
     intervalOf: (column: string) => `${column} interval`,
     selected: (count: number) => `${cells(count)} selected`,
+    range: {
+      title: 'Selected range',
+      pick: 'Now tap another cell.',
+      size: (rows: number, columns: number, functions: boolean) =>
+        `${counted(rows, functions ? 'function' : 'row')}, ${counted(columns, 'column')}`,
+      copy: 'Copy',
+      paste: 'Paste…',
+      fillDown: 'Fill down',
+      done: 'Done',
+      clipboardEmpty: 'There is no text to paste.',
+      clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
+    },
     keys: 'Arrows and Enter go from cell to cell, Alt with up or down steps a value, Shift with an arrow selects, Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,

@@ -1,7 +1,8 @@
-import type { RefObject } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { createContext, type RefObject } from 'preact';
+import { useContext, useEffect, useRef } from 'preact/hooks';
 import type { StepOptions } from '../edit/edits.js';
 import { messages } from '../messages/index.js';
+import type { Selection } from '../state/selection.js';
 
 export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 
@@ -39,6 +40,9 @@ export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): 
   return true;
 }
 
+/** What is selected in the table that a field stands in; null elsewhere. */
+export const TableSelection = createContext<Selection | null>(null);
+
 interface FieldToolsProps {
   readonly label: string;
   readonly onStep: OnStep;
@@ -48,10 +52,15 @@ interface FieldToolsProps {
 
 /**
  * At the field that has the focus: back to what the timer holds, and for a thumb, which has no arrows and no wheel, a step down and a step
- * up. The focus stays.
+ * up; in the table also a way to select. The focus stays, until more is to be selected: then the keyboard makes room for it.
  */
 export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
-  const { down, up, putBack, signs } = messages.value.edits.field;
+  const { down, up, putBack, selectRange, signs } = messages.value.edits.field;
+  const selection = useContext(TableSelection);
+  const pick = (picked: Selection): void => {
+    picked.picking.value = true;
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  };
   return (
     <span class="field-tools" onPointerDown={(event) => event.preventDefault()}>
       <button type="button" class="step" tabIndex={-1} aria-label={down(label)} onClick={() => onStep(-1)}>
@@ -63,6 +72,11 @@ export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
       {onRevert && (
         <button type="button" tabIndex={-1} aria-label={putBack(label)} onClick={onRevert}>
           {signs.putBack}
+        </button>
+      )}
+      {selection && (
+        <button type="button" class="select-range" tabIndex={-1} onClick={() => pick(selection)}>
+          {selectRange}
         </button>
       )}
     </span>

@@ -9,6 +9,7 @@ import { attemptInterval } from '../state/attempt.js';
 import { formatInterval, parseInterval } from '../units.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { useSteady } from './use-steady.js';
+import { useSwipe } from './use-swipe.js';
 
 /** What was last done in the field. */
 interface Entry {
@@ -63,6 +64,7 @@ export function IntervalField({ column, label }: { readonly column: number; read
     entered.value = { text, problem, interval: find() };
   };
   useWheel(input, step);
+  useSwipe(input, step);
   return (
     <span class={`value ${problem ? 'wrong' : ''}`}>
       <input

@@ -1,10 +1,9 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
-import { useEffect, useMemo } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
-import { formatTable } from '../edit/clipboard-table.js';
 import { fillDown } from '../edit/edits.js';
-import { cellFor, FIRST_SERVO_COLUMN, fieldsIn, INTERVAL_COLUMN, TIME_COLUMN } from '../edit/grid.js';
+import { cellFor, FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../edit/grid.js';
 import { columnLabel, fieldLabel, messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../state/attempt.js';
@@ -12,9 +11,12 @@ import { programKey } from '../state/keys.js';
 import { Selection } from '../state/selection.js';
 import { ColumnMenu } from './column-menu.js';
 import { notesFor } from './field-notes.js';
+import { TableSelection } from './field-tools.js';
 import { IntervalField } from './interval-field.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
-import { cellOf, onTableKey } from './table-keys.js';
+import { RangeBar } from './range-bar.js';
+import { tableClipboard } from './table-clipboard.js';
+import { cellAt, cellOf, onTableKey } from './table-keys.js';
 import { useSteady } from './use-steady.js';
 import { ValueField } from './value-field.js';
 
@@ -29,6 +31,8 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   const selection = useMemo(() => new Selection(), []);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
+  const table = useRef<HTMLTableElement>(null);
+  const foot = useRef<HTMLDivElement>(null);
   const identity = editor.identity.value;
   const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
   if (!identity) return null;
@@ -46,47 +50,40 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
     const found = attempt(editor, edit, { code: 'fill', params: { count } });
     obstacle.value = found && obstacleText(identity, found);
   };
-  const copy = (event: ClipboardEvent): void => {
-    const { working } = editor;
-    const range = selection.range.value;
-    if (!selection.isWide.value || !range || !working.value || !event.clipboardData) return;
-    event.preventDefault();
-    event.clipboardData.setData('text/plain', formatTable(working.value, range));
-  };
-  /** No cell of a program can be empty: what is cut is only copied, but for a part of a text. */
-  const cut = (event: ClipboardEvent): void => {
-    copy(event);
-    const { target, clipboardData } = event;
-    if (event.defaultPrevented || !(target instanceof HTMLInputElement) || !clipboardData) return;
-    if (target.selectionStart !== 0 || target.selectionEnd !== target.value.length) return;
-    event.preventDefault();
-    clipboardData.setData('text/plain', target.value);
-  };
-  const paste = (event: ClipboardEvent): void => {
-    const text = event.clipboardData?.getData('text/plain') ?? '';
-    const range = selection.range.value;
-    // One value into one cell is typing.
-    if (!range || text === '' || !(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
-    event.preventDefault();
-    pasting.value = { range, text };
+  const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({ editor, selection, pasting, obstacle });
+  const toBar = (): void => foot.current?.querySelector('button')?.focus();
+  /** Whoever came to the buttons by keys goes back to the cell; a thumb does not want its keyboard. */
+  const done = (): void => {
+    const { value: cell } = selection.active;
+    const byKeys = foot.current?.contains(document.activeElement);
+    selection.collapse();
+    obstacle.value = null;
+    if (byKeys && cell && table.current) cellAt(table.current, cell)?.querySelector('input')?.focus();
   };
   return (
     <div class="table-box">
       <table
-        class="program-table"
+        ref={table}
+        class={selection.picking.value ? 'program-table picking' : 'program-table'}
         aria-describedby="table-keys"
-        onKeyDown={(event) => onTableKey(event, { editor, selection, fillDown: fill })}
+        onKeyDown={(event) => onTableKey(event, { editor, selection, fillDown: fill, toBar })}
         onFocusIn={({ target }) => {
           obstacle.value = null;
           const cell = cellOf(target);
           const active = selection.active.value;
-          if (cell && (cell.row !== active?.row || cell.column !== active.column)) selection.enter(cell);
+          if (!cell) return;
+          if (selection.picking.value) {
+            // It came in some other way, as by a long press or from a screen reader.
+            selection.extendTo(cell);
+            if (target instanceof HTMLElement) target.blur();
+          } else if (cell.row !== active?.row || cell.column !== active.column) selection.enter(cell);
         }}
         onInput={() => selection.collapse()}
         onMouseDown={(event) => {
           const cell = cellOf(event.target);
           if (!cell || event.button !== 0) return;
-          if (!event.shiftKey || !selection.active.value) return selection.enter(cell);
+          const isCorner = event.shiftKey || selection.picking.value;
+          if (!isCorner || !selection.active.value) return selection.enter(cell);
           event.preventDefault();
           selection.extendTo(cell);
         }}
@@ -119,34 +116,33 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
             ))}
           </tr>
         </thead>
-        <tbody>
-          {columns.map((column) => (
-            <ProgramRow key={column} {...{ identity, column, servos, selection, marked }} />
-          ))}
-        </tbody>
+        <TableSelection.Provider value={selection}>
+          <tbody>
+            {columns.map((column) => (
+              <ProgramRow key={column} {...{ identity, column, servos, selection, marked }} />
+            ))}
+          </tbody>
+        </TableSelection.Provider>
       </table>
       <p class="hint keys-hint" id="table-keys">
         {edits.table.keys}
       </p>
-      <Selected identity={identity} selection={selection} />
-      {obstacle.value && (
-        <p class="notes bad-text" role="alert">
-          {edits.nothingDone} {obstacle.value}
-        </p>
-      )}
+      <div class="range-foot" ref={foot}>
+        <RangeBar
+          {...{ identity, selection }}
+          text={selectedText}
+          onPaste={() => void pasteCopied()}
+          onFill={fill}
+          onDone={done}
+        />
+        {obstacle.value && (
+          <p class="notes bad-text" role="alert">
+            {edits.nothingDone} {obstacle.value}
+          </p>
+        )}
+      </div>
       <PasteDialog pasting={pasting} />
     </div>
-  );
-}
-
-/** How many values are meant, said when they are more than one. */
-function Selected({ identity, selection }: { readonly identity: Identity; readonly selection: Selection }) {
-  const range = selection.range.value;
-  const { selected } = messages.value.edits.table;
-  return (
-    <p class="visually-hidden" role="status">
-      {selection.isWide.value && range && selected(fieldsIn(identity, range).length)}
-    </p>
   );
 }
 
@@ -175,7 +171,7 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
     };
   }, [editor, positions]);
   const selected = useSteady(() => {
-    const range = selection.isWide.value ? selection.range.value : null;
+    const range = selection.shown.value;
     return range && column >= range.top && column <= range.bottom ? range : null;
   }, [selection, column]);
   const markedAt = useSteady(() => {

@@ -7,6 +7,8 @@ export interface TableKeys {
   readonly editor: Editor;
   readonly selection: Selection;
   readonly fillDown: () => void;
+  /** Moves the focus to what can be done to a range. */
+  readonly toBar: () => void;
 }
 
 /** Where in the grid something of the table stands; null outside of its cells. */
@@ -14,6 +16,11 @@ export function cellOf(target: EventTarget | null): GridCell | null {
   const cell = target instanceof Element ? target.closest('td[data-cell]') : null;
   const row = cell?.closest('tr[data-column]')?.getAttribute('data-column');
   return cell && row ? { row: Number(row), column: Number(cell.getAttribute('data-cell')) } : null;
+}
+
+/** What stands in the table at a place of the grid. */
+export function cellAt(table: Element, { row, column }: GridCell): Element | null {
+  return table.querySelector(`tr[data-column="${row}"] td[data-cell="${column}"]`);
 }
 
 const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {
@@ -24,7 +31,7 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
 };
 
 /**
- * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Ctrl+D fills down. Left and right move within a
+ * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes from it to its buttons, Ctrl+D fills down. Left and right move within a
  * text until its end.
  */
 export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
@@ -40,6 +47,11 @@ export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   if (event.key === 'Escape' && keys.selection.isWide.value) {
     event.preventDefault();
     keys.selection.collapse();
+    return;
+  }
+  if (event.key === 'Tab' && !event.shiftKey && keys.selection.isWide.value) {
+    event.preventDefault();
+    keys.toBar();
     return;
   }
   if (event.key === 'Enter') {
@@ -87,7 +99,7 @@ function moveFocus(
   for (;;) {
     row += down;
     column += right;
-    const found = table?.querySelector(`tr[data-column="${row}"] td[data-cell="${column}"]`);
+    const found = table && cellAt(table, { row, column });
     if (!found) return;
     const input = found.querySelector('input');
     if (!input) continue;

@@ -8,6 +8,7 @@ import { stepField } from '../state/attempt.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { useSteady } from './use-steady.js';
+import { useSwipe } from './use-swipe.js';
 
 interface ValueFieldProps {
   readonly field: ProgramField;
@@ -47,6 +48,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
     if (!readOnly) stepField(editor, field, direction, options);
   };
   useWheel(input, step);
+  useSwipe(input, step);
   return (
     <span class={`value ${change ? 'changed' : ''} ${wrong ? 'wrong' : ''}`}>
       <input

@@ -1,5 +1,5 @@
 import { useComputed, useSignal } from '@preact/signals';
-import { useCallback } from 'preact/hooks';
+import { useCallback, useLayoutEffect, useRef } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { messages, timerName } from '../messages/index.js';
@@ -141,8 +141,19 @@ function Actions() {
   const { editor } = session;
   const count = useComputed(() => editor.changes.value.length).value;
   const connected = session.connection.value !== null;
+  const bar = useRef<HTMLElement>(null);
+  // What stays in sight above it has to know how high it is.
+  useLayoutEffect(() => {
+    const { current } = bar;
+    if (!current) return;
+    const observer = new ResizeObserver(() => {
+      current.parentElement?.style.setProperty('--actions', `${current.offsetHeight}px`);
+    });
+    observer.observe(current);
+    return () => observer.disconnect();
+  }, []);
   return (
-    <section class="actions">
+    <section class="actions" ref={bar}>
       <p class="changes" role="status">
         <strong>{program.changes(count)}</strong> {count > 0 && <span>{program.changesHint}</span>}
       </p>

@@ -16,6 +16,12 @@ export class Selection {
     const range = this.range.value;
     return range !== null && (range.top !== range.bottom || range.left !== range.right);
   });
+  /** Whether the next cell that is tapped is the other corner, for those who have no Shift. */
+  readonly picking = signal(false);
+  /** What is shown as selected; null while it is no more than the cell with the focus. */
+  readonly shown: ReadonlySignal<GridRange | null> = computed(() =>
+    this.isWide.value || this.picking.value ? this.range.value : null,
+  );
   /** The corner that moves when the range is extended. */
   readonly corner: ReadonlySignal<GridCell | null> = computed(() => this.#corner.value ?? this.active.value);
 
@@ -32,7 +38,11 @@ export class Selection {
     if (this.active.value) this.#corner.value = cell;
   }
 
+  /** The active cell alone; no other corner is waited for. */
   collapse(): void {
-    this.#corner.value = null;
+    batch(() => {
+      this.#corner.value = null;
+      this.picking.value = false;
+    });
   }
 }

@@ -1,0 +1,85 @@
+import type { RefObject } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import type { OnStep } from './field-tools.js';
+
+/** So far a finger goes for one step, in pixels. */
+const TRAVEL = 14;
+
+/** A finger on the field: it may become a swipe, or scroll the page. */
+interface Swipe {
+  readonly id: number;
+  /** Where the last step was, at first where the finger came down. */
+  x: number;
+  readonly y: number;
+  /** What was marked of the text, so that it can be again; null when all of it was. */
+  readonly marked: readonly [start: number, end: number] | null;
+  /** It has made a step: where it goes from there on does not matter. */
+  going: boolean;
+}
+
+/**
+ * A finger or a pen that goes sideways over the field that has the focus steps it, to the right up. One that goes up or down, or over any
+ * other field, moves the page; a mouse marks the text.
+ */
+export function useSwipe(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
+  const latest = useRef(onStep);
+  latest.current = onStep;
+  useEffect(() => {
+    const { current } = input;
+    if (!current) return;
+    let swipe: Swipe | null = null;
+    const down = (event: PointerEvent): void => {
+      const { pointerId: id, clientX: x, clientY: y } = event;
+      const takes = event.isPrimary && event.pointerType !== 'mouse' && document.activeElement === current;
+      forget();
+      if (!takes) return;
+      swipe = { id, x, y, marked: markedIn(current), going: false };
+      addEventListener('pointermove', move);
+      addEventListener('pointerup', end);
+      addEventListener('pointercancel', end);
+    };
+    const move = ({ pointerId, clientX, clientY }: PointerEvent): void => {
+      if (pointerId !== swipe?.id) return;
+      const way = clientX - swipe.x;
+      const across = Math.abs(clientY - swipe.y);
+      if (!swipe.going && across >= TRAVEL && across >= Math.abs(way)) {
+        forget();
+        return;
+      }
+      const steps = Math.trunc(way / TRAVEL);
+      if (steps === 0) return;
+      swipe.x += steps * TRAVEL;
+      swipe.going = true;
+      for (let step = 0; step < Math.abs(steps); step++) latest.current(steps > 0 ? 1 : -1);
+    };
+    const end = ({ pointerId }: PointerEvent): void => {
+      if (pointerId !== swipe?.id) return;
+      // A new value has moved the caret, and a pen marks what it goes over.
+      if (swipe.going) current.setSelectionRange(...(swipe.marked ?? ([0, current.value.length] as const)));
+      forget();
+    };
+    const forget = (): void => {
+      swipe = null;
+      removeEventListener('pointermove', move);
+      removeEventListener('pointerup', end);
+      removeEventListener('pointercancel', end);
+    };
+    /** A pen would carry away the text that is marked. */
+    const drag = (event: DragEvent): void => {
+      if (swipe) event.preventDefault();
+    };
+    current.addEventListener('pointerdown', down);
+    current.addEventListener('dragstart', drag);
+    return () => {
+      current.removeEventListener('pointerdown', down);
+      current.removeEventListener('dragstart', drag);
+      forget();
+    };
+  }, [input]);
+}
+
+function markedIn({ selectionStart, selectionEnd, value }: HTMLInputElement): Swipe['marked'] {
+  const start = selectionStart ?? 0;
+  const end = selectionEnd ?? 0;
+  return start === 0 && end === value.length ? null : [start, end];
+}
