@@ -3,7 +3,7 @@ import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
 import { launchOptions } from './test/tools/browser.js';
 
-/** The parts of the screen are tested twice, by the same files: fast in happy-dom, and in a real browser. */
+/** The parts of the screen are tested twice, by the same files: fast in happy-dom, and in a real browser, which alone has a storage. */
 const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
   setupFiles: ['test/app/setup.ts'],
@@ -33,7 +33,7 @@ export default defineConfig({
       },
       {
         plugins,
-        test: { ...parts, name: 'parts', environment: 'happy-dom' },
+        test: { ...parts, name: 'parts', environment: 'happy-dom', exclude: ['**/*.browser.test.ts'] },
       },
       {
         plugins,

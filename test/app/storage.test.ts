@@ -1,7 +1,4 @@
-import { describe, expect, it, onTestFinished, vi } from 'vitest';
-import { openStorage, Shelf } from '../../src/app/storage/database.js';
-import { browserStorage } from '../../src/app/storage/index.js';
-import { backupSchema, portSchema, unfinishedSchema } from '../../src/app/storage/records.js';
+import { describe, expect, it, vi } from 'vitest';
 import { type AppBench, connectedBench, MemoryStore, reloaded, run } from './bench.js';
 
 /** The rates at which the port was opened, by the test's own order: each question is one line of the log. */
@@ -89,49 +86,5 @@ describe('what is remembered of a port', () => {
     bench.session.log.clear();
     await run(bench.session.connect());
     expect(asked(bench), 'this page remembers').toBe(1);
-  });
-});
-
-// Not every environment has the browser's storage: the real browser of the next project has.
-describe.runIf(typeof indexedDB !== 'undefined')('the storage of the browser', () => {
-  function name(): string {
-    const own = `test ${Math.random()}`;
-    onTestFinished(() => void indexedDB.deleteDatabase(own));
-    return own;
-  }
-
-  const PORT = {
-    key: 'usb 0403:6001',
-    usedAt: 5,
-    settings: { baudRate: 'find', dataBits: 8, parity: 'none', stopBits: 1, dtr: null, rts: null },
-    foundRate: 9600,
-    quirks: { 'timer/Q': { bigEndianTimes: true, positionsNeedMove: true } },
-  } as const;
-
-  it('gives back what was saved, by key and in the order of the keys, also to the next page', async () => {
-    const own = name();
-    const shelf = browserStorage(own).ports;
-    await shelf.save({ ...PORT, key: 'b' });
-    await shelf.save({ ...PORT, key: 'a' });
-    await shelf.save({ ...PORT, key: 'b', usedAt: 6 });
-    const next = browserStorage(own).ports;
-    expect(await next.load('b')).toEqual({ ...PORT, key: 'b', usedAt: 6 });
-    expect((await next.all()).map(({ key }) => key)).toEqual(['a', 'b']);
-    await next.remove('a');
-    expect([await shelf.load('a'), (await shelf.all()).length]).toEqual([undefined, 1]);
-  });
-
-  it('passes over what another version has stored', async () => {
-    const opened = openStorage(name());
-    const database = await opened;
-    await database.put('ports', { ...PORT, key: 'a', settings: { baudRate: -1 } });
-    await database.put('ports', PORT);
-    const shelf = new Shelf(opened, 'ports', portSchema);
-    expect([await shelf.load('a'), await shelf.all()]).toEqual([undefined, [PORT]]);
-    await database.put('unfinished', { key: 'a', kind: 'memories', home: -1 });
-    await database.put('backups', { key: 'a' });
-    expect(await new Shelf(opened, 'unfinished', unfinishedSchema).all()).toEqual([]);
-    expect(await new Shelf(opened, 'backups', backupSchema).all()).toEqual([]);
-    database.close();
   });
 });
