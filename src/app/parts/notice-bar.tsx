@@ -1,7 +1,7 @@
 import { messages, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
 import type { Platform } from '../platform.js';
-import type { Notice } from '../state/session.js';
+import type { Notice } from '../state/notice.js';
 import { OtherTabNotice } from './other-tab-notice.js';
 import { connectionSaid, TroubleHelp } from './trouble-help.js';
 

@@ -1,11 +1,9 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
-import { type AssumedQuirks, type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
+import { type AssumedQuirks, type Progress, TimerError } from '../../client/index.js';
 import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import {
-  type ConnectionErrorCode,
   type LinkState,
-  type PortInfo,
   portKey,
   type SerialPortLike,
   type Surroundings,
@@ -18,36 +16,10 @@ import { Editor } from './editor.js';
 import { kindKey, programKey, workKey } from './keys.js';
 import { LineLog } from './line-log.js';
 import { Link } from './link.js';
+import type { NoteCode, Notice } from './notice.js';
 import { Recovery } from './recovery.js';
 import { ServoMoves } from './servo-moves.js';
 import type { TabNumber } from './tab-number.js';
-
-/** What there is to say beside errors. */
-export type NoteCode =
-  | 'edits-restored'
-  | 'edits-kept'
-  | 'edits-moved'
-  | 'edits-set-aside'
-  | 'back-same'
-  | 'back-changed'
-  | 'other-kind'
-  | 'write-completed'
-  | 'nothing-written'
-  | 'taken-over'
-  | 'not-kept'
-  | 'unexpected';
-
-/** Something to say to the pilot, by code: the sentence stands in messages/. */
-export type Notice =
-  | {
-      readonly kind: 'connection';
-      readonly code: ConnectionErrorCode;
-      readonly port: PortInfo | null;
-      /** See `portKey`; null when no port is meant. */
-      readonly portKey: string | null;
-    }
-  | { readonly kind: 'timer'; readonly code: TimerErrorCode }
-  | { readonly kind: 'note'; readonly code: NoteCode };
 
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
