@@ -115,6 +115,15 @@ export const states = {
       await page.getByRole('textbox', { name: 'Function 4, S2', exact: true }).click();
     },
   },
+  range: {
+    title: 'A range, and what can be done with it',
+    reach: async (page) => {
+      await connect(page);
+      await page.getByRole('textbox', { name: 'Function 2, S1', exact: true }).focus();
+      for (const key of ['ArrowDown', 'ArrowDown', 'ArrowRight']) await page.keyboard.press(`Shift+${key}`);
+      await page.getByRole('toolbar').getByText('3 functions, 2 columns').waitFor();
+    },
+  },
   checks: {
     title: 'Checks, with corrections',
     reach: async (page) => {
@@ -172,6 +181,18 @@ export const states = {
         .getByText(/verified/i)
         .first()
         .waitFor();
+    },
+  },
+  unkept: {
+    title: 'Positions that were not kept, and the way to keep them',
+    bench: { granted: true, quirks: { servoNeedsMove: true } },
+    reach: async (page) => {
+      await edit(page);
+      await press(page, 'Write…');
+      await promise(page);
+      await page.getByRole('button', { name: 'Write 2 changes' }).click();
+      await page.getByRole('button', { name: 'Write again…' }).click();
+      await page.getByRole('checkbox', { name: /^Move the servos/ }).check();
     },
   },
   preview: {
