@@ -1,4 +1,4 @@
-import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { fireEvent, render, screen, waitFor, within } from '@testing-library/preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { type AppModels, Models } from '../../src/app/models.js';
 import { LinePanel } from '../../src/app/screens/line-panel.js';
@@ -288,7 +288,7 @@ describe('a recording', () => {
     await load('field.txt', ...RECORDING, '0.050 < 00');
     expect((await screen.findByRole('alert')).textContent).toContain('Line 5 of this file cannot be read.');
     fireEvent.click(button('Dismiss'));
-    await vi.waitFor(() => expect(screen.queryByRole('alert')).toBeNull());
+    await waitFor(() => expect(screen.queryByRole('alert')).toBeNull());
   });
 
   it('may be dropped on the panel', async () => {
