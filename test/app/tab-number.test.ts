@@ -33,7 +33,8 @@ function browser(): () => Tab {
           });
         }
         held.set(name, owner);
-        return work({});
+        await work({});
+        if (held.get(name) === owner) held.delete(name);
       },
     };
     const save = (number: number): void => {
@@ -85,6 +86,15 @@ describe('the number of a tab', () => {
     expect(page.value).toBe(2);
   });
 
+  it('is free while no other tab has it, however often that is asked', async () => {
+    const newTab = browser();
+    const [first, second] = [newTab().page(), newTab().page()];
+    await taken(first);
+    await taken(second);
+    expect([await first.isFree(1), await first.isFree(2), await first.isFree(3)]).toEqual([false, false, true]);
+    expect(await second.isFree(3)).toBe(true);
+  });
+
   it('is the same after a reload, also when a lower one has become free', async () => {
     const newTab = browser();
     const [first, second] = [newTab(), newTab()];
@@ -125,10 +135,13 @@ describe('the number of a tab', () => {
   });
 });
 
-describe('two tabs with a simulated timer', () => {
+describe.each([
+  ['simulated', (bench: AppBench) => bench.session.trySimulated('Q')],
+  ['real', (bench: AppBench) => bench.session.connect()],
+])('two tabs with a %s timer', (_, connect) => {
   async function trying(options: BenchOptions): Promise<AppBench> {
-    const bench = await appBench(options);
-    await run(bench.session.trySimulated('Q'));
+    const bench = await appBench({ ...options, plug: { granted: true } });
+    await run(connect(bench));
     return bench;
   }
   const notice = ({ session }: AppBench): string | undefined => session.notice.value?.code;
@@ -146,9 +159,9 @@ describe('two tabs with a simulated timer', () => {
     for (const [i, text] of ['7', '8'].entries()) {
       const tab = tabs[i];
       tab?.close();
-      const again = await appBench({ store, ...(tab && { tab: tab.page() }) });
+      const again = await appBench({ store, plug: { granted: true }, ...(tab && { tab: tab.page() }) });
       expect([notice(again), again.editor.textOf(S1)]).toEqual(['edits-restored', text]);
-      await run(again.session.trySimulated('Q'));
+      await run(connect(again));
       expect(again.editor.textOf(S1)).toBe(text);
     }
   });
@@ -168,6 +181,20 @@ describe('two tabs with a simulated timer', () => {
     expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
   });
 
+  it('leave it to an open tab, too, that comes to such a timer, and then it is there alone', async () => {
+    const [newTab, store] = [browser(), new MemoryStore()];
+    const [tab, left] = [newTab(), newTab()];
+    const bench = await appBench({ store, plug: { granted: true }, tab: tab.page() });
+    const gone = await trying({ store, tab: left.page() });
+    gone.editor.type(S1, '8');
+    await idle();
+    left.close();
+    await run(connect(bench));
+    expect([notice(bench), bench.editor.textOf(S1)]).toEqual(['edits-kept', '8']);
+    await idle();
+    expect([...store.drafts.records.values()].map((draft) => draft.tab)).toEqual([1]);
+  });
+
   it('keep what is tried on the bench in each by itself', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
@@ -181,9 +208,28 @@ describe('two tabs with a simulated timer', () => {
     }
     expect(benches.map(tried)).toEqual([[7], [8]]);
     const kept = JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]') as { key: string }[];
-    expect(kept.map(({ key }) => key)).toEqual(['simulated/Q/536/10/3/0', 'simulated/Q/536/10/3/0/2']);
+    expect(kept[1]?.key).toBe(`${kept[0]?.key}/2`);
     tabs[0].close();
     const again = await appBench({ store, tab: tabs[0].page() });
     expect(again.bench.trial.value?.before.positions[0]?.[2]).toBe(35);
   });
+});
+
+it('a tab that takes the timer of another over goes on with what was typed there', async () => {
+  const [newTab, store, plug] = [browser(), new MemoryStore(), { granted: true }];
+  const first = await appBench({ store, plug, tab: newTab().page() });
+  await run(first.session.connect());
+  first.editor.type(S1, '7');
+  await idle();
+  const second = await appBench({ store, plug, tab: newTab().page() });
+  await run(second.session.connect());
+  expect(second.editor.textOf(S1), 'another timer').toBe('35');
+  await run(second.session.disconnect());
+  await run(second.session.takeOver());
+  expect(second.editor.textOf(S1)).toBe('7');
+  await idle();
+  expect(
+    [...store.drafts.records.values()].map((draft) => draft.tab),
+    'the other has it still',
+  ).toEqual([1, 2]);
 });

@@ -77,12 +77,16 @@ describe('what was typed is kept', () => {
     expect(await app.valueOf('Function 2, S1')).toBe('seven');
   });
 
-  test('and seen in a second tab', async () => {
+  test('when its tab is closed, for the next one', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.connect();
     await app.type('Function 2, S1', '7');
     await app.kept();
     const other = await app.sibling();
+    await other.page.getByRole('heading', { name: 'Set a Sidus timer' }).waitFor();
+    await app.page.close();
+    await other.reload();
+    await other.says('Your edits are back.');
     expect(await other.valueOf('Function 2, S1')).toBe('7');
   });
 });

@@ -1,32 +1,40 @@
 import { expect, test } from 'vitest';
-import { AppPage } from './app-page.js';
+import { type AppOptions, AppPage } from './app-page.js';
 
-test('two tabs with a simulated timer keep their edits apart, also when both are loaded again', async () => {
-  const first = await AppPage.open();
-  await first.trySimulated('F1Q');
-  await first.type('Function 2, S1', '7');
-  await first.kept();
-  const second = await first.sibling();
-  await second.page.getByRole('banner').waitFor();
-  expect(await second.text('Your edits are back.').count(), 'they are those of the first').toBe(0);
-  await second.trySimulated('F1Q');
-  expect(await second.valueOf('Function 2, S1')).toBe('35');
-  await second.type('Function 2, S1', '8');
-  await second.kept();
-  for (const [app, text] of [
-    [first, '7'],
-    [second, '8'],
-    [first, '7'],
-  ] as const) {
-    await app.reload();
-    await app.says('Your edits are back.');
-    expect(await app.valueOf('Function 2, S1')).toBe(text);
-  }
-  await second.page.close();
-  await first.reload();
-  await first.says('Your edits are back.');
-  expect(await first.valueOf('Function 2, S1'), 'not the later one of the tab that was closed').toBe('7');
-  const third = await first.sibling();
-  await third.says('Your edits are back.');
-  expect(await third.valueOf('Function 2, S1')).toBe('8');
-});
+const timers: Readonly<Record<string, { options?: AppOptions; reach: (app: AppPage) => Promise<void> }>> = {
+  simulated: { reach: (app) => app.trySimulated('F1Q') },
+  real: { options: { bench: { granted: true } }, reach: (app) => app.connect() },
+};
+
+test.each(Object.entries(timers))(
+  'two tabs with a %s timer keep their edits apart, also when both are loaded again',
+  async (_, timer) => {
+    const first = await AppPage.open(timer.options);
+    await timer.reach(first);
+    await first.type('Function 2, S1', '7');
+    await first.kept();
+    const second = await first.sibling();
+    await second.page.getByRole('banner').waitFor();
+    expect(await second.text('Your edits are back.').count(), 'they are those of the first').toBe(0);
+    await timer.reach(second);
+    expect(await second.valueOf('Function 2, S1')).toBe('35');
+    await second.type('Function 2, S1', '8');
+    await second.kept();
+    for (const [app, text] of [
+      [first, '7'],
+      [second, '8'],
+      [first, '7'],
+    ] as const) {
+      await app.reload();
+      await app.says('Your edits are back.');
+      expect(await app.valueOf('Function 2, S1')).toBe(text);
+    }
+    await second.page.close();
+    await first.reload();
+    await first.says('Your edits are back.');
+    expect(await first.valueOf('Function 2, S1'), 'not the later one of the tab that was closed').toBe('7');
+    const third = await first.sibling();
+    await third.says('Your edits are back.');
+    expect(await third.valueOf('Function 2, S1')).toBe('8');
+  },
+);

@@ -11,9 +11,9 @@ export function programKey({ identity, memory }: TimerProgram, simulated: boolea
   return `${kindKey(identity, simulated)}/${memory ?? '?'}`;
 }
 
-/** Under what the work on a program is kept. Each tab has a simulated timer of its own: `tab` is its number, see `TabNumber`. */
+/** Under what the work on a program is kept: each tab, by its number, has its own, see `TabNumber`. */
 export function workKey(program: TimerProgram, simulated: boolean, tab: number): string {
   const key = programKey(program, simulated);
   // The first is called as those were that had no number.
-  return simulated && tab > 1 ? `${key}/${tab}` : key;
+  return tab > 1 ? `${key}/${tab}` : key;
 }

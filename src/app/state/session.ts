@@ -74,6 +74,8 @@ export class Session {
   readonly #setOut = signal(false, { name: 'setOut' });
   /** The timer was away, or silent, and has come back. */
   #returning = false;
+  /** The timer was another tab's. */
+  #inherits = false;
 
   constructor(options: SessionOptions) {
     this.#options = options;
@@ -123,6 +125,12 @@ export class Session {
     });
   }
 
+  /** Connects to the timer that another tab has let go of, and goes on with its edits. */
+  async takeOver(): Promise<void> {
+    this.#inherits = true;
+    await this.connect();
+  }
+
   /** Connects to one of the ports that are known. */
   async connectTo(port: SerialPortLike): Promise<void> {
     await this.#goTo(async () => () => this.link.connect(port));
@@ -130,17 +138,14 @@ export class Session {
 
   async trySimulated(timerClass: 'Q' | 'B'): Promise<void> {
     await this.#goTo(async () => {
-      await Promise.all([this.recovery.forgetSimulated(), this.#options.tab.takeAny()]);
+      await this.recovery.forgetSimulated();
       return () => this.link.connectSimulated(this.#options.plugSimulated(timerClass));
     });
   }
 
   /** Connects to a timer that answers as another one did while its line was recorded. */
   async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
-    await this.#goTo(async () => {
-      await this.#options.tab.takeAny();
-      return () => this.link.connectSimulated(this.#options.plugRecording(entries));
-    });
+    await this.#goTo(async () => () => this.link.connectSimulated(this.#options.plugRecording(entries)));
   }
 
   /** Stops what is under way, lets the last request end and closes the port. What was typed stays on the screen. */
@@ -304,7 +309,8 @@ export class Session {
     const otherKind =
       before !== null && kindKey(before.identity, this.simulated.value) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
-    const draft = same ? undefined : await this.#drafts.of(read, simulated);
+    const draft = same ? undefined : await this.#drafts.of(read, simulated, this.#inherits);
+    this.#inherits = false;
     const completed = await this.recovery.look(read, simulated);
     // What an interrupted write explains is told by the offer to finish it, and by nothing else.
     const explained = this.recovery.offer.value?.kind === 'write';

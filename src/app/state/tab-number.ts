@@ -16,7 +16,7 @@ export interface TabMemory {
   save(number: number): void;
 }
 
-const NAME = 'simulated';
+const NAME = 'tab';
 /** So long a page that is loaded again waits at most for the one before it to let go, in milliseconds. */
 const RELOAD_WAIT = 1000;
 
@@ -27,8 +27,8 @@ export const tabMemory: TabMemory = {
 };
 
 /**
- * The number of this tab among those with a simulated timer, from 1: what is worked on there is kept for each by itself. A tab has its
- * number until it is closed, also over a reload; then the number is free, with what was kept under it. Without locks all tabs are 1.
+ * The number of this tab among those of the program, from 1: what is worked on is kept for each by itself. A tab has its number until it is
+ * closed, also over a reload; then the number is free, with what was kept under it. Without locks all tabs are 1.
  */
 export class TabNumber {
   readonly #locks: Locks | null;
@@ -68,12 +68,21 @@ export class TabNumber {
     for (let number = 1; this.#number === null; number++) await this.take(number);
   }
 
-  #lock(number: number, options: Parameters<Locks['request']>[1]): Promise<boolean> {
+  /** Whether another tab could take this number. */
+  async isFree(number: number): Promise<boolean> {
+    return number !== this.#number && (await this.#lock(number, { ifAvailable: true }, Promise.resolve()));
+  }
+
+  /** @param until for so long it is held, if it could be taken. Default: until the page is gone. */
+  #lock(
+    number: number,
+    options: Parameters<Locks['request']>[1],
+    until: Promise<void> = new Promise(() => {}),
+  ): Promise<boolean> {
     return new Promise((resolve) => {
       const work = (lock: unknown): Promise<void> | undefined => {
         resolve(lock !== null);
-        // Held until the page is gone.
-        return lock === null ? undefined : new Promise(() => {});
+        return lock === null ? undefined : until;
       };
       // A browser that keeps nothing for this page has no locks for it either.
       const failed = (): void => resolve('ifAvailable' in options && number === 1);

@@ -40,7 +40,7 @@ export class Tabs {
   /** Asks that tab for its port, and connects when it has let go. */
   async takeOver(tab: OtherTab): Promise<TakeOver> {
     const result = await this.#tabs.takeOver(tab);
-    if (result === 'released') void this.#session.connect();
+    if (result === 'released') void this.#session.takeOver();
     return result;
   }
 

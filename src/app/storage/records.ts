@@ -59,7 +59,7 @@ export const draftSchema = v.object({
   savedAt: v.number(),
   /** Whether it came from the simulated timer. */
   simulated: v.boolean(),
-  /** The number of the tab with that simulated timer, see `TabNumber`. */
+  /** The number of the tab that it was worked on in, see `TabNumber`. */
   tab: v.optional(v.number(), 1),
 });
 export type Draft = v.InferOutput<typeof draftSchema>;
