@@ -40,8 +40,7 @@ export async function readContent(job: Job, stage: 'read' | 'verify', idleThrott
   const ask = async (name: Question, how: Patience & { before?: ReplyOf<Question> } = {}): Promise<void> => {
     const { reply, agreed } = await exchange.read({ name }, signal, how);
     replies.set(name, reply);
-    if (agreed) single.delete(name);
-    else single.set(name, reply);
+    if (!agreed) single.set(name, reply);
   };
   const askOptional = async (name: Question, quirk: QuirkCode): Promise<void> => {
     const isKnown = job.quirks.found.has(quirk);

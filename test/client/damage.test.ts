@@ -1,5 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { TimerClient } from '../../src/client/index.js';
+import { VirtualClock } from '../../src/line/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { fromHex } from '../tools/bytes.js';
 import { bench, contentOf, edited, names } from './bench.js';
@@ -41,6 +43,13 @@ describe('a line that damages bytes', () => {
     expect(count('GETSERVOPOS')).toBe(3);
   });
 
+  it('gives no program when another timer answers than the one that was identified', async () => {
+    const { client, timer, run } = bench({ fromTimer: { fault: at([18], (byte) => [0xaa, byte]) } });
+    await run(client.identify());
+    Object.assign(timer.core, { identity: { ...B536, firmware: '600' } });
+    await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'other-timer' });
+  });
+
   it('takes no notice of noise before the first request', async () => {
     const { client, run, timer } = bench();
     const program = client.readProgram();
@@ -66,6 +75,7 @@ describe('a line that damages bytes', () => {
       code: 'unstable',
       details: { request: 'GETSERVOPOS' },
     });
+    expect(names(timer.core.answered).filter((name) => name === 'GETSERVOPOS')).toHaveLength(6);
   });
 
   it('says that a reply cannot be right when it comes each time with content that cannot be', async () => {
@@ -121,6 +131,27 @@ describe('stopping while the line is being cleared', () => {
     const begin = clock.now();
     await expect(run(client.readProgram({ signal: stop.signal }))).rejects.toMatchObject({ code: 'aborted' });
     expect(clock.now() - begin).toBeLessThan(3100);
+  });
+
+  it.each(['asked to stop', 'the port is lost'])('settles on a line that never falls silent when %s', async (why) => {
+    const clock = new VirtualClock();
+    let line: ReadableStreamDefaultController<Uint8Array> | undefined;
+    const readable = new ReadableStream<Uint8Array>({
+      start: (controller) => {
+        line = controller;
+      },
+    });
+    const client = new TimerClient({ readable, writable: new WritableStream() }, { clock });
+    const stop = new AbortController();
+    const asking = client.identify({ signal: stop.signal }).catch((error: unknown) => error);
+    for (let ms = 0; ms < 1500; ms += 20) {
+      line?.enqueue(Uint8Array.of(0xaa));
+      await clock.advance(20);
+    }
+    // The first request has been given up by now, and it is listened for a moment of silence.
+    if (why === 'asked to stop') stop.abort();
+    else line?.error(new Error('The line is cut.'));
+    expect(await clock.run(asking)).toMatchObject({ code: why === 'asked to stop' ? 'aborted' : 'port-lost' });
   });
 });
 

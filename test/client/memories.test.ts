@@ -164,6 +164,18 @@ describe('reading several memories', () => {
     expect(timer.core.memory).toBe(1);
   });
 
+  it('says so, and why, when all was read and only going back has failed', async () => {
+    const { client, timer, run } = bench();
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETSERVOPOS' && timer.core.memory === 3) timer.core.sleep();
+    };
+    await expect(run(client.readMemories())).rejects.toMatchObject({
+      code: 'memory-left',
+      details: { expected: 0, found: null },
+      cause: { code: 'no-answer', details: { request: 'SETMEMORY' } },
+    });
+  });
+
   it('says so when the timer falls asleep, and also when the client is closed on the way', async () => {
     for (const end of ['sleep', 'close'] as const) {
       const { client, timer, run } = bench();

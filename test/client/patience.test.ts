@@ -1,6 +1,15 @@
 import { describe, expect, it } from 'vitest';
+import type { TimerClient, WriteOptions } from '../../src/client/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
 import { bench, contentOf, edited, names } from './bench.js';
 import { everyValueChanged } from './matrix.js';
+
+type Write = (
+  client: TimerClient,
+  goal: TimerProgram,
+  baseline: TimerProgram,
+  how: Omit<WriteOptions, 'baseline'>,
+) => Promise<unknown>;
 
 describe('giving up', () => {
   it('a timer that fell asleep is told of in seconds, and once more at once', async () => {
@@ -115,6 +124,28 @@ describe('giving up', () => {
     expect(report.held).toEqual(contentOf(timer));
   });
 
+  it('a write whose time is up before its first value is told of as the damage that it was, and is read back', async () => {
+    let hurt = false;
+    const fault = (byte: number): number[] => [hurt && byte === 0x45 ? 0x44 : byte];
+    const { client, run, timer, line } = bench({ fromTimer: { fault } });
+    const baseline = await run(client.readProgram());
+    // Only each twentieth reply that says which memory is current comes through, and the first of them says another.
+    let asked = 0;
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETMEMORY') asked++;
+      hurt = name === 'GETMEMORY' && asked < 60 && asked % 20 !== 0;
+      timer.core.memory = asked === 19 ? 1 : 0;
+    };
+    line.length = 0;
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report).toMatchObject({
+      result: 'differs',
+      held: baseline,
+      stopped: { code: 'unstable', details: { request: 'SETTIMERS', sent: 0 } },
+    });
+    expect(line.some(({ frame }) => frame?.code === 0x65)).toBe(false);
+  });
+
   it('a dangerous request does not go out when three fences in a row find nobody', async () => {
     const { client, run, timer, line } = bench({ identity: { timerClass: 'Q' } });
     await run(client.identify());
@@ -123,6 +154,25 @@ describe('giving up', () => {
     line.length = 0;
     await expect(run(client.unlockMotor())).rejects.toMatchObject({ code: 'no-answer', details: { sent: 0 } });
     expect(line.map(({ frame }) => frame?.code)).toEqual([0x6b, 0x71, 0x61]);
+  });
+});
+
+describe('the time that a job may take', () => {
+  it.each<[string, Write]>([
+    ['one memory', (client, goal, baseline, how) => client.writeProgram(goal, { baseline, ...how })],
+    ['several', (client, goal, _, how) => client.writeMemories([goal], how)],
+  ])('is longer where the servos are to move: %s', async (_, write) => {
+    const { client, run, clock } = bench();
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [], [[0, 3, 70]]);
+    const time = async (moveServos: boolean): Promise<number> => {
+      const begin = clock.now();
+      const told: number[] = [];
+      const onProgress = ({ endsBy }: { endsBy: number }): void => void told.push(endsBy);
+      await run(write(client, goal, baseline, { moveServos, onProgress }));
+      return (told[0] as number) - begin;
+    };
+    expect(await time(true)).toBeGreaterThan(await time(false));
   });
 });
 

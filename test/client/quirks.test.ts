@@ -182,10 +182,10 @@ describe('servo before function', () => {
   it('is suspected when a function that is no servo gets no answer, and nothing is said to be written', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
-    const goal = edited(baseline, [], [[1, 7, 99]]);
+    const goal = edited(baseline, [], [[1, 3, 99]]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
-    expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, column: 7 });
+    expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, column: 3 });
     expect(found(client), 'what it never took up it need not have kept').toEqual(['servo-unanswered']);
     expect(client.quirksAssumed).toEqual({});
     client.assume({ servoFirst: true });
@@ -206,6 +206,13 @@ describe('positions that are kept only where the servos stand', () => {
     expect(names(timer.core.answered).filter((name) => name === 'SETSERVO')).toHaveLength(1);
   });
 
+  it('are not suspected by a write of times only', async () => {
+    const { client, run } = bench();
+    const baseline = await run(client.readProgram());
+    await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
+  });
+
   it('are nothing that moves servos by being known', async () => {
     const { client, timer, run } = bench({}, { quirks: { positionsNeedMove: true } });
     const baseline = await run(client.readProgram());
@@ -221,8 +228,8 @@ describe('positions that are kept only where the servos stand', () => {
       [],
       [
         [0, 1, 99],
-        [2, 4, 98],
-        [1, 1, 97],
+        [0, 4, 98],
+        [2, 1, 97],
       ],
     );
     timer.core.answered.length = 0;

@@ -27,6 +27,12 @@ describe('identify', () => {
     expect(clock.now() - begin).toBeLessThan(3000);
   });
 
+  it('asks no more often than it is told to, and says that it was not answered', async () => {
+    const { client, timer, run } = bench();
+    timer.core.sleep();
+    await expect(run(client.identify({ tries: 1 }))).rejects.toMatchObject({ code: 'no-answer', details: { sent: 1 } });
+  });
+
   it('works once the timer is awake again', async () => {
     const { client, timer, run } = bench();
     timer.core.sleep();
@@ -109,11 +115,13 @@ describe('read program', () => {
   });
 
   it('says that the port is lost when the cable is pulled, to all who wait', async () => {
-    const { client, timer, run } = bench({ latency: 20 });
+    const { client, timer, run, clock } = bench({ latency: 20 });
     await run(client.identify());
     timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.cut();
+    const begin = clock.now();
     const both = Promise.allSettled([client.readProgram(), client.identify()]);
     expect(await run(both)).toMatchObject([{ reason: { code: 'port-lost' } }, { reason: { code: 'port-lost' } }]);
+    expect(clock.now() - begin, 'at once').toBeLessThan(100);
   });
 
   it('lets go of the streams when closed, and settles what waits', async () => {

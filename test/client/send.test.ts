@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { TimerClient } from '../../src/client/index.js';
 import { toHex } from '../tools/bytes.js';
-import { bench, contentOf } from './bench.js';
+import { bench, contentOf, names } from './bench.js';
 import { FieldLine } from './field-line.js';
 
 const outgoing = (line: readonly { direction: string; bytes: Uint8Array }[]): string[] =>
@@ -9,13 +9,15 @@ const outgoing = (line: readonly { direction: string; bytes: Uint8Array }[]): st
 
 describe('a frame sent by hand', () => {
   it('gets length and checksum, before the timer has said what it is, and the answer comes back', async () => {
-    const { client, run, line } = bench();
+    const { client, run, line, clock } = bench();
+    const begin = clock.now();
     expect(await run(client.send(0x6b))).toMatchObject({ code: 0x6c });
     expect(outgoing(line)).toEqual(['00 00 00 00 00 03 6b 6b 45']);
     expect(client.identity).toBeNull();
     const answer = await run(client.send(0x63, [10, 2, 65]));
     expect(answer).toEqual({ code: 0x64, data: new Uint8Array(0) });
     expect(outgoing(line)[1]).toBe('00 00 00 00 00 06 63 0a 02 41 b0 45');
+    expect(clock.now(), 'nothing older is outstanding').toBe(begin);
   });
 
   it('goes out once, and null says that nobody answered', async () => {
@@ -82,6 +84,33 @@ describe('a frame sent by hand', () => {
     expect(await run(client.send(0x73, [1]))).toBeNull();
     expect(line.filter(({ frame }) => frame?.code === 0x73)).toHaveLength(1);
     expect(clock.now() - begin).toBeLessThan(5000);
+  });
+
+  it('goes out as soon as the fence before it is answered', async () => {
+    const { client, run, timer, clock } = bench();
+    timer.core.sleep();
+    await run(client.send(0x71));
+    timer.core.press();
+    const begin = clock.now();
+    expect(await run(client.send(0x71))).toMatchObject({ code: 0x72 });
+    expect(clock.now() - begin).toBeLessThan(100);
+    expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETMEMORY']);
+  });
+
+  it.each<[string, (client: TimerClient, signal: AbortSignal) => Promise<unknown>]>([
+    ['by hand', (client, signal) => client.send(0x6d, [], { signal })],
+    ['as a command', (client, signal) => client.unlockMotor({ signal })],
+  ])('%s does not go out when asked to stop while the fence before it is answered', async (_, unlock) => {
+    const { client, run, timer } = bench({ identity: { timerClass: 'Q' } });
+    await run(client.identify());
+    timer.core.sleep();
+    await run(client.send(0x71));
+    timer.core.press();
+    const stop = new AbortController();
+    timer.core.onAnswer = () => stop.abort();
+    await expect(run(unlock(client, stop.signal))).rejects.toMatchObject({ code: 'aborted' });
+    expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETSWVER']);
+    expect(timer.core.motorLocked).toBe(true);
   });
 
   it('is refused when it is no frame, or when asked to stop before', async () => {

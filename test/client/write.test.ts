@@ -206,6 +206,7 @@ describe('write program', () => {
     const goal = edited(baseline, [[10, 30000]]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'verified', stopped: null });
+    expect(client.quirksFound.size).toBe(0);
     expect(contentOf(timer)).toEqual(goal);
   });
 
@@ -220,6 +221,7 @@ describe('write program', () => {
     const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 70]]), { baseline }));
     expect(names(sets(timer.core.answered))).toEqual(Array(10).fill('SETSERVO'));
     expect(report).toMatchObject({ result: 'verified', acknowledged: 0, stopped: null });
+    expect(client.quirksFound.size, 'function 1 is a servo too').toBe(0);
   });
 
   it('stops when asked, within one reply, and says what is not known', async () => {
@@ -234,6 +236,16 @@ describe('write program', () => {
     timer.core.onAnswer = undefined;
     const held = await run(client.readProgram());
     expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
+  });
+
+  it('is refused when asked to stop before the first value went out', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    const stop = new AbortController();
+    timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && stop.abort();
+    const writing = client.writeProgram(edited(baseline, [[10, 30000]]), { baseline, signal: stop.signal });
+    await expect(run(writing)).rejects.toMatchObject({ code: 'aborted' });
+    expect(sets(timer.core.answered)).toEqual([]);
   });
 
   it('does not say verified when the cable is pulled while reading back', async () => {
@@ -294,6 +306,13 @@ describe('other actions', () => {
     await run(client.selectMemory(3));
     expect(timer.core.memory).toBe(3);
     await expect(run(client.selectMemory(4))).rejects.toMatchObject({ code: 'out-of-range' });
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') timer.core.memory = 1;
+    };
+    await expect(run(client.selectMemory(2))).rejects.toMatchObject({
+      code: 'other-memory',
+      details: { expected: 2, found: 1 },
+    });
   });
 
   it('moves the servos, frees the motor, sets the idle throttle', async () => {

@@ -62,6 +62,22 @@ describe('a loss', () => {
     },
   );
 
+  it('in the very moment in which the timer answers is noticed, and made good', async () => {
+    let lose = (): void => {};
+    const { adapter, clock, connect, port, states } = linkBench({ link: { assumed: () => void lose() } });
+    lose = () => {
+      lose = () => {};
+      adapter.unplug();
+      port.dispatchEvent(new Event('disconnect', { bubbles: true }));
+    };
+    await connect();
+    await clock.advance(1000);
+    expect(way(states)).toBe('opening > searching > away');
+    adapter.replug();
+    await clock.advance(500);
+    expect(way(states)).toBe('opening > searching > away > opening > searching > on');
+  });
+
   it('in the middle of a job is not told again when the job fails', async () => {
     const { link, clock, adapter, states } = await on();
     adapter.unplugAfter(20);
@@ -317,6 +333,20 @@ describe('a stream that fails with its plug in', () => {
     await clock.advance(60_000);
     expect(opened).toEqual([0, 200, 1200, 3200, 7200, 15_200]);
     expect(link.state).toMatchObject({ status: 'off', error: { code: 'lost' } });
+  });
+
+  it('is opened as soon as the first time when its plug was out meanwhile', async () => {
+    const { clock, link, port, adapter } = await on();
+    for (let i = 0; i < 3; i++) {
+      port.device.error('lost');
+      await clock.advance(2500);
+    }
+    adapter.unplug();
+    adapter.replug();
+    await clock.advance(100);
+    port.device.error('lost');
+    await clock.advance(500);
+    expect(link.state.status).toBe('on');
   });
 
   it('is never given up when it fails now and then', async () => {

@@ -201,7 +201,9 @@ describe('a recorded timer', () => {
       { time: 20, direction: 'out', bytes: request.subarray(7) },
       incoming(30, '00 00 00 00 00 03 74 74 45'),
     ]);
-    expect(await send(request.subarray(0, 8), 50)).toEqual([]);
+    // The silence that ends a request is counted from its last piece.
+    expect(await send(request.subarray(0, 7), 80)).toEqual([]);
+    expect(await send(request.subarray(7, 8), 80)).toEqual([]);
     expect(await send(request.subarray(8))).toEqual([[10, '00 00 00 00 00 03 74 74 45']]);
   });
 
@@ -226,6 +228,14 @@ describe('a recorded timer', () => {
     expect(clock.now(), 'no appointment was kept').toBe(10);
     expect(received).toEqual([[10, 'The line to the recorded timer is cut.']]);
     await expect(ask({ name: 'GETSWVER' })).rejects.toThrow('cut');
+  });
+
+  it('says nothing to a reader that has gone while an answer is under way', async () => {
+    const clock = new VirtualClock();
+    const { readable, writable } = new ReplayTimer(parseCapture(recording), { clock });
+    await writable.getWriter().write(encodeRequest({ name: 'GETSWVER' }));
+    await readable.cancel();
+    await clock.advance(1000);
   });
 
   it('needs nothing recorded to keep silent', async () => {

@@ -93,6 +93,11 @@ describe('the virtual timer', () => {
     const { send, ask } = timerOnLine();
     expect(await send(fromHex('00 00 00 00 00 ff 6b 6b 45'))).toEqual([]);
     expect(await ask({ name: 'GETSWVER' })).toHaveLength(1);
+    // The silence is counted from the last piece of a request.
+    const request = encodeRequest({ name: 'GETSWVER' });
+    expect(await send(request.subarray(0, 6), 80)).toEqual([]);
+    expect(await send(request.subarray(6, 7), 80)).toEqual([]);
+    expect(await send(request.subarray(7))).toHaveLength(1);
   });
 
   it('sleeps after a while, loses nothing, and wakes by a press of its switch', async () => {
@@ -131,6 +136,14 @@ describe('the virtual timer', () => {
     await clock.advance(0);
     expect(received).toEqual(['The line to the virtual timer is cut.']);
     await expect(send(Uint8Array.of(1))).rejects.toThrow('cut');
+  });
+
+  it('says nothing to a reader that has gone while an answer is under way', async () => {
+    const clock = new VirtualClock();
+    const { readable, writable } = new VirtualTimer({ clock, latency: 40 });
+    await writable.getWriter().write(encodeRequest({ name: 'GETSWVER' }));
+    await readable.cancel();
+    await clock.advance(1000);
   });
 
   it('cannot be a timer that no version reply can describe', () => {
