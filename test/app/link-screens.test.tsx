@@ -220,7 +220,7 @@ describe('what an interrupted job left behind', () => {
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
     await press(/^Write 1/);
     const { textContent } = screen.getByRole('alert');
-    expect(textContent).toContain('It comes back by itself once the adapter is plugged in.');
+    expect(textContent).toContain('It comes back by itself. If the adapter was unplugged, plug it in again.');
     expect(textContent).not.toContain('click Connect');
   });
 

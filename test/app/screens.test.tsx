@@ -271,6 +271,18 @@ describe('the memories', () => {
     expect(document.activeElement).toBe(chosen);
   });
 
+  it('let nothing be typed into the one that is left while another is read', async () => {
+    await connected();
+    const parts = [field('DT'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
+    const isShut = () => parts.map((part) => part.closest('[inert]') !== null);
+    fireEvent.click(button('M3'));
+    await Promise.resolve();
+    expect(isShut()).toEqual([true, true, true]);
+    expect(button('M1').closest('[inert]')).toBeNull();
+    await idle();
+    expect(isShut()).toEqual([false, false, false]);
+  });
+
   it('show which is current, and read the one that is chosen', async () => {
     const { timer } = await connected();
     expect(pressed()).toEqual(['M1']);
@@ -333,6 +345,19 @@ describe('writing', () => {
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(screen.getByText('No changes')).toBeTruthy();
+  });
+
+  it('keeps the focus in the dialog from step to step', async () => {
+    await connected();
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    const dialog = screen.getByRole('dialog', { name: 'Write to the timer' });
+    fireEvent.click(within(dialog).getByRole('checkbox', { name: /^The propeller is off/ }));
+    await idle();
+    button('Write 1 change').focus();
+    await press('Write 1 change');
+    expect(within(dialog).getByRole('alert').textContent).toContain('Verified.');
+    expect(dialog.contains(document.activeElement)).toBe(true);
   });
 
   it('wants what is serious acknowledged', async () => {

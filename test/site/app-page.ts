@@ -101,7 +101,7 @@ export class AppPage {
   }
 
   async isReady(): Promise<void> {
-    await this.page.locator('button:enabled', { hasText: /^Read again$/ }).waitFor();
+    await this.page.locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
   }
 
   async readAgain(): Promise<void> {

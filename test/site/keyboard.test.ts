@@ -59,3 +59,27 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await app.text('No changes').waitFor();
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
 }, 120_000);
+
+test('the focus stays while the timer is read, and comes back from the dialog', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  const keys = new Keys(app.page);
+  await app.connect();
+  await keys.enter(/^Read again$/);
+  await app.isReady();
+  expect(await keys.focused()).toBe('Read again');
+  await app.field('Function 2, S1').fill('7');
+  await keys.enter(/^Write…$/);
+  await app.dialog.waitFor();
+  await keys.press('Escape');
+  await app.dialog.waitFor({ state: 'hidden' });
+  expect(await keys.focused()).toBe('Write…');
+  await keys.press('Enter');
+  await app.dialog.waitFor();
+  await keys.tabTo(/^The propeller is off/);
+  await keys.press('Space');
+  await keys.enter(/^Write 1 change$/);
+  await app.result('Verified.');
+  await keys.enter(/^Close$/);
+  await app.dialog.waitFor({ state: 'hidden' });
+  expect(await keys.focused()).toBe('Write…');
+});

@@ -210,7 +210,9 @@ test('with one byte in a hundred damaged it is read, written and verified, and t
   const app = await AppPage.open({ bench: { damage: 0.01 } });
   await app.button('Connect').click();
   await app.table.waitFor({ timeout: LONG });
-  await app.page.locator('button:enabled', { hasText: /^Read again$/ }).waitFor({ timeout: LONG });
+  await app.page
+    .locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ })
+    .waitFor({ timeout: LONG });
   await app.type('DT time', '4:00');
   await app.type('Function 2, S1', '7');
   await app.button('Write…').click();

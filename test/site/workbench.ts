@@ -2,12 +2,14 @@
 // pilot's hands. Tests reach it as `window.workbench`; see app-page.ts.
 
 import { type Fault, MockSerial } from '../../src/mock-serial/index.js';
-import type { CommandName } from '../../src/protocol/index.js';
+import type { CommandName, Identity } from '../../src/protocol/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
 import { Adapter } from '../serial/bench.js';
 
 export interface WorkbenchOptions {
-  readonly timerClass?: 'Q' | 'B';
+  readonly timerClass?: 'Q' | 'B' | 'E';
+  /** What the timer says of itself beside its class. */
+  readonly identity?: Partial<Identity>;
   /** The page may use the port already, as after an earlier visit. */
   readonly granted?: boolean;
   /** The one rate at which the timer answers. Default: every rate. */
@@ -30,12 +32,15 @@ export class Workbench {
   /** The first bytes that reach the page from now on that are to be damaged: how many are let through before, and how many. */
   #intact = Number.POSITIVE_INFINITY;
 
-  constructor(serial: MockSerial, { timerClass = 'Q', granted = false, damage = 0, ...options }: WorkbenchOptions) {
+  constructor(
+    serial: MockSerial,
+    { timerClass = 'Q', granted = false, identity, damage = 0, ...options }: WorkbenchOptions,
+  ) {
     this.#serial = serial;
     const noise = { toPage: noiseOf(damage, 1), toDevice: noiseOf(damage, 2) };
     this.adapter = new Adapter(serial, {
       ...options,
-      identity: { timerClass },
+      identity: { timerClass, ...identity },
       info: INFO,
       plug: {
         granted,

@@ -32,7 +32,8 @@ async function open(page, title) {
 const toTop = (page) => page.evaluate(() => scrollTo(0, 0));
 
 /** @param {Page} page */
-const settled = (page) => page.locator('button:enabled', { hasText: /^Read again$/ }).waitFor();
+const settled = (page) =>
+  page.locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
 
 /** @param {Page} page */
 async function connect(page) {

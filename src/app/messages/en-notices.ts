@@ -100,7 +100,7 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   'port-lost': {
     title: 'The connection is gone.',
-    advice: 'It comes back by itself once the adapter is plugged in. What you typed is kept.',
+    advice: 'It comes back by itself. If the adapter was unplugged, plug it in again. What you typed is kept.',
   },
   aborted: { title: 'Stopped.', advice: 'Read again to see what the timer holds.' },
   closed: { title: 'Disconnected.', advice: 'Click Connect to go on. What you typed is kept.' },

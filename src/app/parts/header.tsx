@@ -1,16 +1,20 @@
+import { useRef } from 'preact/hooks';
 import { messages, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { LinkNotice } from './link-notice.js';
 import { NoticeBar } from './notice-bar.js';
 import { ProgressLine } from './progress-line.js';
+import { useHeight } from './use-height.js';
 
 /** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
 export function Header() {
   const { session } = useModels();
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
+  const top = useRef<HTMLElement>(null);
+  useHeight(top, '--top');
   return (
-    <header class="top">
+    <header class="top" ref={top}>
       <div class="top-row">
         <p class="brand">
           <img src="./favicon.svg" alt="" width="32" height="32" />

@@ -19,11 +19,14 @@ export function Modal({ open, title, titleId, onEscape, held, children }: ModalP
   useLayoutEffect(() => {
     if (open && !dialog.current?.open) dialog.current?.showModal();
     if (!open && dialog.current?.open) dialog.current.close();
-  }, [open]);
+    // What had the focus may have gone with the step before; a button of this one might be pressed unawares.
+    if (open && !dialog.current?.contains(document.activeElement)) dialog.current?.focus();
+  });
   return (
     <dialog
       ref={dialog}
       class="write"
+      tabIndex={-1}
       aria-labelledby={titleId}
       onCancel={(event) => {
         event.preventDefault();

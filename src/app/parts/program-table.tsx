@@ -17,6 +17,7 @@ import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { RangeBar } from './range-bar.js';
 import { tableClipboard } from './table-clipboard.js';
 import { cellAt, cellOf, onTableKey } from './table-keys.js';
+import { useHeight } from './use-height.js';
 import { useSteady } from './use-steady.js';
 import { ValueField } from './value-field.js';
 
@@ -33,6 +34,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   const obstacle = useSignal<string | null>(null);
   const table = useRef<HTMLTableElement>(null);
   const foot = useRef<HTMLDivElement>(null);
+  useHeight(foot, '--range');
   const identity = editor.identity.value;
   const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
   if (!identity) return null;

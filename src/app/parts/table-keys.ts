@@ -60,7 +60,7 @@ export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   }
   const direction = DIRECTIONS[event.key];
   if (!direction || (direction[1] !== 0 && !leavesText(target, direction[1]))) return;
-  if (event.shiftKey) extend(event, keys, direction);
+  if (event.shiftKey) extend(event, target, keys, direction);
   else moveFocus(event, target, cell, direction);
 }
 
@@ -71,8 +71,10 @@ function leavesText({ selectionStart, selectionEnd, value }: HTMLInputElement, r
   return isWhole || (selectionStart === end && selectionEnd === end);
 }
 
+/** To the next cell that way, which comes in sight; the focus stays. */
 function extend(
   event: KeyboardEvent,
+  from: HTMLInputElement,
   { editor, selection }: TableKeys,
   [down, right]: readonly [number, number],
 ): void {
@@ -81,10 +83,13 @@ function extend(
   if (!identity || !corner) return;
   event.preventDefault();
   const within = (at: number, last: number): number => Math.min(Math.max(at, 0), last);
-  selection.extendTo({
+  const next = {
     row: within(corner.row + down, identity.functions),
     column: within(corner.column + right, gridColumns(identity) - 1),
-  });
+  };
+  selection.extendTo(next);
+  const table = from.closest('table');
+  if (table) cellAt(table, next)?.scrollIntoView({ block: 'nearest' });
 }
 
 /** To the next cell that way which can be edited; at the edge the focus stays. */

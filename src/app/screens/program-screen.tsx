@@ -1,5 +1,5 @@
 import { useComputed, useSignal } from '@preact/signals';
-import { useCallback, useLayoutEffect, useRef } from 'preact/hooks';
+import { useCallback, useRef } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { messages, timerName } from '../messages/index.js';
@@ -14,6 +14,7 @@ import { ProgramTable } from '../parts/program-table.js';
 import { ShiftTool } from '../parts/shift-tool.js';
 import { TimelinePanel } from '../parts/timeline-panel.js';
 import { UndoButtons } from '../parts/undo-buttons.js';
+import { useHeight } from '../parts/use-height.js';
 import { ValueField } from '../parts/value-field.js';
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
@@ -30,6 +31,8 @@ export function ProgramScreen() {
   const point = useCallback((field: ProgramField | null) => {
     pointed.value = field;
   }, []);
+  // What is typed while another memory is asked for would go into the one that is left.
+  const leaving = useComputed(() => session.job.value?.kind === 'select').value;
   if (!identity) return null;
   return (
     <div class="program">
@@ -38,18 +41,20 @@ export function ProgramScreen() {
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         <MemoryChoice />
-        <LargeFigures />
-        <DtPresets column={identity.functions} />
-        {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
-        <ProgramTable marked={marked} />
-        <ShiftTool />
+        <div class="of-memory" inert={leaving}>
+          <LargeFigures />
+          <DtPresets column={identity.functions} />
+          {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
+          <ProgramTable marked={marked} />
+          <ShiftTool />
+        </div>
         <BenchPanel />
         <MemoriesPanel />
         <MemoriesOverview />
         <BackupsPanel />
         <AboutTimer />
       </div>
-      <aside class="program-side">
+      <aside class="program-side" inert={leaving}>
         <TimelinePanel selected={selected.value} onSelect={select} onPoint={point} />
         <ChecksPanel />
       </aside>
@@ -142,16 +147,7 @@ function Actions() {
   const count = useComputed(() => editor.changes.value.length).value;
   const connected = session.connection.value !== null;
   const bar = useRef<HTMLElement>(null);
-  // What stays in sight above it has to know how high it is.
-  useLayoutEffect(() => {
-    const { current } = bar;
-    if (!current) return;
-    const observer = new ResizeObserver(() => {
-      current.parentElement?.style.setProperty('--actions', `${current.offsetHeight}px`);
-    });
-    observer.observe(current);
-    return () => observer.disconnect();
-  }, []);
+  useHeight(bar, '--actions');
   return (
     <section class="actions" ref={bar}>
       <p class="changes" role="status">
@@ -167,12 +163,19 @@ function Actions() {
         <button
           type="button"
           class={count > 0 ? 'primary' : ''}
-          disabled={!connected || session.busy.value || editor.blocked.value}
+          // Not while a job runs; but the focus stays, also for when the dialog is closed.
+          aria-disabled={session.busy.value}
+          disabled={!connected || editor.blocked.value}
           onClick={() => void write.open()}
         >
           {program.write}
         </button>
-        <button type="button" disabled={!connected || session.busy.value} onClick={() => void session.read()}>
+        <button
+          type="button"
+          aria-disabled={session.busy.value}
+          disabled={!connected}
+          onClick={() => void session.read()}
+        >
           {program.read}
         </button>
         {editor.dirty.value && (
