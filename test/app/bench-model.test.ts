@@ -51,6 +51,10 @@ describe('moving to a function', () => {
     expect(await run(bench.moveTo(4))).toBe(true);
     expect(timer.core.column).toBe(4);
     expect(bench.done.value).toEqual({ action: { kind: 'move', column: 4 }, certain: true });
+    const moving = bench.moveTo(5);
+    expect(bench.done.value, 'they are on their way').toBeNull();
+    await run(moving);
+    expect(bench.done.value).toMatchObject({ action: { column: 5 } });
   });
 
   it('waits for the word that it is safe', async () => {
@@ -87,6 +91,22 @@ describe('moving to a function', () => {
 });
 
 describe('the motor', () => {
+  it('is not said to run when the command was stopped before its first byte', async () => {
+    const { bench, session, timer } = await safeBench();
+    const unlocking = bench.unlock();
+    session.job.value?.stop.abort();
+    expect(await run(unlocking)).toBe(false);
+    expect([timer.core.motorLocked, bench.done.value]).toEqual([true, null]);
+  });
+
+  it('may run when the plug was pulled before its answer came', async () => {
+    const { bench, timer, adapter } = await safeBench();
+    timer.core.onAnswer = () => adapter.unplug();
+    expect(await run(bench.unlock())).toBe(false);
+    await idle();
+    expect([timer.core.motorLocked, bench.done.value?.certain]).toEqual([false, false]);
+  });
+
   it('is unlocked on Q', async () => {
     const { bench, timer } = await safeBench();
     expect(await run(bench.unlock())).toBe(true);
@@ -203,6 +223,21 @@ describe('following', () => {
     expect([app.bench.trial.value, heldBy(app, S2)]).toEqual([null, 70]);
   });
 
+  it('ends behind the command that is under way', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    expect(app.session.busy.value).toBe(true);
+    await run(app.bench.stopFollowing());
+    expect(app.timer.core.answered.map(({ name }) => name)).toEqual([
+      'SETSERVO',
+      'GETMEMORY',
+      'GETTIMERS',
+      'GETSERVOPOS',
+      'GETLOWRPM',
+    ]);
+    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+  });
+
   it('can be put back by a write, and then nothing is left to decide', async () => {
     const app = await followingBench();
     const before = heldBy(app, S2);
@@ -213,6 +248,20 @@ describe('following', () => {
     await run(app.write.open());
     await run(app.write.start());
     expect([heldBy(app, S2), app.bench.trial.value]).toEqual([before, null]);
+  });
+
+  it('leaves out of the choice what was written otherwise', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    await run(app.bench.stopFollowing());
+    set(app, S3, 20);
+    set(app, DT, 20000);
+    await run(app.write.open());
+    await run(app.write.start());
+    expect(app.timer.core.content.timers[10]).toBe(20000);
+    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+    expect(app.bench.takeBack()).toMatchObject([{ field: S2 }]);
   });
 
   it('forgets a trial in which nothing was tried', async () => {
@@ -249,12 +298,51 @@ describe('following', () => {
     expect(app.bench.following.value).toBe(false);
   });
 
-  it('does not begin when it was called off while the timer was read', async () => {
-    const { bench } = await safeBench();
-    const starting = bench.follow();
-    await bench.stopFollowing();
+  it.each<[what: string, done: (app: SafeBench) => unknown]>([
+    ['it was called off', ({ bench }) => bench.stopFollowing()],
+    ['it was no longer said to be safe', ({ session }) => Object.assign(session.safe, { value: false })],
+  ])('does not begin when %s while the timer was read', async (_, done) => {
+    const app = await safeBench();
+    const starting = app.bench.follow();
+    await done(app);
     await run(starting);
-    expect(bench.following.value).toBe(false);
+    expect(app.bench.following.value).toBe(false);
+  });
+
+  it('does not begin again before it is decided what becomes of what was tried', async () => {
+    const app = await followingBench();
+    const before = heldBy(app, S2);
+    set(app, S2, 70);
+    await idle();
+    await run(app.bench.stopFollowing());
+    await run(app.bench.follow());
+    expect(app.bench.following.value).toBe(false);
+    expect(app.bench.takeBack()).toEqual([{ field: S2, value: before }]);
+  });
+
+  it('is off when another memory turns out to be current, also one in which something was tried', async () => {
+    const app = await safeBench();
+    await run(app.session.selectMemory(1));
+    await run(app.bench.follow());
+    set(app, S3, 7);
+    await idle();
+    await run(app.session.selectMemory(0));
+    await run(app.bench.follow());
+    expect(app.bench.following.value).toBe(true);
+    app.timer.core.memory = 1;
+    await run(app.session.read());
+    expect([app.editor.working.value?.memory, app.bench.following.value]).toEqual([1, false]);
+  });
+
+  it('sends nothing while a write is open', async () => {
+    const app = await followingBench();
+    await run(app.write.open());
+    set(app, S2, 70);
+    await idle();
+    expect(stored(app)).toEqual([]);
+    app.write.dismiss();
+    await idle();
+    expect(stored(app)).toEqual([70]);
   });
 
   it('sends no value behind a text that is none', async () => {
@@ -338,6 +426,17 @@ describe('following', () => {
     const later = await reloaded(after);
     await run(later.session.connect());
     expect(later.bench.tried.value).toEqual([]);
+  });
+
+  it('keeps its choice beside those of other tabs', async () => {
+    const app = await followingBench();
+    const kept = (): { key: string }[] => JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
+    localStorage.setItem('sidus-timer/trials', JSON.stringify([...kept(), { ...kept()[0], key: 'of another tab' }]));
+    set(app, S2, 66);
+    await idle();
+    expect(kept().map(({ key }) => key)).toEqual([expect.any(String), 'of another tab']);
+    app.bench.keep();
+    expect(kept().map(({ key }) => key)).toEqual(['of another tab']);
   });
 
   it('reads over a choice that was kept of another layout', async () => {

@@ -15,6 +15,8 @@ import { B536 } from '../protocol/vectors.js';
 
 const Q536 = { ...B536, timerClass: 'Q' };
 const held: TimerProgram = { identity: Q536, memory: 0, ...firstContent(Q536, 0), idleThrottle: 30 };
+const SMALL = { ...Q536, functions: 5, servos: 1 };
+const small: TimerProgram = { identity: SMALL, memory: 0, ...firstContent(SMALL, 0), idleThrottle: null };
 const DT: ProgramField = { kind: 'time', column: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
 const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
@@ -88,6 +90,14 @@ describe('going back', () => {
     expect(editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
   });
 
+  it('drops a text of which it is not known what the timer holds', () => {
+    const editor = editorOf({ ...held, idleThrottle: null });
+    editor.type({ kind: 'idleThrottle' }, 'x');
+    expect(editor.blocked.value).toBe(true);
+    editor.revertAll();
+    expect([editor.textOf({ kind: 'idleThrottle' }), editor.blocked.value]).toEqual(['', false]);
+  });
+
   it('puts all fields back', () => {
     const editor = editorOf();
     editor.type(S1, '7');
@@ -132,6 +142,37 @@ describe('when the timer is read again', () => {
     expect(named()).toEqual([]);
   });
 
+  it.each<[when: string, decide: (editor: Editor) => void]>([
+    ['everything was put back', (editor) => editor.revertAll()],
+    ['a write was read back', (editor) => editor.wrote(withValue(held, S1, 7))],
+    ['another timer was read', (editor) => editor.rebase(small)],
+    ['what was kept was brought back', (editor) => editor.restore({ baseline: held, working: held, texts: {} })],
+  ])('names nothing in conflict that is edited after %s', (_, decide) => {
+    const editor = editorOf();
+    editor.type(S1, '7');
+    editor.rebase(withValue(held, S1, 99));
+    expect(editor.conflicts.value.size).toBe(1);
+    decide(editor);
+    editor.type(S1, '8');
+    expect([editor.changes.value.length, editor.conflicts.value.size]).toEqual([1, 0]);
+  });
+
+  it('names with a conflict what the timer held when the edit was made, until it holds that again', () => {
+    const editor = editorOf();
+    editor.type(S1, '7');
+    for (const position of [99, 98]) editor.rebase(withValue(held, S1, position));
+    expect([...editor.conflicts.value.values()]).toEqual([{ field: S1, from: 35, to: 98 }]);
+    editor.rebase(held);
+    expect(editor.conflicts.value.size).toBe(0);
+  });
+
+  it('names nothing in conflict that had changed before it was edited', () => {
+    const editor = editorOf();
+    editor.rebase(withValue(held, S1, 99));
+    editor.type(S1, '7');
+    expect(editor.conflicts.value.size).toBe(0);
+  });
+
   it('drops an edit that the timer holds by now', () => {
     const editor = editorOf();
     editor.type(S1, '7');
@@ -147,6 +188,13 @@ describe('when the timer is read again', () => {
     expect([editor.textOf(S1), editor.blocked.value]).toEqual(['seven', true]);
   });
 
+  it('keeps a value as it is being typed', () => {
+    const editor = editorOf();
+    editor.type(DT, '240');
+    editor.rebase(withValue(held, S3, 99));
+    expect([editor.textOf(DT), editor.isTyped(DT)]).toEqual(['240', true]);
+  });
+
   it('shows what it holds now in a field that was typed over with what it held before', () => {
     const editor = editorOf();
     editor.type(S1, '35');
@@ -158,8 +206,7 @@ describe('when the timer is read again', () => {
     const editor = editorOf();
     editor.type(S1, '7');
     editor.type(DT, 'x');
-    const small = { ...Q536, functions: 5, servos: 1 };
-    editor.rebase({ identity: small, memory: 0, ...firstContent(small, 0), idleThrottle: null });
+    editor.rebase(small);
     expect([editor.dirty.value, editor.working.value?.timers.length]).toEqual([false, 6]);
   });
 });
@@ -178,10 +225,27 @@ describe('kept and brought back', () => {
     expect(again.changes.value).toEqual(editor.changes.value);
   });
 
+  it('is not what the timer holds by now', () => {
+    const editor = editorOf();
+    expect(editor.fresh.value).toBe(true);
+    editor.restore({ baseline: held, working: held, texts: {} });
+    expect(editor.fresh.value).toBe(false);
+    editor.rebase(held);
+    expect(editor.fresh.value).toBe(true);
+  });
+
   it('leaves out texts of fields that there are not', () => {
     const editor = new Editor();
     editor.restore({ baseline: held, working: held, texts: { 'time:99': 'x', constructor: 'x' } });
-    expect(editor.blocked.value).toBe(false);
+    expect([editor.blocked.value, editor.snapshot()?.texts]).toEqual([false, {}]);
+  });
+
+  it('leaves out what can be undone of another layout', () => {
+    const step = { name: { code: 'revert-all', params: {} }, state: { working: small, texts: {} } } as const;
+    const editor = new Editor();
+    editor.restore({ baseline: held, working: held, texts: {}, history: { past: [step], future: [], open: null } });
+    editor.undo();
+    expect([editor.undoStep.value, editor.working.value]).toEqual([null, held]);
   });
 
   it('has nothing to keep before anything was read', () => {

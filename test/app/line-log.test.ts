@@ -9,6 +9,12 @@ import { came, damage, IDENTIFIED, lineError, sent } from './line.js';
 /** Lets what was added become known. */
 const told = (): Promise<void> => Promise.resolve();
 
+/** What no timer can be: the class must be printable. */
+const unreadable: LineEntry = {
+  ...came({ name: 'GETSWVER', identity: B536 }),
+  frame: { code: 0x6c, data: new Uint8Array(9) },
+};
+
 function logOf(...entries: readonly LineEntry[]): LineLog {
   const log = new LineLog();
   entries.forEach(log.add);
@@ -77,6 +83,15 @@ describe('the log of the line', () => {
     expect(log.entries.value[0]?.layout.identity, 'the timer is still the same').toEqual(B536);
   });
 
+  it('keeps the order also of what comes after it was full and then cleared', async () => {
+    const log = new LineLog();
+    for (let i = 0; i < 600; i++) log.add(sent({ name: 'GETMEMORY' }));
+    log.clear();
+    for (let i = 0; i < 300; i++) log.add(sent({ name: 'GETMEMORY' }));
+    await told();
+    expect(numbers(log.entries.value)).toEqual(Array.from({ length: 300 }, (_, i) => 601 + i));
+  });
+
   it('remembers with each entry what was known of the timer by then', async () => {
     const other = { ...B536, functions: 3 };
     let servoFirst = false;
@@ -84,8 +99,7 @@ describe('the log of the line', () => {
     for (const entry of [...IDENTIFIED, sent({ name: 'GETTIMERS' })]) log.add(entry);
     servoFirst = true;
     log.add(came({ name: 'GETSWVER', identity: other }));
-    // The class must be printable.
-    log.add({ ...came({ name: 'GETSWVER', identity: other }), frame: { code: 0x6c, data: new Uint8Array(9) } });
+    log.add(unreadable);
     await told();
     expect(log.entries.value.map(({ layout }) => layout)).toEqual([
       { identity: undefined, quirks: { servoFirst: false } },
@@ -107,6 +121,16 @@ describe('the log of the line', () => {
     await told();
     expect(numbers(log.introduced(log.entries.value)).slice(0, 4)).toEqual([1, 2, 4, 5]);
     expect(log.introduced([])).toEqual([]);
+  });
+
+  it.each([
+    ['answers something else', sent({ name: 'GETMEMORY' }), came({ name: 'GETSWVER', identity: B536 })],
+    ['cannot be read', sent({ name: 'GETSWVER' }), unreadable],
+  ])('puts nothing in front that %s', async (_, ...entries) => {
+    const log = logOf(...IDENTIFIED, ...entries);
+    for (let i = 0; i < 500; i++) log.add(sent({ name: 'GETMEMORY' }));
+    await told();
+    expect(numbers(log.introduced(log.entries.value)).slice(0, 3)).toEqual([1, 2, 5]);
   });
 
   it('puts the request back in front of its answer when it alone was lost', async () => {

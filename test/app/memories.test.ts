@@ -52,6 +52,17 @@ describe('the memories at a glance', () => {
     await run(made.session.selectMemory(0));
     expect(made.memories.contents.value.get(1)?.timers).toEqual(made.timer.core.memories[1]?.timers);
   });
+
+  it('are not those of the next timer: it may be another', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.contents.value.size).toBe(4);
+    made.adapter.unplug();
+    await idle();
+    made.adapter.replug();
+    await idle();
+    expect([made.session.connection.value !== null, made.memories.contents.value.size]).toEqual([true, 0]);
+  });
 });
 
 describe('backing up all memories', () => {
@@ -105,6 +116,10 @@ describe('backing up all memories', () => {
     await job(made, { kind: 'back-up' });
     expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { saved: 4 } });
     expect(kept(made)).toHaveLength(4);
+    made.memories.dismiss();
+    made.store.broken = false;
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value, 'of each backup anew').toMatchObject({ step: 'done', kept: true });
   });
 
   it('is refused by a timer that does not say which memory is current', async () => {
@@ -139,6 +154,25 @@ describe('copying a memory', () => {
     expect(kept(made)).toEqual([{ reason: 'write', memory: 3, ...before[3] }]);
     expect(made.store.unfinished.records.size).toBe(0);
     expect(made.timer.core.idleThrottle).toBe(30);
+    expect(made.memories.contents.value.size, 'two of four are no glance at all of them').toBe(0);
+  });
+
+  it('leaves the idle throttle alone, also where each memory has its own', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = (request) => {
+      if (request.name === 'SETMEMORY') made.timer.core.idleThrottle = 40 + request.memory;
+    };
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.memories.current.value).toMatchObject({ outcome: { written: [{ report: { result: 'verified' } }] } });
+    expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETLOWRPM');
+  });
+
+  it('after which the other holds what was not written is not done with', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.timer.core.content.positions[1]?.fill(77);
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.memories.current.value).toMatchObject({ outcome: { stopped: { code: 'changed' } } });
+    expect(made.session.recovery.offer.value).toMatchObject({ kind: 'elsewhere', memory: 3 });
   });
 
   it('does not take the edits along', async () => {
@@ -147,6 +181,18 @@ describe('copying a memory', () => {
     await job(made, { kind: 'copy', from: 1, to: 3 });
     expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
     expect(made.editor.textOf(S1)).toBe('7');
+  });
+});
+
+describe('a browser that does not keep everything', () => {
+  it.each<[what: 'backups' | 'unfinished', plan: Plan]>([
+    ['backups', { kind: 'copy', from: 1, to: 3 }],
+    ['unfinished', { kind: 'back-up' }],
+  ])('is said: no %s', async (what, plan) => {
+    const made = await bench();
+    made.store[what].save = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
+    await job(made, plan);
+    expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { stopped: null } });
   });
 });
 
@@ -193,12 +239,27 @@ describe('a plug that is pulled in the middle', () => {
     const left = made.timer.core.memory;
     made.adapter.replug();
     await idle();
+    await run(made.session.read());
     expect(made.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: left });
     expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
     await run(made.session.selectMemory(1));
     expect(made.timer.core.memory).toBe(1);
     if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);
     else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+
+  it('of a copy leaves the idle throttle alone when the rest is shown', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
+    await job(made, COPY);
+    made.timer.core.onAnswer = undefined;
+    made.memories.dismiss();
+    made.adapter.replug();
+    await idle();
+    await run(made.session.selectMemory(1));
+    await run(made.session.selectMemory(3));
+    await run(made.recover.show());
+    expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
   });
 
   it('is known after a reload too', async () => {
@@ -239,8 +300,12 @@ describe('which memory is current', () => {
     expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
   });
 
-  it('can be asked for only with a timer', async () => {
+  it('can be asked for only with a timer that does nothing else', async () => {
     const made = await bench();
+    const reading = made.session.read();
+    made.memories.open({ kind: 'back-up' });
+    expect(made.memories.current.value).toBeNull();
+    await run(reading);
     await run(made.session.disconnect());
     made.memories.open({ kind: 'back-up' });
     expect(made.memories.current.value).toBeNull();

@@ -117,13 +117,29 @@ describe('a write of which a part arrived', () => {
     expect(bench.session.backups.list.value[0]?.program.timers[10]).toBe(18000);
   });
 
-  it('is said no more of what is another timer, until the next one is met', async () => {
+  it.each<[how: string, meet: (bench: AppBench) => Promise<void>]>([
+    [
+      'by Connect',
+      async ({ session }) => {
+        await run(session.disconnect());
+        await run(session.connect());
+      },
+    ],
+    [
+      'by its plug',
+      async ({ adapter }) => {
+        adapter.unplug();
+        await idle();
+        adapter.replug();
+        await idle();
+      },
+    ],
+  ])('is said no more of what is another timer, until the next one is met %s', async (_, meet) => {
     const bench = await interrupted('SETTIMERS');
     bench.session.recovery.setAside();
     await run(bench.session.read());
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
-    await run(bench.session.disconnect());
-    await run(bench.session.connect());
+    await meet(bench);
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
   });
 
@@ -176,6 +192,15 @@ describe('another end of a write', () => {
     expect(sets(bench)).toEqual(['SETTIMERS']);
   });
 
+  it('after which the timer holds what was not written wants a person at once', async () => {
+    const { bench, written } = await writing('SETTIMERS');
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.timer.core.content.positions[1]?.fill(77);
+    await run(written);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { stopped: { code: 'changed' } } });
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'foreign' } });
+    expect(bench.store.unfinished.records.size).toBe(1);
+  });
+
   it('is all that is said, also where the value is one that was to be written', async () => {
     const bench = await interrupted('SETTIMERS', ({ timer }) => {
       (timer.core.content.positions[0] as number[])[2] = 9;
@@ -205,6 +230,15 @@ describe('another end of a write', () => {
     await run(bench.session.selectMemory(0));
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(bench), 'the edits are those of that write').toBeUndefined();
+  });
+
+  it('in another memory is said no more of what is another timer', async () => {
+    const bench = await interrupted('SETTIMERS', ({ timer }) => {
+      timer.core.memory = 2;
+    });
+    bench.session.recovery.setAside();
+    await run(bench.session.read());
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
   });
 
   it('at another kind of timer is not offered', async () => {

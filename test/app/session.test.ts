@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { ProgramField } from '../../src/program/index.js';
+import { type ProgramField, type TimerProgram, withValue } from '../../src/program/index.js';
 import { CAPTURED_POSITIONS } from '../protocol/vectors.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from './bench.js';
 
@@ -164,7 +164,7 @@ describe('when the first read does not come to its end', () => {
       if (name === 'GETMEMORY') hinder(bench);
     };
     await run(bench.session.connect());
-    expect(bench.editor.working.value).toBeNull();
+    expect([bench.editor.working.value, bench.session.memoryOpen.value]).toEqual([null, true]);
     bench.timer.core.onAnswer = undefined;
     mend(bench);
     await run(bench.session.connect());
@@ -195,6 +195,8 @@ describe('a lost port', () => {
     await idle();
     expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
     expect(answered(bench)).toEqual(['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM']);
+    await run(bench.session.read());
+    expect(notice(bench), 'it was not away again').toBeUndefined();
   });
 
   it('keeps what was typed', async () => {
@@ -280,9 +282,21 @@ describe('disconnect', () => {
   it('closes the port, and keeps what was typed', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
+    bench.session.say('back-same');
     await run(bench.session.disconnect());
     expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
     expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('leaves what was read last on the screen when it only ends the waiting', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await idle();
+    await run(bench.session.disconnect());
+    expect([status(bench), bench.editor.textOf(S1)]).toEqual(['off', '35']);
+    bench.adapter.replug();
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)], 'it was not waited for').toEqual(['on', undefined]);
   });
 
   it('and Connect work one behind the other without a pause', async () => {
@@ -308,6 +322,27 @@ describe('disconnect', () => {
   });
 });
 
+describe('a backup', () => {
+  it('is shown as edits, with the idle throttle as it is where that is not known', async () => {
+    const bench = await connectedBench();
+    const working = bench.editor.working.value as TimerProgram;
+    const program = { ...withValue(working, S1, 7), memory: 2, idleThrottle: null };
+    bench.session.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
+    expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
+    expect(bench.editor.working.value?.memory).toBe(0);
+    bench.editor.undo();
+    expect(bench.editor.working.value).toEqual(working);
+  });
+
+  it('of a timer of another layout is not shown', async () => {
+    const bench = await connectedBench();
+    const working = bench.editor.working.value as TimerProgram;
+    const program = { ...working, identity: { ...working.identity, servos: 1 }, positions: [[]] };
+    bench.session.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
+    expect(bench.editor.working.value).toEqual(working);
+  });
+});
+
 describe('another memory', () => {
   it('is made current and read; edits of the one that is left are kept', async () => {
     const bench = await connectedBench();
@@ -327,6 +362,15 @@ describe('another memory', () => {
     expect([bench.editor.textOf(S1), bench.editor.textOf(DT), notice(bench)]).toEqual(['7', 'x', 'edits-kept']);
     await run(bench.session.selectMemory(1));
     expect(bench.editor.textOf(S1)).toBe('8');
+  });
+
+  it('says nothing of edits that were undone', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.editor.undo();
+    await run(bench.session.selectMemory(1));
+    await run(bench.session.selectMemory(0));
+    expect([notice(bench), bench.editor.redoStep.value?.code]).toEqual([undefined, 'type']);
   });
 
   it('keeps the edits of the one that is left where the browser stores nothing', async () => {
@@ -414,6 +458,20 @@ describe('after a reload', () => {
     expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
   });
 
+  it('of several memories, the one that was worked on last is back', async () => {
+    const store = new MemoryStore();
+    const before = await connectedBench({ store });
+    before.editor.type(S1, '7');
+    await run(before.session.selectMemory(1));
+    before.editor.type(S1, '8');
+    await idle();
+    [...store.drafts.records.values()].forEach((draft, at) => {
+      store.drafts.records.set(draft.key, { ...draft, savedAt: at });
+    });
+    const after = await appBench({ store });
+    expect([after.editor.working.value?.memory, after.editor.textOf(S1)]).toEqual([1, '8']);
+  });
+
   it('there is nothing to bring back once it was undone, or written; but it can be redone, or undone', async () => {
     const store = new MemoryStore();
     const bench = await connectedBench({ store });
@@ -481,7 +539,9 @@ describe('after a reload', () => {
     const fewer = { ...working, identity: { ...working.identity, functions: 9 }, timers: working.timers.slice(1) };
     const small = { ...fewer, positions: working.positions.map((row) => row.slice(1)) };
     store.drafts.records.set(draft.key, { ...draft, working: small });
+    store.drafts.records.set('older', { ...draft, key: 'older', savedAt: 0 });
     const after = await appBench({ store });
+    expect(after.editor.textOf(S1), 'an older one that does').toBe('7');
     await run(after.session.connect());
     expect(status(after)).toBe('on');
   });

@@ -82,6 +82,7 @@ describe('the number of a tab', () => {
     await taken(newTab().page());
     const page = newTab().page();
     expect([await taken(page), await page.take(1), await page.take(2)]).toEqual([2, false, true]);
+    expect([await page.take(3), page.value], 'also where another is free').toEqual([false, 2]);
     await page.takeAny();
     expect(page.value).toBe(2);
   });

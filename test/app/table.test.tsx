@@ -255,6 +255,14 @@ describe('a range', () => {
     expect(screen.queryByText('6 values selected')).toBeNull();
   });
 
+  it('ends at the edge of the table', async () => {
+    await connected();
+    field('Start, S1').focus();
+    await key('ArrowUp', { shiftKey: true });
+    await key('ArrowDown', { shiftKey: true });
+    expect(screen.getByText('2 values selected')).toBeTruthy();
+  });
+
   it('is copied by Ctrl+X too, for no cell can be empty; a part of a text is cut as anywhere', async () => {
     const { editor } = await connected();
     field('Function 1 time').focus();
@@ -272,6 +280,8 @@ describe('a range', () => {
     field('Function 1, S1').focus();
     await key('ArrowDown', { shiftKey: true });
     await key('ArrowDown', { shiftKey: true });
+    await key('D', { ctrlKey: true, shiftKey: true });
+    expect(field('Function 2, S1').value, 'that key is the browser’s').toBe('35');
     await key('d', { ctrlKey: true });
     expect(['Function 2, S1', 'Function 3, S1', 'Function 4, S1'].map((name) => field(name).value)).toEqual([
       '25',

@@ -167,6 +167,34 @@ describe('when the timer is read again', () => {
     expect(editor.working.value).toEqual(withValue(held, S1, 99));
   });
 
+  it('undo brings back what was typed, value or not, where the timer has changed too', () => {
+    const editor = editorOf();
+    for (const text of ['x', '7', '8']) type(editor, S1, text);
+    editor.rebase(withValue(held, S1, 99));
+    for (const text of ['7', 'x', '99']) {
+      editor.undo();
+      expect(editor.textOf(S1)).toBe(text);
+    }
+  });
+
+  it('undo brings back no text that says what the timer held before', () => {
+    const editor = editorOf();
+    editor.type(S1, editor.textOf(S1));
+    editor.type(DT, '4:00');
+    editor.rebase(withValue(held, S1, 99));
+    editor.undo();
+    expect([editor.textOf(S1), editor.dirty.value]).toEqual(['99', false]);
+  });
+
+  it('undo does not forget what the timer had not said before', () => {
+    const editor = editorOf({ ...held, memory: null, idleThrottle: null });
+    type(editor, DT, '4:00');
+    const said = { ...held, memory: 2, idleThrottle: 30 };
+    editor.rebase(said);
+    editor.undo();
+    expect(editor.working.value).toEqual(said);
+  });
+
   it('a write can be undone: it is an edit then', () => {
     const editor = editorOf();
     type(editor, DT, '4:00');

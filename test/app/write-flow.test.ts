@@ -1,4 +1,5 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
+import type { ValueReport, WriteReport } from '../../src/client/index.js';
 import type { ProgramField } from '../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from './bench.js';
 
@@ -25,7 +26,10 @@ function sets({ timer }: AppBench): string[] {
 describe('a write', () => {
   it('sends the difference, reads back, and has no changes left', async () => {
     const bench = await reviewed();
-    await run(bench.write.start());
+    const writing = bench.write.start();
+    expect([bench.write.current.value?.step, bench.write.held]).toEqual(['running', true]);
+    await run(writing);
+    expect(bench.write.held, 'a verified one may be left').toBe(false);
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     expect(bench.timer.core.content.timers[10]).toBe(24000);
@@ -42,6 +46,18 @@ describe('a write', () => {
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
     expect(bench.editor.textOf(S3)).toBe('99');
     expect(bench.session.notice.value?.code).toBe('edits-moved');
+  });
+
+  it('decides what was in conflict', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    (bench.timer.core.content.positions[0] as number[])[2] = 99;
+    await run(bench.write.open());
+    expect(bench.editor.conflicts.value.size).toBe(1);
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    bench.editor.type(S1, '8');
+    expect([bench.editor.changes.value.length, bench.editor.conflicts.value.size]).toEqual([1, 0]);
   });
 
   it('is not offered as one of nothing when another memory is current by now', async () => {
@@ -99,6 +115,11 @@ describe('a write', () => {
     await bench.write.open();
     expect(bench.write.current.value).toBeNull();
     await run(reading);
+    const opening = bench.write.open();
+    bench.editor.type(S1, 'x');
+    await run(opening);
+    expect(bench.write.current.value, 'typed while the timer was read for it').toBeNull();
+    bench.editor.revertAll();
     bench.adapter.unplug();
     await idle();
     await run(bench.write.open());
@@ -127,6 +148,13 @@ describe('a write', () => {
     await run(bench.write.start());
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+
+  it('that is stopped when all of it is done is verified, and stays in sight', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'GETLOWRPM' && sets(bench).length === 3 && bench.write.dismiss();
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', stays: true, report: { result: 'verified' } });
   });
 
   it('that is stopped before its first byte says that nothing was written', async () => {
@@ -159,6 +187,8 @@ describe('a write', () => {
         stays: true,
         report: { result: 'unknown', stopped: { code: 'port-lost' } },
       });
+    } else {
+      expect(bench.write.current.value, 'there is nothing to say of a write').toBeNull();
     }
     expect([bench.editor.textOf(S1), bench.editor.textOf(S3)]).toEqual(['7', '8']);
 
@@ -188,6 +218,15 @@ describe('a write', () => {
     await idle();
     await run(bench.write.start());
     expect(bench.write.current.value?.step, 'the difference is no longer offered').not.toBe('review');
+  });
+
+  it('says so when something goes wrong that nobody has thought of', async () => {
+    const bench = await reviewed();
+    const { client } = bench.session.connection.value ?? {};
+    if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
+    await run(bench.write.start());
+    expect([bench.write.current.value, bench.session.notice.value?.code]).toEqual([null, 'unexpected']);
+    expect(bench.editor.textOf(S1)).toBe('7');
   });
 
   it('into another memory than the one on the screen is refused', async () => {
@@ -277,12 +316,36 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     ]);
   });
 
+  it('moves nothing when it was agreed to and the timer at hand does not need it', async () => {
+    const bench = await reviewed();
+    bench.session.servoMoves.allowed.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect([moves(bench), bench.session.servoMoves.allowed.value]).toEqual([0, false]);
+  });
+
+  it.each<[why: string, value: Partial<ValueReport>, moved: boolean]>([
+    ['a time', { field: DT }, false],
+    ['a position that nobody wanted to change', { asked: false }, false],
+    ['a position that was kept', { status: 'verified' }, false],
+    ['a position to which the servo was moved', {}, true],
+  ])('was not wanted by %s', async (_, value, moved) => {
+    const { session } = await unkept();
+    const lost: ValueReport = { field: S1, wanted: 7, held: 35, status: 'differs', asked: true };
+    const reportOf = (given: ValueReport) => ({ values: [given] }) as unknown as WriteReport;
+    expect(session.servoMoves.wanted(false, [reportOf(lost)])).toBe(true);
+    expect(session.servoMoves.wanted(moved, [reportOf({ ...lost, ...value })])).toBe(false);
+  });
+
   it('is known again after a reload, for this port and kind of timer', async () => {
     const after = await reloaded(await unkept());
     await run(after.session.connect());
     expect(after.session.servoMoves.needed).toBe(true);
     const other = await connectedBench({ store: after.store, identity: { timerClass: 'B' } });
     expect(other.session.servoMoves.needed).toBe(false);
+    await idle();
+    const again = await connectedBench({ store: other.store });
+    expect(again.session.servoMoves.needed, 'also when another kind was on this port').toBe(true);
   });
 
   it('asks the same of what finishes an interrupted write, or goes back', async () => {
