@@ -184,13 +184,12 @@ export class Bench {
   /** Finds the next position to send, whenever something has changed or a command has come to its end. */
   #follow(): void {
     if (!this.#following.value) return;
-    const { editor, connection, busy, job, memoryOpen } = this.#session;
+    const { editor, connection, busy, memoryOpen } = this.#session;
     const trial = this.trial.value;
     const working = editor.working.value;
     void this.#rested.value;
     // While another memory is being selected it is open where a position would be stored.
-    const isAway = memoryOpen.value || job.value?.kind === 'select';
-    if (isAway || !trial || !working || !connection.value || this.#keyOf(working) !== this.#followed) {
+    if (memoryOpen.value || !trial || !working || !connection.value || this.#keyOf(working) !== this.#followed) {
       this.#following.value = false;
       return;
     }

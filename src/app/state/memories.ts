@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { MemoriesReport, Progress, TimerClient, TimerError } from '../../client/index.js';
-import { sameKind, type TimerProgram } from '../../program/index.js';
+import type { TimerProgram } from '../../program/index.js';
 import type { CodecError, Identity } from '../../protocol/index.js';
 import type { Backup } from '../storage/index.js';
 import type { JobOptions, Session } from './session.js';
@@ -57,11 +57,8 @@ export class Memories {
       // Whatever is read or acknowledged since stands for its memory, also when another one is current later.
       const held = session.editor.baseline.value;
       const contents = this.#contents.peek();
-      const [other] = contents.values();
-      if (!held || held.memory === null || !other) return;
-      this.#contents.value = sameKind(other.identity, held.identity)
-        ? new Map(contents).set(held.memory, held)
-        : new Map();
+      if (!held || held.memory === null || contents.size === 0) return;
+      this.#contents.value = new Map(contents).set(held.memory, held);
     });
     session.connection.subscribe(() => {
       this.#contents.value = new Map();
