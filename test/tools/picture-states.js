@@ -103,7 +103,10 @@ export const states = {
   },
   program: {
     title: 'What the timer holds',
-    reach: connect,
+    reach: async (page) => {
+      await connect(page);
+      await toTop(page);
+    },
   },
   changed: {
     title: 'Two values changed',
