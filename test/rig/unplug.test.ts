@@ -74,15 +74,16 @@ test.for(whileWriting)(
   },
 );
 
-test('an adapter that fails without being unplugged is said to be lost', async () => {
+test('an adapter that fails without being unplugged is said to have broken off, then to be out', async () => {
   const rig = await Rig.start();
   const pilot = new Pilot(await rig.open());
   await pilot.clickConnect();
   await pilot.isConnected();
   await pilot.type({ 'Function 9 time': '7.25' });
   await rig.breakAdapter();
-  await pilot.isAway();
+  await pilot.sees(en.link.brokenOff.title);
   await rig.unplug();
+  await pilot.isAway();
   await comesBack(rig, pilot);
   expect(await pilot.shown(['Function 9 time'])).toEqual({ 'Function 9 time': '7.25' });
 });
