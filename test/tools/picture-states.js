@@ -41,9 +41,9 @@ async function connect(page) {
   await settled(page);
 }
 
-/** @param {Page} page */
-async function change(page) {
-  await connect(page);
+/** @param {Page} page @param {(page: Page) => Promise<void>} reach the timer that is changed */
+async function change(page, reach = connect) {
+  await reach(page);
   await enter(page, 'DT', '6:00');
   await enter(page, 'Function 4, S2', '70');
   await toTop(page);
@@ -74,18 +74,15 @@ async function follow(page) {
   await page.getByText('Tried: 1 position').first().waitFor();
 }
 
-/** @param {Page} page */
-async function edit(page) {
+/** Where a workbench is in the place of the browser's serial ports. @param {Page} page */
+async function connectPort(page) {
   await press(page, 'Connect');
   await settled(page);
-  await enter(page, 'DT', '6:00');
-  await enter(page, 'Function 4, S2', '70');
-  await toTop(page);
 }
 
 /** @param {Page} page */
 async function conflict(page) {
-  await edit(page);
+  await change(page, connectPort);
   await page.evaluate(() => {
     window.workbench.content.timers[10] = 21000;
   });
@@ -191,7 +188,7 @@ export const states = {
     title: 'Positions that were not kept, and the way to keep them',
     bench: { granted: true, quirks: { servoNeedsMove: true } },
     reach: async (page) => {
-      await edit(page);
+      await change(page, connectPort);
       await press(page, 'Write…');
       await promise(page);
       await page.getByRole('button', { name: 'Write 2 changes' }).click();
@@ -286,7 +283,7 @@ export const states = {
     title: 'The adapter is out',
     bench: { granted: true },
     reach: async (page) => {
-      await edit(page);
+      await change(page, connectPort);
       await page.evaluate(() => window.workbench.adapter.unplug());
       await page.locator('.notices').getByText('The adapter is unplugged.').waitFor();
     },
@@ -317,8 +314,7 @@ export const states = {
     bench: { granted: true },
     reach: async (page) => {
       await page.evaluate(() => window.workbench.damageAfter(20));
-      await press(page, 'Connect');
-      await settled(page);
+      await connectPort(page);
       await open(page, 'Line');
     },
   },
