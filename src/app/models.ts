@@ -11,6 +11,7 @@ import { Tabs } from './state/tabs.js';
 import { Theme } from './state/theme.js';
 import { UpdateOffer } from './state/update-offer.js';
 import { WriteFlow } from './state/write-flow.js';
+import { limited } from './storage/index.js';
 
 /** The models that the screens read and call. */
 export interface AppModels {
@@ -44,7 +45,7 @@ export interface ModelOptions extends SessionOptions {
 
 /** All models of the program, before anything is brought back or connected. */
 export function createModels({ platform, channel, ...options }: ModelOptions): AppModels {
-  const session = new Session(options);
+  const session = new Session({ ...options, storage: limited(options.storage) });
   const write = new WriteFlow(session);
   const memories = new Memories(session);
   const isWriting = (): boolean =>

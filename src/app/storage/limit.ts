@@ -1,0 +1,61 @@
+/**
+ * Why the browser did not keep something, or did not give it back.
+ * - `slow`: it has not answered in time. It may still do it.
+ * - `blocked`: another tab holds an older version of the storage.
+ * - `full`: there is no room.
+ * - `newer`: a newer version of this page has arranged the storage.
+ * - `missing`: the browser has no storage for this page, or it is switched off.
+ * - `failed`: anything else.
+ */
+export type StorageErrorCode = 'slow' | 'blocked' | 'full' | 'newer' | 'missing' | 'failed';
+
+/** What the storage of the browser says instead of doing what it was asked for. */
+export class StorageError extends Error {
+  override readonly name = 'StorageError';
+  readonly code: StorageErrorCode;
+
+  constructor(code: StorageErrorCode, message: string, options?: ErrorOptions) {
+    super(message, options);
+    this.code = code;
+  }
+
+  /** Whatever a browser has thrown, by code; a StorageError stays what it is. */
+  static of(cause: unknown): StorageError {
+    if (cause instanceof StorageError) return cause;
+    const { name = '', message = String(cause) } = cause instanceof Error ? cause : {};
+    return new StorageError(CODES[name] ?? 'failed', message, { cause });
+  }
+}
+
+/** By the name of what browsers throw. */
+const CODES: Readonly<Record<string, StorageErrorCode>> = {
+  QuotaExceededError: 'full',
+  VersionError: 'newer',
+  SecurityError: 'missing',
+  // Where there is no `indexedDB` at all, asking it is one of these.
+  ReferenceError: 'missing',
+  TypeError: 'missing',
+};
+
+/** So long the storage has for one thing, in milliseconds. */
+export const STORAGE_LIMIT = 5000;
+
+/**
+ * What the storage gives, if it gives it in time: a browser may leave a question open for ever. What comes later is passed over.
+ * @param work a promise, or what begins it: whatever that throws at once is a rejection, too.
+ * @param ms milliseconds.
+ * @throws StorageError
+ */
+export async function within<T>(work: Promise<T> | (() => Promise<T>), ms: number = STORAGE_LIMIT): Promise<T> {
+  let giveUp: ReturnType<typeof setTimeout> | undefined;
+  const limit = new Promise<never>((_, reject) => {
+    giveUp = setTimeout(() => reject(new StorageError('slow', `nothing within ${ms} ms`)), ms);
+  });
+  try {
+    return await Promise.race([typeof work === 'function' ? work() : work, limit]);
+  } catch (cause) {
+    throw StorageError.of(cause);
+  } finally {
+    clearTimeout(giveUp);
+  }
+}
