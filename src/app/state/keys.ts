@@ -7,7 +7,10 @@ export function kindKey({ timerClass, firmware, functions, servos }: Identity, s
 }
 
 /** What a program is for: kind of timer and memory. */
-export function programKey({ identity, memory }: TimerProgram, simulated: boolean): string {
+export function programKey(
+  { identity, memory }: Pick<TimerProgram, 'identity' | 'memory'>,
+  simulated: boolean,
+): string {
   return `${kindKey(identity, simulated)}/${memory ?? '?'}`;
 }
 

@@ -146,7 +146,7 @@ export class Memories {
     goals: readonly TimerProgram[],
     options: JobOptions,
   ): Promise<Pick<MemoriesOutcome, 'written' | 'stopped' | 'unkept'>> {
-    const { recovery, simulated, servoMoves } = this.#session;
+    const { knowledge, recovery, simulated, servoMoves } = this.#session;
     const moveServos = servoMoves.take();
     const { memories, stopped } = await client.writeMemories(goals, {
       ...options,
@@ -158,7 +158,7 @@ export class Memories {
       },
     });
     for (const { before, report } of memories) {
-      if (report.held && !report.stopped) await recovery.ended(before, simulated.value);
+      if (report.held && !report.stopped) await knowledge.ended(before);
     }
     if (this.#contents.value.size > 0) this.#remember(memories.flatMap(({ report }) => report.held ?? []));
     await this.#home(identity, stopped);

@@ -14,12 +14,14 @@ import { Backups } from './backups.js';
 import { Drafts } from './drafts.js';
 import { Editor } from './editor.js';
 import { kindKey, programKey, workKey } from './keys.js';
+import { Knowledge } from './knowledge.js';
 import { LineLog } from './line-log.js';
 import { Link } from './link.js';
 import type { NoteCode, Notice } from './notice.js';
 import { Recovery } from './recovery.js';
 import { ServoMoves } from './servo-moves.js';
 import type { TabNumber } from './tab-number.js';
+import { UnfinishedRecords } from './unfinished.js';
 
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
@@ -49,6 +51,8 @@ export class Session {
   readonly editor = new Editor();
   readonly log: LineLog = new LineLog(() => this.connection?.peek()?.client.quirksAssumed ?? {});
   readonly backups: Backups;
+  /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
+  readonly knowledge: Knowledge;
   readonly recovery: Recovery;
   readonly link: Link;
   readonly servoMoves: ServoMoves;
@@ -81,7 +85,6 @@ export class Session {
     this.#options = options;
     this.#drafts = new Drafts(options.storage.drafts, options.tab, () => this.say('not-kept'));
     this.backups = new Backups(options.storage.backups);
-    this.recovery = new Recovery(options.storage.unfinished, this.backups);
     this.link = new Link({
       surroundings: options.surroundings,
       ports: options.storage.ports,
@@ -89,6 +92,15 @@ export class Session {
       onState: (state, before) => this.#follow(state, before),
     });
     this.connection = this.link.connection;
+    const atHand = computed(() => {
+      const connected = this.connection.value?.identity;
+      if (connected) return { identity: connected, simulated: this.link.simulated.value };
+      const shown = this.editor.identity.value;
+      return shown && { identity: shown, simulated: this.simulated.value };
+    });
+    const unfinished = new UnfinishedRecords(options.storage.unfinished, options.tab);
+    this.knowledge = new Knowledge(unfinished, atHand, () => options.tab.value);
+    this.recovery = new Recovery(unfinished, this.knowledge, this.backups);
     this.servoMoves = new ServoMoves(this.connection, this.safe);
     this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
     this.engaged = computed(() => this.busy.value || this.link.waiting.value);
@@ -101,7 +113,7 @@ export class Session {
       this.simulated.value = draft.simulated;
       this.notice.value ??= { kind: 'note', code: 'edits-restored' };
     }
-    await Promise.all([this.backups.load(), this.link.start()]);
+    await Promise.all([this.knowledge.refresh(), this.backups.load(), this.link.start()]);
     effect(() => {
       const content = this.editor.snapshot();
       if (content) this.#drafts.keep(content, this.simulated.value);
@@ -221,6 +233,7 @@ export class Session {
       if (isLeft || this.connection.value === connection) this.report(error);
       return false;
     } finally {
+      this.knowledge.jobOver();
       this.job.value = null;
       void this.link.learn();
     }
@@ -275,6 +288,7 @@ export class Session {
       return;
     }
     this.job.value?.stop.abort();
+    this.knowledge.connectionOver();
     if (state.status !== 'off') return;
     this.#returning = false;
     if (!state.error) return;
@@ -294,6 +308,7 @@ export class Session {
       this.safe.value = false;
       this.byteOrderOpen.value = false;
       this.memoryOpen.value = true;
+      this.knowledge.meet();
       this.recovery.meet();
     });
     await Promise.all([this.link.remember(), this.read()]);
@@ -301,6 +316,7 @@ export class Session {
 
   /** Shows what was read, with the edits that belong to it. */
   async #show(read: TimerProgram): Promise<void> {
+    const at = Date.now();
     const simulated = this.link.simulated.value;
     const { editor } = this;
     const before = editor.working.value;
@@ -311,12 +327,14 @@ export class Session {
     const setAside = before !== null && !same && editor.dirty.value;
     const draft = same ? undefined : await this.#drafts.of(read, simulated, this.#inherits);
     this.#inherits = false;
-    const completed = await this.recovery.look(read, simulated);
-    // What an interrupted write explains is told by the offer to finish it, and by nothing else.
-    const explained = this.recovery.offer.value?.kind === 'write';
+    await this.knowledge.refresh();
     const returning = this.#returning;
     this.#returning = false;
     batch(() => {
+      const completed = this.knowledge.read(read, at);
+      this.recovery.look(read, simulated);
+      // What an interrupted write explains is told by the offer to finish it, and by nothing else.
+      const explained = this.recovery.offer.value?.kind === 'write';
       if (!same) editor.clear();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);

@@ -70,7 +70,7 @@ export class WriteFlow {
       this.current.value = { step: 'running', progress, stop, stopping: stop.signal.aborted };
     };
     running(null);
-    const { recovery, simulated, servoMoves, link } = this.#session;
+    const { knowledge, recovery, simulated, servoMoves, link } = this.#session;
     const isSimulated = simulated.value;
     // The goal and a backup are kept before the first byte: whatever happens, what the timer holds can be explained.
     const kept = editor.changes.value.length === 0 || (await recovery.begin(baseline, working, isSimulated));
@@ -80,9 +80,12 @@ export class WriteFlow {
       const options = { baseline, moveServos, signal: stop.signal, onProgress: running };
       const report = await connection.value.client.writeProgram(working, options);
       // What was read back to its end needs no finding out at the next meeting.
-      if (report.held && report.stopped) await recovery.look(report.held, isSimulated);
-      else if (report.held) await recovery.ended(baseline, isSimulated);
       batch(() => {
+        if (report.held) {
+          if (!report.stopped) void knowledge.ended(baseline);
+          knowledge.read(report.held, Date.now(), report.result === 'verified');
+          if (report.stopped) recovery.look(report.held, isSimulated);
+        }
         if (report.held) editor.wrote(report.held);
         const stays = report.result !== 'verified' || stop.signal.aborted;
         this.current.value = { step: 'done', report, stays, unkept: servoMoves.wanted(moveServos, [report]) };
@@ -90,7 +93,7 @@ export class WriteFlow {
       if (report.stopped?.code === 'no-answer') this.#session.report(report.stopped);
     } catch (error) {
       // Nothing has been written yet.
-      await recovery.ended(baseline, isSimulated);
+      await knowledge.ended(baseline);
       if (error instanceof TimerError && error.code !== 'port-lost' && error.code !== 'aborted') {
         this.current.value = { step: 'refused', error };
         return;
@@ -99,6 +102,7 @@ export class WriteFlow {
       if (!(error instanceof TimerError)) this.#session.report(error);
       else if (error.code === 'aborted') this.#session.say('nothing-written');
     } finally {
+      knowledge.jobOver();
       void link.learn();
     }
   }

@@ -73,10 +73,16 @@ export const unfinishedSchema = v.variant('kind', [
     kind: v.literal('write'),
     key: v.string(),
     startedAt: v.number(),
-    /** What the timer held. */
+    /** What the timer held by the last reading before. */
     before: program,
     /** What it was to hold. */
     goal: program,
+    /** When `before` was read, in milliseconds since 1970; older records do not say. */
+    readAt: v.optional(v.nullable(v.number()), null),
+    /** When a fresh reading explained what the timer holds: from then on only the offer to finish it is left. */
+    seenAt: v.optional(v.nullable(v.number()), null),
+    /** The number of the tab in which it is under way, see `TabNumber`; null when that has seen its end. */
+    tab: v.optional(v.nullable(v.number()), null),
   }),
   v.object({
     kind: v.literal('memories'),

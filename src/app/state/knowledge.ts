@@ -1,0 +1,299 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import {
+  type Change,
+  differences,
+  type ProgramField,
+  partWritten,
+  type TimerProgram,
+  valueAt,
+} from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import type { UnfinishedWrite } from '../storage/index.js';
+import { programKey } from './keys.js';
+import type { UnfinishedRecords } from './unfinished.js';
+
+/** What is known of what one memory of the timer at hand holds. Times are milliseconds since 1970. */
+export type Known =
+  /** Nobody has read it since this timer was connected. */
+  | { readonly state: 'unread' }
+  /** A reading gave all of it; `verified` when that was the reading back of a write. */
+  | { readonly state: 'read'; readonly program: TimerProgram; readonly at: number; readonly verified: boolean }
+  /** A write was cut off, and no reading since has shown what came of it: each field holds what it held before, or what it was to hold. */
+  | {
+      readonly state: 'uncertain';
+      readonly since: number;
+      readonly before: TimerProgram;
+      readonly readAt: number | null;
+      readonly goal: TimerProgram;
+    };
+
+/** A memory of some timer of which it is not known what it holds. */
+export interface Uncertain {
+  /** Of the record that is kept of it. */
+  readonly key: string;
+  readonly identity: Identity;
+  /** Counted from 0; null for a timer that does not say which memory is current. */
+  readonly memory: number | null;
+  readonly simulated: boolean;
+  readonly since: number;
+  readonly before: TimerProgram;
+  readonly readAt: number | null;
+  readonly goal: TimerProgram;
+}
+
+/** The timer that is connected, or that the program on the screen came from. */
+export interface TimerAtHand {
+  readonly identity: Identity;
+  readonly simulated: boolean;
+}
+
+type Reading = Extract<Known, { state: 'read' }>;
+
+/**
+ * What is known of what timers hold: the one truth from which every word about a timer is derived.
+ *
+ * A change begins with {@link begin}, before its first byte: from then on there is a record of it, in the browser's storage too. While
+ * the change is under way nothing is said. It ends in one of two ways: {@link read} or {@link ended}, when a fresh reading has shown
+ * what came of it; else {@link cut}, and the memory is uncertain. That outlives everything but a fresh reading which explains it, or
+ * the pilot's word ({@link forget}). A page that crashes in between leaves a record behind, which says the same.
+ */
+export class Knowledge {
+  /** All memories of which it is not known what they hold, of every timer that this browser knows of; the latest first. */
+  readonly uncertain: ReadonlySignal<readonly Uncertain[]>;
+  /** Records of writes that were cut off; also those that a reading has explained, as long as they can be finished. */
+  readonly writes: ReadonlySignal<readonly UnfinishedWrite[]>;
+  readonly #records: UnfinishedRecords;
+  readonly #timer: ReadonlySignal<TimerAtHand | null>;
+  readonly #tab: () => number;
+  readonly #readings = signal<ReadonlyMap<string, Reading>>(new Map(), { name: 'readings' });
+  /** What this page has under way, by the key of its record: whether the timer has acknowledged all of it so far. */
+  readonly #underWay = signal<ReadonlyMap<string, boolean>>(new Map(), { name: 'underWay' });
+  /** The pilot has said that the timer at hand is not the one of these records. */
+  readonly #ofOthers = signal<ReadonlySet<string>>(new Set(), { name: 'ofOthers' });
+  #lastStart = 0;
+
+  constructor(records: UnfinishedRecords, timer: ReadonlySignal<TimerAtHand | null>, tab: () => number) {
+    this.#records = records;
+    this.#timer = timer;
+    this.#tab = tab;
+    this.writes = computed(() =>
+      records.list.value
+        .filter((record) => record.kind === 'write')
+        .filter(({ key }) => !this.#underWay.value.has(key))
+        .sort((a, b) => b.startedAt - a.startedAt),
+    );
+    this.uncertain = computed(() => this.writes.value.filter(({ seenAt }) => seenAt === null).map(uncertainOf));
+  }
+
+  /** What is known of a memory of the timer at hand. @param memory counted from 0; null where the timer does not say which is current. */
+  of(memory: number | null): Known {
+    const timer = this.#timer.value;
+    if (!timer) return { state: 'unread' };
+    const key = programKey({ identity: timer.identity, memory }, timer.simulated);
+    const cut = this.uncertain.value.find((each) => keyOf(each) === key && !this.isOfOther(each.key));
+    if (cut) {
+      const { since, before, readAt, goal } = cut;
+      return { state: 'uncertain', since, before, readAt, goal };
+    }
+    return this.#readings.value.get(key) ?? { state: 'unread' };
+  }
+
+  /**
+   * A fresh reading of a memory of the timer at hand: it ends every uncertainty that it explains. What neither the state before a write
+   * nor its goal explains ends nothing: then the pilot has to say whether this is another timer.
+   * @param verified whether it is the reading back that equals the goal of a write.
+   * @returns `completed` when it shows that a write which was cut off has arrived whole.
+   */
+  read(program: TimerProgram, at = Date.now(), verified = false): 'completed' | null {
+    const simulated = this.#timer.peek()?.simulated ?? false;
+    const key = programKey(program, simulated);
+    let completed: 'completed' | null = null;
+    batch(() => {
+      this.#readings.value = new Map(this.#readings.value).set(key, { state: 'read', program, at, verified });
+      for (const record of this.#recordsOf(key)) {
+        if (this.isOfOther(record.key)) continue;
+        const { extent } = partWritten(record.before, record.goal, program);
+        if (extent === 'foreign') continue;
+        const wasUnderWay = this.#leave(record.key);
+        if (extent === 'all') void this.#records.remove(record.key);
+        else if (record.seenAt === null) void this.#records.save({ ...record, seenAt: at, tab: null });
+        if (extent === 'all' && !wasUnderWay) completed = 'completed';
+      }
+    });
+    return completed;
+  }
+
+  /**
+   * A change of a memory begins. To be waited for before the first byte of it goes out. A second one of the same memory, before the end
+   * of the first was seen, takes its place: `before` must be what the timer holds by then, as far as it has acknowledged it.
+   * @returns false when the browser does not keep the record: then only this page remembers.
+   */
+  async begin(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
+    const simulated = this.#timer.peek()?.simulated ?? false;
+    const program = programKey(before, simulated);
+    const known = this.of(before.memory);
+    const readAt = known.state === 'read' ? known.at : null;
+    const under = this.#recordsOf(program).find(({ key }) => this.#underWay.peek().has(key));
+    this.#lastStart = Math.max(Date.now(), this.#lastStart + 1);
+    const startedAt = under?.startedAt ?? this.#lastStart;
+    const key = under?.key ?? `${program}@${startedAt}`;
+    // What a reading has explained can no longer be finished: the memory is about to hold something else.
+    const over = this.#recordsOf(program).filter((record) => record.key !== key && record.seenAt !== null);
+    batch(() => {
+      for (const record of over) void this.#records.remove(record.key);
+      this.#underWay.value = new Map(this.#underWay.value).set(key, false);
+    });
+    return await this.#records.save({
+      kind: 'write',
+      key,
+      startedAt,
+      before,
+      goal,
+      readAt,
+      seenAt: null,
+      tab: this.#tab(),
+    });
+  }
+
+  /**
+   * The timer has acknowledged all of the change that is under way in this memory. That is no reading: the record stays, and if the
+   * connection is lost before one, the memory is uncertain.
+   */
+  acknowledged(memory: number | null): void {
+    const keys = this.#underWayIn(memory);
+    if (keys.length === 0) return;
+    this.#underWay.value = new Map([...this.#underWay.value, ...keys.map((key): [string, boolean] => [key, true])]);
+  }
+
+  /** The end of a change was seen, or nothing of it was sent: what the memory holds is what its last reading gave. */
+  async ended(before: TimerProgram): Promise<void> {
+    const keys = this.#underWayIn(before.memory);
+    await Promise.all(keys.map((key) => this.#drop(key)));
+  }
+
+  /**
+   * A change was sent, or may have been, and no reading has shown what came of it: the memory is uncertain from now on. Also for a single
+   * value without an answer (a position, the idle throttle), whether it was begun with {@link begin} or not.
+   * @returns false when the browser does not keep it: then only this page remembers.
+   */
+  async cut(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
+    if (this.#underWayIn(before.memory).length === 0) void this.begin(before, goal);
+    return await this.#cutAll(this.#underWayIn(before.memory));
+  }
+
+  /** A job has come to its end, well or not: what it began and nobody has seen the end of is cut off. */
+  jobOver(): void {
+    void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => !acknowledged).map(([key]) => key));
+  }
+
+  /** The connection has come to its end: what was acknowledged and never read is cut off. A job that is at work comes to its own end. */
+  connectionOver(): void {
+    void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => acknowledged).map(([key]) => key));
+  }
+
+  /** A timer was connected: it may be any. Nothing is known of it but what was cut off on one of its kind. */
+  meet(): void {
+    batch(() => {
+      this.#readings.value = new Map();
+      this.#ofOthers.value = new Set();
+    });
+  }
+
+  /** By the pilot's word the timer at hand is not the one of this record: what was read of it explains nothing. Until the next connection. */
+  notThisTimer(key: string): void {
+    batch(() => {
+      this.#ofOthers.value = new Set(this.#ofOthers.value).add(key);
+      const record = this.writes.peek().find((each) => each.key === key);
+      if (record && record.seenAt !== null) void this.#records.save({ ...record, seenAt: null });
+    });
+  }
+
+  /** Whether the pilot has said that the timer at hand is not the one of this record. */
+  isOfOther(key: string): boolean {
+    return this.#ofOthers.value.has(key);
+  }
+
+  /** By the pilot's word there is nothing more to find out about this record: read elsewhere, settled, or of a timer that is gone. */
+  async forget(key: string): Promise<void> {
+    await this.#drop(key);
+  }
+
+  /** Looks again what other tabs and earlier pages have left behind. */
+  refresh(): Promise<void> {
+    return this.#records.refresh();
+  }
+
+  async #cutAll(keys: readonly string[]): Promise<boolean> {
+    const records = this.#records.list.peek().filter((record) => record.kind === 'write' && keys.includes(record.key));
+    const saved = batch(() =>
+      (records as UnfinishedWrite[]).map((record) => {
+        this.#leave(record.key);
+        const readings = new Map(this.#readings.value);
+        readings.delete(programKey(record.before, isSimulated(record)));
+        this.#readings.value = readings;
+        return this.#records.save({ ...record, tab: null });
+      }),
+    );
+    return (await Promise.all(saved)).every(Boolean);
+  }
+
+  #drop(key: string): Promise<void> {
+    return batch(() => {
+      this.#leave(key);
+      return this.#records.remove(key);
+    });
+  }
+
+  /** @returns whether it was under way. */
+  #leave(key: string): boolean {
+    const rest = new Map(this.#underWay.peek());
+    const was = rest.delete(key);
+    if (was) this.#underWay.value = rest;
+    return was;
+  }
+
+  #underWayIn(memory: number | null): string[] {
+    const under = this.#underWay.peek();
+    const records = this.#records.list.peek().filter((record) => record.kind === 'write');
+    return records.filter(({ key, before }) => under.has(key) && before.memory === memory).map(({ key }) => key);
+  }
+
+  #recordsOf(program: string): UnfinishedWrite[] {
+    const records = this.#records.list.peek().filter((record) => record.kind === 'write');
+    return records.filter((record) => programKey(record.before, isSimulated(record)) === program);
+  }
+}
+
+/** What a field of a memory may hold, each value once: none when nothing is known, two when a write of it was cut off; not one that was never read. */
+export function possibleValues(known: Known, field: ProgramField): readonly number[] {
+  if (known.state === 'unread') return [];
+  const programs = known.state === 'read' ? [known.program] : [known.before, known.goal];
+  return [...new Set(programs.map((program) => valueAt(program, field)).filter((value) => value !== null))];
+}
+
+/** The values that are one or the other: what was to be changed. DT and the motor stop come first, as the first to look at. */
+export function openValues({ before, goal }: Pick<Uncertain, 'before' | 'goal'>): readonly Change[] {
+  const { timerClass, functions } = before.identity;
+  const rank = ({ field }: Change): number => {
+    if (field.kind !== 'time') return 2;
+    if (field.column === functions) return 0;
+    return field.column === 0 && timerClass === 'Q' ? 1 : 2;
+  };
+  const open = differences(before, goal).filter(({ to }) => to !== null);
+  return open.sort((a, b) => rank(a) - rank(b));
+}
+
+/** Whether a record is of the simulated timer. */
+export function isSimulated({ key }: { readonly key: string }): boolean {
+  return key.startsWith('simulated/');
+}
+
+function uncertainOf(record: UnfinishedWrite): Uncertain {
+  const { key, startedAt: since, before, readAt, goal } = record;
+  const { identity, memory } = before;
+  return { key, identity, memory, simulated: isSimulated(record), since, before, readAt, goal };
+}
+
+function keyOf({ before, simulated }: Uncertain): string {
+  return programKey(before, simulated);
+}
