@@ -1,4 +1,4 @@
-import type { CommandName } from '../protocol/index.js';
+import type { CommandName, Identity } from '../protocol/index.js';
 
 /**
  * What can go wrong between a request and its reply.
@@ -8,12 +8,14 @@ import type { CommandName } from '../protocol/index.js';
  * - `bad-reply`: replies came with a right checksum and a content that cannot be; `cause` says what.
  * - `unstable`: the line damages too much: the patience for repeats was used up, or no two reads agreed. As after `no-answer`, a request
  *   that was `sent` may have been carried out.
+ * - `crowded`: no two reads agreed, and frames came that nobody asked for: there may be a second timer or programmer in the beam.
  * - `other-memory`: the timer's current memory is not the one that the program was read from.
  * - `memory-unknown`: the timer does not say which memory is current (quirk `memory-unknown`), so no other one may be selected: it
  *   could not be told which to come back to.
  * - `memory-left`: the memory that was current before could not be made current again. `expected` is that memory, `found` the one that
  *   was last selected, null when that is not certain either; `cause` is what stopped the job, or the way back.
- * - `other-timer`: the timer that answers is not of the kind that the program is for.
+ * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was identified. `identity` is what
+ *   answered, where that is known.
  * - `changed`: after a write more values differ from what was read than the write can have changed: something else changed the
  *   timer, or it is another one. Nothing was put back.
  * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to choose first.
@@ -25,6 +27,7 @@ export type TimerErrorCode =
   | 'no-answer'
   | 'bad-reply'
   | 'unstable'
+  | 'crowded'
   | 'other-memory'
   | 'memory-unknown'
   | 'memory-left'
@@ -42,6 +45,8 @@ export interface TimerErrorDetails {
   readonly sent?: number;
   readonly expected?: number | null;
   readonly found?: number | null;
+  /** What the timer that answers said of itself. */
+  readonly identity?: Identity;
 }
 
 /** The one error of the client. Its message is for developers. */

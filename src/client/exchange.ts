@@ -44,8 +44,6 @@ export class Exchange {
   readonly #wire: Wire;
   readonly #clock: Clock;
   readonly #pace: Pace;
-  /** Letters of the requests that went out and may still be answered. */
-  readonly #outstanding = new Set<number>();
   #lastSent = Number.NEGATIVE_INFINITY;
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
@@ -54,8 +52,9 @@ export class Exchange {
   /** Exchanges in a row without an answer in the request under way, and those of them in which nothing came at all. */
   #misses = 0;
   #silent = 0;
-  /** How often damage had been seen when the job began. */
+  /** How often damage, and frames that nobody asked for, had been seen when the job began. */
   #damageBefore = 0;
+  #straysBefore = 0;
 
   /** What the timer said of itself: the layout of all that follows. Null until it has. */
   identity: Identity | null = null;
@@ -68,9 +67,9 @@ export class Exchange {
     this.budget = new Budget(clock, pace);
   }
 
-  /** Whether damage was seen on the line, so that a single read is no longer believed. */
+  /** Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed. */
   get damaged(): boolean {
-    return this.#wire.damage > 0;
+    return this.#wire.damage > 0 || this.#wire.strays > 0;
   }
 
   /** Whether the timer is there: it has answered, and did not fall silent since. */
@@ -86,6 +85,7 @@ export class Exchange {
   /** A job of these exchanges begins: from now on nothing is asked that could end later than such a job may. */
   begin(names: readonly CommandName[]): void {
     this.#damageBefore = this.#wire.damage;
+    this.#straysBefore = this.#wire.strays;
     this.budget.begin(names, this.identity);
   }
 
@@ -98,10 +98,11 @@ export class Exchange {
   }
 
   /**
-   * Asks a question and believes the answer: once damage was seen on the line, only when two in a row agree.
+   * Asks a question and believes the answer: once damage was seen on the line, or a frame that nobody asked for, only when two in a row
+   * agree.
    * @param before an answer got before, to count as the first of the two.
    * @returns the answer, and whether two agreed on it.
-   * @throws TimerError `unstable`, or as {@link ask}.
+   * @throws TimerError `unstable`, `crowded`, or as {@link ask}.
    */
   async read<R extends Request>(
     request: R,
@@ -109,6 +110,7 @@ export class Exchange {
     { before, ...patience }: Patience & { readonly before?: ReplyOf<R['name']> | undefined } = {},
   ): Promise<{ reply: ReplyOf<R['name']>; agreed: boolean }> {
     let previous = before === undefined ? undefined : JSON.stringify(before);
+    const { damage } = this.#wire;
     for (let i = 0; i < READS; i++) {
       const reply = await this.ask(request, signal, patience);
       const text = JSON.stringify(reply);
@@ -116,7 +118,9 @@ export class Exchange {
       if (!this.damaged) return { reply, agreed: false };
       previous = text;
     }
-    throw new TimerError('unstable', `no two of ${READS} replies agreed`, { request: request.name });
+    const isCrowded = this.#wire.strays > this.#straysBefore && this.#wire.damage === damage;
+    const code = isCrowded ? 'crowded' : 'unstable';
+    throw new TimerError(code, `no two of ${READS} replies agreed`, { request: request.name });
   }
 
   /**
@@ -126,9 +130,9 @@ export class Exchange {
    */
   async send(code: number, data: ArrayLike<number>, signal?: AbortSignal): Promise<Frame | null> {
     throwIfAborted(signal);
-    if (this.#outstanding.size > 0 && !(await this.#fence(signal))) await this.#outwait(signal);
+    if (this.#wire.unanswered.size > 0 && !(await this.#fence(signal))) await this.#outwait(signal);
     throwIfAborted(signal);
-    const frame = await this.#once(code, () => this.#wire.send(code, data, this.identity));
+    const frame = await this.#once(() => this.#wire.send(code, data, this.identity));
     return frame ?? null;
   }
 
@@ -150,19 +154,17 @@ export class Exchange {
     let silent = 0;
     let bad = 0;
     let badReply: unknown;
-    const isIgnored = (): boolean => silent === sent && sent >= (this.damaged ? tries : unanswered);
+    const isIgnored = (): boolean => silent === sent && sent >= (wire.damage > 0 ? tries : unanswered);
     this.#misses = 0;
     this.#silent = 0;
     while (this.#mayGoOn(request, damage)) {
       throwIfAborted(signal);
-      if (this.#outstanding.size > 0 && !(await this.#fence(signal))) continue;
+      if (this.#wire.unanswered.size > 0 && !(await this.#fence(signal))) continue;
       throwIfAborted(signal);
       if (sent > 0) this.budget.countRepeat();
       sent++;
       const { signs } = wire;
-      const reply = await this.#once(COMMANDS[name].request, () =>
-        wire.ask(request, this.identity, this.#outstanding.size === 0),
-      );
+      const reply = await this.#once(() => wire.ask(request, this.identity, this.#wire.unanswered.size === 0));
       if (reply) return reply;
       if (wire.badReply !== undefined) {
         badReply = wire.badReply;
@@ -188,7 +190,7 @@ export class Exchange {
   /** Whether one more attempt, fence and request, makes sense and still ends in time. */
   #mayGoOn(request: Request, damage: number): boolean {
     if (this.#misses >= MISSES || this.#isSilent(request, damage)) return false;
-    const fence = this.#outstanding.size > 0 ? longestFence(this.#pace) : 0;
+    const fence = this.#wire.unanswered.size > 0 ? longestFence(this.#pace) : 0;
     return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#pace));
   }
 
@@ -198,7 +200,7 @@ export class Exchange {
     return this.#silent >= (isPatient ? SILENT : SILENT_AT_FIRST);
   }
 
-  async #once<T>(code: number, send: () => Promise<T | undefined>): Promise<T | undefined> {
+  async #once<T>(send: () => Promise<T | undefined>): Promise<T | undefined> {
     if (this.#closed) throw new TimerError('closed', 'this client was closed');
     this.#lastSent = this.#clock.now();
     const { signs } = this.#wire;
@@ -211,7 +213,6 @@ export class Exchange {
       this.#silent = 0;
       return answer;
     }
-    this.#outstanding.add(code);
     this.#misses++;
     this.#silent = this.#wire.signs === signs ? this.#silent + 1 : 0;
     return undefined;
@@ -225,14 +226,39 @@ export class Exchange {
   async #fence(signal: AbortSignal | undefined): Promise<boolean> {
     await this.#wire.silence(signal);
     throwIfAborted(signal);
-    const name = FENCES.find((fence) => !this.#outstanding.has(COMMANDS[fence].request) && this.#canDecode(fence));
+    const name = FENCES.find((fence) => !this.#wire.unanswered.has(COMMANDS[fence].request) && this.#canDecode(fence));
     if (!name || this.#latestReply <= this.#clock.now()) {
       await this.#outwait(signal);
       return true;
     }
     this.budget.countRepeat();
-    if (!(await this.#once(COMMANDS[name].request, () => this.#wire.ask({ name }, this.identity, false)))) return false;
-    this.#outstanding.clear();
+    const reply = await this.#askFence(name);
+    if (!reply) return false;
+    this.#wire.settle();
+    return reply.name !== 'GETSWVER' || (await this.#isSame(reply.identity));
+  }
+
+  #askFence(name: (typeof FENCES)[number]): Promise<Reply | undefined> {
+    return this.#once(() => this.#wire.ask({ name }, this.identity, false));
+  }
+
+  /**
+   * Nothing more may be sent to another timer than the one that was identified. One reply may be damaged and still have a right sum, so it is
+   * asked again before that is believed.
+   * @returns false when that brings no answer.
+   * @throws TimerError `other-timer`.
+   */
+  async #isSame(found: Identity): Promise<boolean> {
+    const { identity } = this;
+    if (!identity || isEqual(found, identity)) return true;
+    const again = await this.#askFence('GETSWVER');
+    if (again?.name !== 'GETSWVER') return false;
+    if (!isEqual(again.identity, identity)) {
+      throw new TimerError('other-timer', 'another timer answers than the one that was identified', {
+        identity: found,
+      });
+    }
+    this.#wire.doubt();
     return true;
   }
 
@@ -241,7 +267,7 @@ export class Exchange {
     const left = this.#latestReply - this.#clock.now();
     if (left > 0) await this.#wire.pause(left, signal);
     throwIfAborted(signal);
-    this.#outstanding.clear();
+    this.#wire.settle();
   }
 
   get #latestReply(): number {
@@ -252,4 +278,8 @@ export class Exchange {
   #canDecode(name: CommandName): boolean {
     return this.identity !== null || name !== 'GETSERVOPOS';
   }
+}
+
+function isEqual(a: Identity, b: Identity): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
 }

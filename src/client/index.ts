@@ -1,3 +1,4 @@
+export { tell } from './callback.js';
 export { TimerError, type TimerErrorCode, type TimerErrorDetails } from './errors.js';
 export type { LineEntry, LineErrorKind } from './log.js';
 export type { MemoriesHooks, MemoriesRead, MemoriesReport, MemoryReport } from './memories.js';

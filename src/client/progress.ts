@@ -1,5 +1,6 @@
 import { type CommandName, exchangeSize, type Identity } from '../protocol/index.js';
 import type { Budget } from './budget.js';
+import { tell } from './callback.js';
 
 /** How far a job has come, in bytes of the line, so that it moves as evenly as the line does. */
 export interface Progress {
@@ -56,6 +57,7 @@ export class StageProgress {
 
   #report(): void {
     const { repeats, endsBy } = this.#job.exchange.budget;
-    this.#job.onProgress?.({ stage: this.#stage, done: this.#done, total: this.#total, memory: null, repeats, endsBy });
+    const progress = { stage: this.#stage, done: this.#done, total: this.#total, memory: null, repeats, endsBy };
+    tell(this.#job.onProgress, progress);
   }
 }

@@ -112,7 +112,15 @@ export class TimerClient {
 
   /** Whether bytes came that belong to no reply. From then on a read is believed only when two agree. */
   get damageSeen(): boolean {
-    return this.#exchange.damaged;
+    return this.#wire.damage > 0;
+  }
+
+  /**
+   * How many frames came that nobody asked for, such as those of a second timer in the beam. From the first on a read is believed only when
+   * two agree.
+   */
+  get strays(): number {
+    return this.#wire.strays;
   }
 
   /** How often the port told of each kind of error of the line. Reading went on behind all of them. */

@@ -16,6 +16,7 @@ import {
   type Request,
   ZEROS_SENT,
 } from '../protocol/index.js';
+import { tell } from './callback.js';
 import { TimerError } from './errors.js';
 import type { LineEntry, LineErrorKind } from './log.js';
 import { DRAIN, LONGEST_FRAME, overtime, type Pace, replyTime, SILENCE } from './patience.js';
@@ -34,6 +35,12 @@ interface Waiting {
   /** Whether this frame is the answer; then it is taken, and the wait is over. */
   readonly take: (frame: Frame) => boolean;
   readonly giveUp: () => void;
+}
+
+/** A request whose time is up. */
+interface Unanswered {
+  /** How many replies to it may still come. */
+  due: number;
 }
 
 const NO_BYTES = new Uint8Array(0);
@@ -57,6 +64,9 @@ export class Wire {
   #asked = false;
   #damage = 0;
   #signs = 0;
+  #strays = 0;
+  readonly #unanswered = new Map<number, Unanswered>();
+  #lastSent: Frame | undefined;
   #badReply: unknown;
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
@@ -93,6 +103,30 @@ export class Wire {
   /** How often anything came that shows that somebody is there: a frame that is no echo of one's own, or damage. */
   get signs(): number {
     return this.#signs;
+  }
+
+  /**
+   * How many frames came that nobody asked for: no echo of the last request, not what waits, and not the late reply to a request whose
+   * time is up. A second timer or programmer in the beam sends such, or a line that doubles frames. A reply that was taken need not be the
+   * one to its request then.
+   */
+  get strays(): number {
+    return this.#strays;
+  }
+
+  /** Letters of the requests that got no answer in time and may still be answered. */
+  get unanswered(): ReadonlyMap<number, unknown> {
+    return this.#unanswered;
+  }
+
+  /** A reply that was taken turned out to be wrong: as after damage, a single one is no longer believed. */
+  doubt(): void {
+    this.#noteDamage();
+  }
+
+  /** All that was asked before can no longer be answered. */
+  settle(): void {
+    this.#unanswered.clear();
   }
 
   /** What was wrong with the last reply whose content could not be; cleared by asking. */
@@ -185,6 +219,7 @@ export class Wire {
       await Promise.race([this.#send(bytes), answered]);
       const answer = await answered;
       if (answer === undefined && this.#lost) throw this.#lost;
+      if (answer === undefined) this.#noteUnanswered(bytes[ZEROS_SENT + 1] as number);
       return answer;
     } finally {
       cancel();
@@ -201,6 +236,7 @@ export class Wire {
     this.#writer = writer;
     try {
       const frame = { code: bytes[ZEROS_SENT + 1] as number, data: bytes.slice(ZEROS_SENT + 2, -2) };
+      this.#lastSent = frame;
       this.#log({ direction: 'out', bytes, frame });
       await writer.write(bytes);
     } catch (error) {
@@ -236,10 +272,29 @@ export class Wire {
 
   #dispatch(frames: readonly Frame[]): void {
     for (const frame of frames) {
-      const isEcho = commandOf(frame.code)?.direction === 'request';
-      if (!isEcho) this.#signs++;
-      if (!this.#waiting?.take(frame) && isEcho) this.#quirks.note('echo');
+      const isRequest = commandOf(frame.code)?.direction === 'request';
+      if (!isRequest) this.#signs++;
+      const damage = this.#damage;
+      if (this.#waiting?.take(frame) || this.#damage > damage) continue;
+      if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
+      else if (!this.#isLate(frame) && this.#asked) this.#strays++;
     }
+  }
+
+  /** Whether a frame answers a request whose time is up. */
+  #isLate({ code }: Frame): boolean {
+    for (const [letter, unanswered] of this.#unanswered) {
+      const name = commandOf(letter)?.name;
+      if (unanswered.due === 0 || !(code === letter + 1 || (name && answers(code, name)))) continue;
+      unanswered.due--;
+      return true;
+    }
+    return false;
+  }
+
+  #noteUnanswered(letter: number): void {
+    const due = this.#unanswered.get(letter)?.due ?? 0;
+    this.#unanswered.set(letter, { due: due + 1 });
   }
 
   #match(frame: Frame, request: Request, identity: Identity | null, misprints: boolean): Reply | undefined {
@@ -274,13 +329,17 @@ export class Wire {
     if (this.#lost) return;
     this.#lost = error;
     this.#waiting?.giveUp();
-    if (error.code === 'port-lost') this.#options.onLost?.(error);
+    if (error.code === 'port-lost') tell(this.#options.onLost, error);
   }
 
   #log(entry: Pick<LineEntry, 'direction'> & Partial<LineEntry>): void {
     const time = this.#options.clock.now();
-    this.#options.onLine?.({ time, bytes: NO_BYTES, frame: null, rejected: null, error: null, ...entry });
+    tell(this.#options.onLine, { time, bytes: NO_BYTES, frame: null, rejected: null, error: null, ...entry });
   }
+}
+
+function sameFrame(a: Frame, b: Frame): boolean {
+  return a.code === b.code && a.data.length === b.data.length && a.data.every((byte, index) => byte === b.data[index]);
 }
 
 function replySize(name: CommandName, identity: Identity | null): number {

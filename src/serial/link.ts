@@ -1,4 +1,4 @@
-import type { AssumedQuirks, LineEntry } from '../client/index.js';
+import { type AssumedQuirks, type LineEntry, tell } from '../client/index.js';
 import { type Clock, realClock } from '../line/index.js';
 import type { Identity } from '../protocol/index.js';
 import { choosePort, rememberedPorts } from './choose.js';
@@ -108,7 +108,7 @@ export class TimerLink {
     if (wish !== this.#wish) return;
     const { serial, onLine, assumed, remembered } = this.#options;
     const at = known(port);
-    const memory = remembered?.(at.key);
+    const memory = tell(remembered, at.key);
     const journey = new Journey(at, {
       clock: this.#clock,
       serial,
@@ -171,7 +171,7 @@ export class TimerLink {
     if (state.status !== next) throw new Error(`${event} leads to ${next}, not to ${state.status}`);
     this.#state = state;
     if (state.status === 'off') this.#journey = null;
-    this.#options.onState?.(state);
+    tell(this.#options.onState, state);
     if (!SETTLED.includes(this.#state.status)) return;
     for (const resolve of this.#waiting.splice(0)) resolve();
   }

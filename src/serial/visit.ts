@@ -1,4 +1,4 @@
-import { TimerError } from '../client/index.js';
+import { TimerError, tell } from '../client/index.js';
 import { sameKind } from '../program/index.js';
 import { ask, type Found } from './ask.js';
 import { ConnectionError } from './errors.js';
@@ -187,7 +187,7 @@ export class Visit {
   async #stayWith({ client, identity, settings }: Found): Promise<'search' | 'wait'> {
     const { port, info, kind, key } = this.#known;
     this.#trip.knownRate = settings.baudRate;
-    const quirks = this.#trip.assumed?.(identity, key);
+    const quirks = tell(this.#trip.assumed, identity, key);
     if (quirks) client.assume(quirks);
     const connection = { client, identity, settings, info, kind, portKey: key };
     const left = new Promise<'search' | 'wait'>((leave) => {

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
+import { encodeFrame } from '../../src/protocol/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { fromHex } from '../tools/bytes.js';
 import { bench, contentOf, edited, names } from './bench.js';
@@ -81,11 +82,9 @@ describe('a line that damages bytes', () => {
   it('says that a reply cannot be right when it comes each time with content that cannot be', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
-    timer.core.content.timers = [0, 1, 2];
-    // The virtual timer refuses to send three times, so a wrong number of servos serves.
-    timer.core.content.timers = Array<number>(11).fill(0);
-    Object.assign(timer.core, { identity: { ...B536, servos: 2 } });
-    timer.core.content.positions.pop();
+    // The positions of two servos where the timer said that it has three.
+    const answer = timer.core.answer.bind(timer.core);
+    timer.core.answer = (frame) => (frame.code === 0x67 ? encodeFrame(0x68, new Uint8Array(22)) : answer(frame));
     await expect(run(client.readProgram())).rejects.toMatchObject({
       code: 'bad-reply',
       details: { request: 'GETSERVOPOS', sent: 3 },

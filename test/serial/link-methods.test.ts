@@ -1,4 +1,4 @@
-import { describe, expect, it, vi } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { canBeOpened, failure } from './bench.js';
@@ -336,5 +336,25 @@ describe('the ports', () => {
     Object.assign(port, { forget: undefined });
     await clock.run(link.forget(port));
     expect(link.state.status).toBe('off');
+  });
+});
+
+describe('a function of the consumer that throws', () => {
+  it('is reported, and takes nothing from the link', async () => {
+    const reported = vi.fn();
+    vi.stubGlobal('reportError', reported);
+    onTestFinished(() => void vi.unstubAllGlobals());
+    const trouble = new Error('the trouble of the consumer');
+    const fail = (): never => {
+      throw trouble;
+    };
+    const { clock, serial, port } = linkBench();
+    const link = new TimerLink({ serial, clock, onLine: fail, onState: fail, remembered: fail, assumed: fail });
+    await clock.run(link.connect(port));
+    expect(connectionOf(link).identity).toEqual(B536);
+    await clock.run(link.stop());
+    expect(link.state).toEqual({ status: 'off', error: null });
+    expect(await canBeOpened(port)).toBe(true);
+    expect(new Set(reported.mock.calls.flat())).toEqual(new Set([trouble]));
   });
 });

@@ -72,6 +72,11 @@ export const timer: Record<TimerErrorCode, Said> = {
     title: 'The line is too noisy to be believed.',
     advice: 'Too much came damaged. Move the infra-red head closer, shade it from the sun, and try again.',
   },
+  crowded: {
+    title: 'More than one timer seems to answer.',
+    advice:
+      'Answers came that nobody asked for, and no two readings agreed. Keep other timers and programmers out of the beam, and try again.',
+  },
   'other-memory': {
     title: 'Another memory is current than the one on the screen.',
     advice: 'Nothing was written there. Read again before you write.',
