@@ -4,3 +4,6 @@ import { afterEach } from 'vitest';
 // What is waited for comes at once, but on a busy machine that may take its time.
 configure({ asyncUtilTimeout: 10_000 });
 afterEach(cleanup);
+
+// happy-dom lays nothing out: nothing is at any point.
+document.elementsFromPoint ??= () => [];

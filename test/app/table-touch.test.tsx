@@ -99,19 +99,16 @@ describe('stepping', () => {
     expect(editor.dirty.value).toBe(false);
   });
 
-  it('is not done by a tap, which may move the caret but carries no text away', async () => {
+  it('is not done by a tap, which may move the caret', async () => {
     const { editor } = await connected();
     const input = field('Function 9, S1');
     input.focus();
     input.setSelectionRange(1, 1);
-    const dragged = (): boolean => input.dispatchEvent(new Event('dragstart', { bubbles: true, cancelable: true }));
     const pen = { bubbles: true, pointerId: 2, isPrimary: true, pointerType: 'pen' };
     fireEvent.pointerDown(input, pen);
-    expect(dragged(), 'the text stays').toBe(false);
     input.setSelectionRange(2, 2);
     fireEvent.pointerUp(input, pen);
     expect([input.selectionStart, input.selectionEnd, editor.dirty.value]).toEqual([2, 2, false]);
-    expect(dragged()).toBe(true);
   });
 
   it('is not done by a swipe over a time that is reserved', async () => {

@@ -1,4 +1,4 @@
-import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { createEvent, fireEvent, render, screen, within } from '@testing-library/preact';
 import fc from 'fast-check';
 import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../src/app/app.js';
@@ -112,14 +112,33 @@ describe('stepping', () => {
     expect(field('Function 1 time').value).toBe('10.50');
   });
 
-  it('is what the wheel does over the field that has the focus, and over no other', async () => {
-    await connected();
-    field('Function 2, S1').focus();
-    fireEvent.wheel(field('Function 2, S1'), { deltaY: -100 });
-    fireEvent.wheel(field('Function 2, S2'), { deltaY: -100 });
-    await idle();
-    expect([field('Function 2, S1').value, field('Function 2, S2').value]).toEqual(['36', '35']);
-  });
+  it.each(['Function 2, S1', 'Function 2 interval', 'DT'])(
+    'is what the wheel does with Alt over %s while it has the focus; without Alt the page moves',
+    async (name) => {
+      const { editor } = await connected();
+      /** @returns whether the page moves. */
+      const turn = async (held: WheelEventInit, at = name): Promise<boolean> => {
+        const event = createEvent.wheel(field(at), { deltaY: -100 });
+        // The events of happy-dom know no keys.
+        for (const [name, value] of Object.entries(held)) Object.defineProperty(event, name, { value });
+        const moves = fireEvent(field(at), event);
+        await idle();
+        return moves;
+      };
+      field(name).focus();
+      expect(await turn({}), 'a wheel that scrolls').toBe(true);
+      expect(await turn({ shiftKey: true })).toBe(true);
+      expect(await turn({ altKey: true, ctrlKey: true }), 'a wheel that zooms').toBe(true);
+      expect(await turn({ altKey: true }, 'Function 3, S1'), 'another field').toBe(true);
+      expect(editor.dirty.value).toBe(false);
+      expect(await turn({ altKey: true })).toBe(false);
+      const turned = field(name).value;
+      editor.undo();
+      await idle();
+      await key('ArrowUp', { altKey: true });
+      expect(turned).toBe(field(name).value);
+    },
+  );
 
   it('and putting back are at the field for a thumb', async () => {
     await connected();
@@ -133,6 +152,19 @@ describe('stepping', () => {
     await idle();
     expect(field('Function 2, S1').value).toBe('35');
   });
+});
+
+describe('text that is dragged', () => {
+  it.each(['Function 2, S1', 'Function 2 interval', 'DT time', 'DT', 'Motor stop'])(
+    'neither leaves %s nor comes into it',
+    async (name) => {
+      await connected();
+      field(name).focus();
+      const happens = (type: string): boolean =>
+        fireEvent(field(name), new Event(type, { bubbles: true, cancelable: true }));
+      expect(['dragstart', 'dragover', 'drop'].map(happens)).toEqual([false, false, false]);
+    },
+  );
 });
 
 describe('Escape', () => {

@@ -83,7 +83,7 @@ export const edits = {
       clipboardEmpty: 'There is no text to paste.',
       clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
     },
-    keys: 'Arrows and Enter go from cell to cell, Alt with up or down steps a value, Shift with an arrow selects, Ctrl+D fills down.',
+    keys: 'Arrows and Enter go from cell to cell, Alt with up, down or the wheel steps a value, Shift with an arrow selects, Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,
     reverse: 'Reverse',

@@ -9,7 +9,10 @@ export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 /** So far a wheel turns for one step, in the pixels that browsers count in: half a notch of most mice. */
 const NOTCH = 50;
 
-/** The wheel steps the field that has the focus, ten steps with Shift; over any other it moves the page. */
+/**
+ * The wheel with Alt steps the field that has the focus, ten steps with Shift. Without Alt, and over any other field, it moves the page: who
+ * only wants to see what is further down changes no value.
+ */
 export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
   const latest = useRef(onStep);
   latest.current = onStep;
@@ -17,7 +20,7 @@ export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnSt
     const { current } = input;
     let turned = 0;
     const turn = (event: WheelEvent): void => {
-      if (document.activeElement !== current || event.ctrlKey) return;
+      if (!event.altKey || event.ctrlKey || document.activeElement !== current) return;
       event.preventDefault();
       // Browsers turn the wheel sideways while Shift is held.
       turned += event.deltaY || event.deltaX;

@@ -8,6 +8,7 @@ import { useModels } from '../models.js';
 import { attemptInterval } from '../state/attempt.js';
 import { formatInterval, parseInterval } from '../units.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
+import { refuseDrag } from './refuse-drag.js';
 import { useSteady } from './use-steady.js';
 import { useSwipe } from './use-swipe.js';
 
@@ -66,7 +67,7 @@ export function IntervalField({ column, label }: { readonly column: number; read
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${problem ? 'wrong' : ''}`}>
+    <span class={`value ${problem ? 'wrong' : ''}`} {...refuseDrag}>
       <input
         ref={input}
         type="text"

@@ -15,6 +15,7 @@ import { TableSelection } from './field-tools.js';
 import { IntervalField } from './interval-field.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { RangeBar } from './range-bar.js';
+import { useRangePointer } from './range-pointer.js';
 import { tableClipboard } from './table-clipboard.js';
 import { cellAt, cellOf, onTableKey } from './table-keys.js';
 import { useHeight } from './use-height.js';
@@ -30,6 +31,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   const { editor } = session;
   const { program, edits, servoName } = messages.value;
   const selection = useMemo(() => new Selection(), []);
+  const pointer = useRangePointer(selection);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
   const table = useRef<HTMLTableElement>(null);
@@ -81,25 +83,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
           } else if (cell.row !== active?.row || cell.column !== active.column) selection.enter(cell);
         }}
         onInput={() => selection.collapse()}
-        onMouseDown={(event) => {
-          const cell = cellOf(event.target);
-          if (!cell || event.button !== 0) return;
-          const isCorner = event.shiftKey || selection.picking.value;
-          if (!isCorner || !selection.active.value) return selection.enter(cell);
-          event.preventDefault();
-          selection.extendTo(cell);
-        }}
-        onPointerOver={(event) => {
-          const cell = cellOf(event.target);
-          if (
-            !cell ||
-            event.pointerType !== 'mouse' ||
-            event.buttons !== 1 ||
-            !(document.activeElement instanceof HTMLInputElement)
-          )
-            return;
-          if (cellOf(document.activeElement)) selection.extendTo(cell);
-        }}
+        {...pointer}
         onCopy={copy}
         onCut={cut}
         onPaste={paste}

@@ -64,15 +64,9 @@ export function useSwipe(input: RefObject<HTMLInputElement | null>, onStep: OnSt
       removeEventListener('pointerup', end);
       removeEventListener('pointercancel', end);
     };
-    /** A pen would carry away the text that is marked. */
-    const drag = (event: DragEvent): void => {
-      if (swipe) event.preventDefault();
-    };
     current.addEventListener('pointerdown', down);
-    current.addEventListener('dragstart', drag);
     return () => {
       current.removeEventListener('pointerdown', down);
-      current.removeEventListener('dragstart', drag);
       forget();
     };
   }, [input]);

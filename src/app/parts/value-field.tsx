@@ -7,6 +7,7 @@ import { useModels } from '../models.js';
 import { stepField } from '../state/attempt.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
+import { refuseDrag } from './refuse-drag.js';
 import { useSteady } from './use-steady.js';
 import { useSwipe } from './use-swipe.js';
 
@@ -50,7 +51,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${change ? 'changed' : ''} ${wrong ? 'wrong' : ''}`}>
+    <span class={`value ${change ? 'changed' : ''} ${wrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input
         ref={input}
         type="text"

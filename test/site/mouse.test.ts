@@ -1,0 +1,123 @@
+import { describe, expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+/** Routes over the table with a real mouse, from a field that has the focus: where to, and what is selected then. */
+const ROUTES: readonly [from: string, to: string, selected: string][] = [
+  ['Function 4, S2', 'Function 2, S1', '3 functions, 2 columns'],
+  ['Function 2, S1', 'Function 4, S2', '3 functions, 2 columns'],
+  ['Function 2, S3', 'Function 6, S3', '5 functions, 1 column'],
+  ['Function 6, S1', 'Function 6, S3', '1 function, 3 columns'],
+  ['Function 5, S3', 'Function 5, S1', '1 function, 3 columns'],
+  ['Function 1 time', 'Function 3 time', '3 functions, 1 column'],
+  ['Function 7 time', 'Function 5, S1', '3 functions, 3 columns'],
+  ['Function 3 interval', 'Function 8 interval', '6 functions, 1 column'],
+  ['Function 8, S2', 'Function 3 interval', '6 functions, 3 columns'],
+  ['Motor stop time', 'Function 2 time', '3 rows, 1 column'],
+  ['DT time', 'Function 9, S2', '2 rows, 4 columns'],
+  ['Start, S1', 'DT, S3', '11 rows, 3 columns'],
+];
+
+/** All of the table is in sight. */
+const TALL = { viewport: { width: 1280, height: 1200 } };
+
+async function opened(): Promise<AppPage> {
+  const app = await AppPage.open({ bench: {}, ...TALL });
+  await app.connect();
+  return app;
+}
+
+async function middleOf(app: AppPage, field: string): Promise<{ x: number; y: number }> {
+  const input = app.table.getByRole('textbox', { name: field, exact: true });
+  const box = await input.boundingBox();
+  if (!box) throw new Error(`${field} is not in sight.`);
+  return { x: box.x + box.width - 14, y: box.y + box.height / 2 };
+}
+
+describe('a drag with the mouse selects and moves no value', () => {
+  test.for(ROUTES)('from %s to %s', async ([from, to, selected]) => {
+    const app = await opened();
+    const { mouse } = app.page;
+    const before = await app.entries();
+    await app.table.getByRole('textbox', { name: from, exact: true }).focus();
+    await app.table.getByRole('textbox', { name: from, exact: true }).selectText();
+    const start = await middleOf(app, from);
+    const end = await middleOf(app, to);
+    for (const steps of [12, 2]) {
+      await mouse.move(start.x, start.y);
+      await mouse.down();
+      await mouse.move(end.x, end.y, { steps });
+      await mouse.up();
+      await app.page.getByRole('toolbar', { name: 'Selected range' }).getByText(selected, { exact: true }).waitFor();
+      expect(await app.entries()).toEqual(before);
+      await mouse.move(start.x, start.y + 300);
+      await app.page.getByText(selected, { exact: true }).waitFor();
+    }
+    await app.text('No changes').waitFor();
+  });
+
+  test('and gives way to a click', async () => {
+    const app = await opened();
+    const { mouse } = app.page;
+    const start = await middleOf(app, 'Function 2, S1');
+    const end = await middleOf(app, 'Function 3, S1');
+    await mouse.move(start.x, start.y);
+    await mouse.down();
+    await mouse.move(end.x, end.y, { steps: 3 });
+    await mouse.up();
+    const toolbar = app.page.getByRole('toolbar', { name: 'Selected range' });
+    await toolbar.waitFor();
+    await mouse.click(end.x, end.y);
+    await toolbar.waitFor({ state: 'hidden' });
+    await app.page.keyboard.press('Control+a');
+    await app.page.keyboard.type('50');
+    expect(await app.valueOf('Function 3, S1')).toBe('50');
+    await app.text('1 change').waitFor();
+  });
+
+  test('nor does one from a large figure, or of a text from elsewhere', async () => {
+    const app = await opened();
+    const { mouse } = app.page;
+    const before = await app.entries();
+    await app.field('DT').selectText();
+    const dt = await app.field('DT').boundingBox();
+    const motorStop = await app.field('Motor stop').boundingBox();
+    if (!dt || !motorStop) throw new Error('The large figures are not in sight.');
+    await mouse.move(dt.x + 20, dt.y + dt.height / 2);
+    await mouse.down();
+    await mouse.move(motorStop.x + 20, motorStop.y + motorStop.height / 2, { steps: 8 });
+    await mouse.up();
+    await app.page.evaluate(() => getSelection()?.selectAllChildren(document.querySelector('h2') as Element));
+    const heading = await app.page.locator('h2').first().boundingBox();
+    if (!heading) throw new Error('There is no heading.');
+    for (const place of [await middleOf(app, 'Function 2, S1'), { x: dt.x + 20, y: dt.y + dt.height / 2 }]) {
+      await mouse.move(heading.x + 10, heading.y + heading.height / 2);
+      await mouse.down();
+      await mouse.move(place.x, place.y, { steps: 8 });
+      await mouse.up();
+    }
+    expect(await app.entries()).toEqual(before);
+    await app.text('No changes').waitFor();
+  });
+});
+
+test('the wheel over the field that has the focus moves the page, and with Alt the value', async () => {
+  const app = await AppPage.open({ bench: {}, viewport: { width: 1280, height: 700 } });
+  await app.connect();
+  const { mouse, keyboard } = app.page;
+  const input = app.field('Function 2, S1');
+  await input.focus();
+  const place = await middleOf(app, 'Function 2, S1');
+  await mouse.move(place.x, place.y);
+  const top = (): Promise<number> => app.page.evaluate(() => scrollY);
+  const before = await top();
+  await mouse.wheel(0, 200);
+  await expect.poll(top).not.toBe(before);
+  expect(await app.valueOf('Function 2, S1')).toBe('35');
+  await input.scrollIntoViewIfNeeded();
+  const now = await middleOf(app, 'Function 2, S1');
+  await mouse.move(now.x, now.y);
+  await keyboard.down('Alt');
+  await mouse.wheel(0, -100);
+  await keyboard.up('Alt');
+  await expect.poll(() => app.valueOf('Function 2, S1')).toBe('36');
+});
