@@ -1,3 +1,4 @@
+import type { TimerProgram } from '../program/index.js';
 import type { CommandName, Identity } from '../protocol/index.js';
 
 /**
@@ -16,6 +17,7 @@ import type { CommandName, Identity } from '../protocol/index.js';
  *   was last selected, null when that is not certain either; `cause` is what stopped the job, or the way back.
  * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was identified. `identity` is what
  *   answered, where that is known.
+ * - `stale`: the timer holds something else than the caller believed, so nothing was written; `held` is what it holds.
  * - `changed`: after a write more values differ from what was read than the write can have changed: something else changed the
  *   timer, or it is another one. Nothing was put back.
  * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to choose first.
@@ -32,6 +34,7 @@ export type TimerErrorCode =
   | 'memory-unknown'
   | 'memory-left'
   | 'other-timer'
+  | 'stale'
   | 'changed'
   | 'undecided'
   | 'port-lost'
@@ -47,6 +50,8 @@ export interface TimerErrorDetails {
   readonly found?: number | null;
   /** What the timer that answers said of itself. */
   readonly identity?: Identity;
+  /** What the current memory holds, by a fresh read. */
+  readonly held?: TimerProgram;
 }
 
 /** The one error of the client. Its message is for developers. */

@@ -546,3 +546,54 @@ describe('after a reload', () => {
     expect(status(after)).toBe('on');
   });
 });
+
+describe('a job', () => {
+  it('hands back what ended it, and says nothing of its own', async () => {
+    const bench = await connectedBench();
+    const failure = new RangeError('not foreseen');
+    const end = await run(
+      bench.session.perform('bench', null, async () => {
+        throw failure;
+      }),
+    );
+    expect([end, notice(bench)]).toEqual([{ good: false, error: failure, lost: false }, undefined]);
+    expect(await run(bench.session.perform('bench', null, async () => {}))).toEqual({ good: true });
+  });
+
+  it('does not begin where another one holds the wire, or there is none', async () => {
+    const bench = await connectedBench();
+    const reading = bench.session.read();
+    const begun: string[] = [];
+    const work = async () => void begun.push('work');
+    expect(await bench.session.perform('bench', null, work)).toEqual({ good: false, error: null, lost: false });
+    await run(reading);
+    await run(bench.session.disconnect());
+    expect(await bench.session.perform('bench', null, work)).toEqual({ good: false, error: null, lost: true });
+    expect(begun).toEqual([]);
+  });
+
+  it('may no longer go on once the connection is another, it was stopped, or is no longer safe', async () => {
+    const bench = await connectedBench();
+    const stillOn = async (change: () => void): Promise<unknown> => {
+      bench.session.safe.value = true;
+      let fault: unknown = null;
+      await run(
+        bench.session.perform('bench', null, async (_, options) => {
+          options.stillOn();
+          change();
+          await idle(10);
+          try {
+            options.stillOn();
+          } catch (error) {
+            fault = error;
+          }
+        }),
+      );
+      return fault;
+    };
+    expect(await stillOn(() => {})).toBeNull();
+    expect(await stillOn(() => bench.session.job.value?.stop.abort())).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => (bench.session.safe.value = false))).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => bench.adapter.unplug())).toMatchObject({ code: 'closed' });
+  });
+});

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
-import type { ValueReport, WriteReport } from '../../src/client/index.js';
+import { TimerError, type ValueReport, type WriteReport } from '../../src/client/index.js';
 import type { ProgramField } from '../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from './bench.js';
 
@@ -366,5 +366,186 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     bench.session.safe.value = true;
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+});
+
+describe('what was confirmed is what is written', () => {
+  /** The storage answers only when it is told to. */
+  function heldUp({ store }: AppBench): () => void {
+    let release = (): void => {};
+    const gate = new Promise<void>((resolve) => {
+      release = resolve;
+    });
+    const save = store.unfinished.save.bind(store.unfinished);
+    store.unfinished.save = async (record) => {
+      await gate;
+      await save(record);
+    };
+    return release;
+  }
+
+  it('on the connection where it was shown: what the storage held up does not go out on another one', async () => {
+    const bench = await reviewed();
+    const release = heldUp(bench);
+    const writing = bench.write.start();
+    await idle(10);
+    bench.adapter.unplug();
+    await idle(10);
+    bench.adapter.replug();
+    await idle(4000);
+    expect(bench.session.link.state.value.status).toBe('on');
+    release();
+    await run(writing);
+    await idle();
+    expect([sets(bench), bench.session.knowledge.uncertain.value]).toEqual([[], []]);
+    expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('and no longer when the pilot has stopped it, or taken the safety back, while the storage was waited for', async () => {
+    for (const change of [(b: AppBench) => b.write.dismiss(), (b: AppBench) => (b.session.safe.value = false)]) {
+      const bench = await reviewed();
+      const release = heldUp(bench);
+      const writing = bench.write.start();
+      await idle(10);
+      change(bench);
+      release();
+      await run(writing);
+      expect([bench.session.notice.value?.code, sets(bench)]).toEqual(['nothing-written', []]);
+      expect([bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([[], 0]);
+    }
+  });
+
+  it('and is shown once more when something else is wanted by now', async () => {
+    const bench = await reviewed();
+    bench.editor.type(S1, '9');
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'review', moved: 'edits' });
+    expect(sets(bench)).toEqual([]);
+    await run(bench.write.start());
+    expect(bench.timer.core.content.positions[0]?.[2]).toBe(9);
+  });
+
+  it('of the timer whose content was shown: what it holds otherwise is shown, and asked again', async () => {
+    const bench = await reviewed();
+    const { client } = bench.session.connection.value ?? {};
+    const before = bench.editor.baseline.value;
+    if (!client || !before) throw new Error('nothing is connected');
+    const held = { ...before, positions: before.positions.map((row) => row.with(2, 99)) };
+    const stale = new TimerError('stale', 'it holds something else', { held });
+    vi.spyOn(client, 'writeProgram').mockRejectedValueOnce(stale);
+    await run(bench.write.start());
+    const { value } = bench.write.current;
+    expect(value).toMatchObject({ step: 'review', moved: 'timer', shown: { baseline: held } });
+    expect([sets(bench), bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([
+      [],
+      [],
+      0,
+    ]);
+    expect(value?.step === 'review' && value.shown.changes).toContainEqual({ field: S1, from: 99, to: 7 });
+  });
+
+  it('of the kind of timer that was shown: another one is asked what it is, and read', async () => {
+    const bench = await reviewed();
+    const { client } = bench.session.connection.value ?? {};
+    const identity = { ...bench.timer.core.identity, timerClass: 'B' };
+    const other = new TimerError('other-timer', 'it is another one', { identity });
+    if (client) vi.spyOn(client, 'writeProgram').mockRejectedValueOnce(other);
+    Object.assign(bench.timer.core.identity, identity);
+    await run(bench.write.start());
+    await idle();
+    expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-timer' } });
+    expect([sets(bench), bench.session.connection.value?.identity.timerClass]).toEqual([[], 'B']);
+    expect(bench.editor.identity.value?.timerClass).toBe('B');
+    expect(bench.session.notice.value?.code).toBe('other-kind');
+  });
+
+  it('leaves the dialog when the connection is another by then', async () => {
+    const bench = await reviewed();
+    bench.adapter.unplug();
+    bench.adapter.replug();
+    await idle();
+    expect([bench.session.link.state.value.status, bench.write.current.value]).toEqual(['on', null]);
+  });
+});
+
+describe('where this device keeps no copy of what the timer holds', () => {
+  async function asked(): Promise<{ bench: AppBench; writing: Promise<void> }> {
+    const bench = await reviewed();
+    bench.store.broken = true;
+    const writing = bench.write.start();
+    await idle();
+    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
+    return { bench, writing };
+  }
+
+  it('it is said, and written without one only when the pilot agrees', async () => {
+    const { bench, writing } = await asked();
+    bench.write.answer(true);
+    await run(writing);
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+
+  it.each<[string, (bench: AppBench) => void]>([
+    ['refuses', ({ write }) => write.answer(false)],
+    ['presses Escape', ({ write }) => write.escape()],
+    ['pulls the plug', ({ adapter }) => adapter.unplug()],
+  ])('nothing is written when the pilot %s, and nothing is uncertain', async (_, act) => {
+    const { bench, writing } = await asked();
+    act(bench);
+    await run(writing);
+    await idle();
+    expect([sets(bench), bench.session.knowledge.uncertain.value, bench.write.current.value]).toEqual([[], [], null]);
+    expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('a storage that hangs is waited for 5 s', async () => {
+    const bench = await reviewed();
+    bench.store.backups.save = () => new Promise(() => {});
+    const writing = bench.write.start();
+    await idle(4990);
+    expect(bench.write.current.value?.step).toBe('running');
+    await idle(20);
+    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
+    bench.write.answer(false);
+    await run(writing);
+  });
+});
+
+describe('what a write leaves unknown', () => {
+  it('is what a cable pulled before the answer leaves, until a fresh reading', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
+    await run(bench.write.start());
+    bench.timer.core.onAnswer = undefined;
+    const { knowledge } = bench.session;
+    expect(knowledge.uncertain.value).toMatchObject([{ memory: 0, before: { timers: expect.anything() } }]);
+    bench.write.dismiss();
+    bench.editor.revertAll();
+    await run(bench.session.disconnect());
+    const after = await reloaded(bench);
+    expect(after.session.knowledge.uncertain.value).toHaveLength(1);
+    expect(bench.timer.core.content.timers[10]).toBe(24000);
+    await run(after.session.connect());
+    expect(after.session.knowledge.uncertain.value).toEqual([]);
+    expect(after.session.knowledge.of(0)).toMatchObject({
+      state: 'read',
+      program: { timers: after.timer.core.content.timers },
+    });
+  });
+
+  it('is anything after an error that nobody has thought of', async () => {
+    const bench = await reviewed();
+    const { client } = bench.session.connection.value ?? {};
+    if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
+    await run(bench.write.start());
+    expect(bench.session.knowledge.of(0).state).toBe('uncertain');
+  });
+
+  it('is nothing after a verified one', async () => {
+    const bench = await reviewed();
+    await run(bench.write.start());
+    expect(bench.session.knowledge.of(0)).toMatchObject({ state: 'read', verified: true });
+    await run(bench.session.read());
+    expect(bench.session.knowledge.of(0), 'a mere reading since').toMatchObject({ verified: false });
   });
 });

@@ -93,7 +93,11 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   'other-timer': {
     title: 'Another timer answers than before.',
-    advice: 'Disconnect, and connect again to see what it holds.',
+    advice: 'It is asked what it is, and read. Look at what it holds before you write.',
+  },
+  stale: {
+    title: 'The timer holds something else than was shown.',
+    advice: 'Nothing was written. Look at what it holds now before you write.',
   },
   changed: {
     title: 'The timer holds other values than were read.',

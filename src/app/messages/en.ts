@@ -123,6 +123,22 @@ export const en = {
     from: 'Timer holds',
     to: 'Will hold',
     wasRead: 'Was read',
+    moved: {
+      timer: {
+        title: 'The timer holds something else than was shown.',
+        advice: 'Nothing was written. This is what a write would change now.',
+      },
+      edits: {
+        title: 'The program has changed since this was shown.',
+        advice: 'Nothing was written. This is what a write would change now.',
+      },
+    },
+    unkept: {
+      title: 'This device could not keep a copy of what the timer holds now.',
+      advice: 'Nothing was written yet. Write without it?',
+    },
+    withoutCopy: 'Write without a copy',
+    notWithout: 'Do not write',
     safety: 'The propeller is off or the model is held, and the timer is not armed.',
     acknowledge: 'I have read this and want to write it all the same.',
     move: {

@@ -41,8 +41,8 @@ function JobProgress() {
   const { session, memories } = useModels();
   const { program } = messages.value;
   const job = session.job.value;
-  // A job over several memories has a dialog of its own, and what is done on the bench is said there.
-  if (!job || job.kind === 'bench' || memories.current.value) return null;
+  // A write and a job over several memories have a dialog of their own, and what is done on the bench is said there.
+  if (!job || job.kind === 'bench' || job.kind === 'write' || memories.current.value) return null;
   return (
     <ProgressLine
       label={job.kind === 'select' ? program.selecting : program.reading}

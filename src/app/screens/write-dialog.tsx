@@ -26,10 +26,11 @@ export function WriteDialog() {
     >
       {current && identity && (
         <>
-          {current.step === 'review' && <Review identity={identity} />}
+          {current.step === 'review' && <Review review={current} />}
           {current.step === 'running' && (
             <Running stage={current.progress ? words.stages[current.progress.stage] : words.title} />
           )}
+          {current.step === 'unkept' && <Unkept />}
           {current.step === 'done' && <Result identity={identity} done={current} />}
           {current.step === 'refused' && <Refused />}
         </>
@@ -38,29 +39,32 @@ export function WriteDialog() {
   );
 }
 
-function Review({ identity }: { identity: Identity }) {
-  const { write, session } = useModels();
+function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { step: 'review' }> }) {
+  const { write } = useModels();
   const { write: words, memoryName, about } = messages.value;
-  const { changes, working } = session.editor;
-  const memory = working.value?.memory ?? null;
+  const { changes } = shown;
+  const { identity, memory } = shown.goal;
   const serious = write.serious.value;
   return (
     <>
+      {moved && (
+        <div class="notice bad" role="alert">
+          <NoticeText said={words.moved[moved]} />
+        </div>
+      )}
       <Conflicts identity={identity} />
       <p>
-        {changes.value.length === 0
-          ? words.nothing
-          : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
+        {changes.length === 0 ? words.nothing : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
       </p>
-      {changes.value.length > 0 && (
+      {changes.length > 0 && (
         <>
           <ValueTable
             identity={identity}
             names={[words.from, words.to]}
-            rows={changes.value.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+            rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
             lastCounts
           />
-          <DifferenceInWords identity={identity} changes={changes.value} />
+          <DifferenceInWords identity={identity} changes={changes} />
         </>
       )}
       {serious.length > 0 && (
@@ -83,11 +87,11 @@ function Review({ identity }: { identity: Identity }) {
           </label>
         </div>
       )}
-      {changes.value.some(({ field }) => field.kind === 'position') && <MoveServosCheck />}
+      {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck />}
       <SafetyCheck />
       <div class="buttons">
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
-          {words.start(changes.value.length)}
+          {words.start(changes.length)}
         </button>
         <button type="button" onClick={() => write.dismiss()}>
           {words.cancel}
@@ -115,6 +119,27 @@ function Conflicts({ identity }: { identity: Identity }) {
         lastCounts
       />
     </div>
+  );
+}
+
+/** Nothing has been sent, and nothing is before the pilot has answered. */
+function Unkept() {
+  const { write } = useModels();
+  const { write: words } = messages.value;
+  return (
+    <>
+      <div class="notice bad" role="alert">
+        <NoticeText said={words.unkept} />
+      </div>
+      <div class="buttons">
+        <button type="button" onClick={() => write.answer(true)}>
+          {words.withoutCopy}
+        </button>
+        <button type="button" class="primary" onClick={() => write.answer(false)}>
+          {words.notWithout}
+        </button>
+      </div>
+    </>
   );
 }
 

@@ -25,18 +25,35 @@ import { UnfinishedRecords } from './unfinished.js';
 
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
-  readonly kind: 'read' | 'select' | 'memories' | 'bench';
+  readonly kind: 'read' | 'select' | 'write' | 'memories' | 'bench';
   /** The memory that is being made current; null when the job is another. */
   readonly memory: number | null;
   readonly progress: Progress | null;
   readonly stop: AbortController;
 }
 
-/** What a job is handed: the way to stop it, and the ear for how far it has come. */
+/** What a job is handed: the way to stop it, the ear for how far it has come, and what makes sure that it may go on. */
 export interface JobOptions {
   readonly signal: AbortSignal;
   readonly onProgress: (progress: Progress) => void;
+  /**
+   * To be called after whatever was waited for, before the next byte: the world may have changed meanwhile.
+   * @throws TimerError `closed` when the connection is no longer the one on which the job began; `aborted` when the pilot has asked to
+   * stop, or has taken back that it is safe.
+   */
+  readonly stillOn: () => void;
 }
+
+/** How a job ended. */
+export type JobEnd =
+  | { readonly good: true }
+  | {
+      readonly good: false;
+      /** What ended it; null when it did not begin, since another one holds the wire or there is none. */
+      readonly error: unknown;
+      /** The connection is gone, or is another: that says so itself, once. */
+      readonly lost: boolean;
+    };
 
 export interface SessionOptions {
   readonly surroundings: Surroundings;
@@ -179,7 +196,9 @@ export class Session {
    * @returns whether it was read.
    */
   async read(): Promise<boolean> {
-    return await this.run('read', null, async ({ client }, options) => this.#show(await client.readProgram(options)));
+    return await this.run('read', null, async ({ client }, options) =>
+      this.#show(await client.readProgram(options), options),
+    );
   }
 
   /**
@@ -190,7 +209,7 @@ export class Session {
     const good = await this.run('select', memory, async ({ client }, options) => {
       this.memoryOpen.value = true;
       await client.selectMemory(memory, options);
-      await this.#show(await client.readProgram(options));
+      await this.#show(await client.readProgram(options), options);
     });
     if (!good && this.memoryOpen.value && this.connection.value) {
       const { value } = this.notice;
@@ -216,22 +235,41 @@ export class Session {
     memory: number | null,
     work: (connection: TimerConnection, options: JobOptions) => Promise<void>,
   ): Promise<boolean> {
+    const end = await this.perform(kind, memory, work);
+    // That another memory was left current is said in any case.
+    const isLeft = !end.good && end.error instanceof TimerError && end.error.code === 'memory-left';
+    if (!end.good && end.error !== null && (isLeft || !end.lost)) this.report(end.error);
+    return end.good;
+  }
+
+  /** Runs one job on the wire, bound to the connection on which it begins, and hands back how it ended; whoever calls it says so. */
+  async perform(
+    kind: Job['kind'],
+    memory: number | null,
+    work: (connection: TimerConnection, options: JobOptions) => Promise<void>,
+  ): Promise<JobEnd> {
     const connection = this.connection.value;
-    if (!connection || this.busy.value) return false;
+    if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
     const stop = new AbortController();
+    const wasSafe = this.safe.value;
     const begin = (progress: Progress | null): void => {
       this.job.value = { kind, memory, progress, stop };
+    };
+    const stillOn = (): void => {
+      if (this.connection.value !== connection) throw new TimerError('closed', 'the connection is another by now');
+      if (stop.signal.aborted) throw new TimerError('aborted', 'stopped on request');
+      if (wasSafe && !this.safe.value) throw new TimerError('aborted', 'it is no longer safe');
     };
     this.notice.value = null;
     begin(null);
     try {
-      await work(connection, { signal: stop.signal, onProgress: begin });
-      return true;
+      await work(connection, { signal: stop.signal, onProgress: begin, stillOn });
+      return { good: true };
     } catch (error) {
-      // A lost port says so itself, once; that another memory was left current is said in any case.
-      const isLeft = error instanceof TimerError && error.code === 'memory-left';
-      if (isLeft || this.connection.value === connection) this.report(error);
-      return false;
+      const lost = this.connection.value !== connection;
+      // The head must not go on naming a timer that is no longer there: whoever answers is asked what it is, and read.
+      if (!lost && error instanceof TimerError && error.code === 'other-timer') this.link.recheck();
+      return { good: false, error, lost };
     } finally {
       this.knowledge.jobOver();
       this.job.value = null;
@@ -282,12 +320,15 @@ export class Session {
   }
 
   #follow(state: LinkState, before: LinkState): void {
-    if (state.status === 'away' || (state.status === 'waiting' && before.status === 'on')) this.#returning = true;
+    if (state.status === 'away' || (before.status === 'on' && ['waiting', 'searching'].includes(state.status))) {
+      this.#returning = true;
+    }
     if (state.status === 'on') {
       this.#arriving = this.#arrive();
       return;
     }
-    this.job.value?.stop.abort();
+    // A write tells what became of it by how the connection failed.
+    if (this.job.value?.kind !== 'write') this.job.value?.stop.abort();
     this.knowledge.connectionOver();
     if (state.status !== 'off') return;
     this.#returning = false;
@@ -315,7 +356,7 @@ export class Session {
   }
 
   /** Shows what was read, with the edits that belong to it. */
-  async #show(read: TimerProgram): Promise<void> {
+  async #show(read: TimerProgram, { stillOn }: JobOptions): Promise<void> {
     const at = Date.now();
     const simulated = this.link.simulated.value;
     const { editor } = this;
@@ -328,6 +369,7 @@ export class Session {
     const draft = same ? undefined : await this.#drafts.of(read, simulated, this.#inherits);
     this.#inherits = false;
     await this.knowledge.refresh();
+    stillOn();
     const returning = this.#returning;
     this.#returning = false;
     batch(() => {
