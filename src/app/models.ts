@@ -2,6 +2,7 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Platform } from './platform.js';
 import { Bench } from './state/bench.js';
+import { Keeping, type Lack } from './state/keeping.js';
 import { Memories } from './state/memories.js';
 import type { TabChannel } from './state/other-tabs.js';
 import { Preferences } from './state/preferences.js';
@@ -16,6 +17,7 @@ import { limited } from './storage/index.js';
 /** The models that the screens read and call. */
 export interface AppModels {
   readonly session: Session;
+  readonly keeping: Keeping;
   readonly write: WriteFlow;
   readonly recover: Recover;
   readonly memories: Memories;
@@ -41,17 +43,22 @@ export interface ModelOptions extends SessionOptions {
   readonly platform: Platform;
   /** Between the tabs of this program; null where there is none. */
   readonly channel: TabChannel | null;
+  /** What was found missing when the page was opened. Default: nothing. */
+  readonly lacks?: readonly Lack[];
 }
 
 /** All models of the program, before anything is brought back or connected. */
-export function createModels({ platform, channel, ...options }: ModelOptions): AppModels {
-  const session = new Session({ ...options, storage: limited(options.storage) });
+export function createModels({ platform, channel, lacks, ...options }: ModelOptions): AppModels {
+  const keeping = new Keeping(options.tab, lacks);
+  const session = new Session({ ...options, storage: limited(options.storage, keeping) });
+  keeping.onReturn(() => void session.bringBack());
   const write = new WriteFlow(session);
   const memories = new Memories(session);
   const isWriting = (): boolean =>
     write.current.value?.step === 'running' || memories.current.value?.step === 'running';
   return {
     session,
+    keeping,
     write,
     memories,
     bench: new Bench(session, () => write.current.value !== null || memories.current.value !== null),

@@ -6,11 +6,17 @@ export interface OfflineOptions {
    * this one, and only then is the page loaded again, also when another tab has taken it.
    */
   readonly whenFree: (callback: () => void) => void;
+  /** The browser does not keep the page for use without a network. */
+  readonly onMissing: () => void;
 }
 
 /** Keeps the page for use without a network, and offers its new versions. Does nothing in development. */
-export function registerOffline({ onUpdateReady, whenFree }: OfflineOptions): void {
-  if (!import.meta.env.PROD || !('serviceWorker' in navigator)) return;
+export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineOptions): void {
+  if (!import.meta.env.PROD) return;
+  if (!('serviceWorker' in navigator)) {
+    onMissing();
+    return;
+  }
   const { serviceWorker } = navigator;
 
   // The first worker of all takes charge of a page that is as new as itself; every other brings a newer page.
@@ -37,7 +43,10 @@ export function registerOffline({ onUpdateReady, whenFree }: OfflineOptions): vo
     await registration.update();
   };
   // Without a network, or where nothing may be kept, the page works all the same.
-  const start = (): void => void register().catch(() => {});
+  const failed = (): void => {
+    if (serviceWorker.controller === null && navigator.onLine) onMissing();
+  };
+  const start = (): void => void register().catch(failed);
   if (document.readyState === 'complete') start();
   else addEventListener('load', start, { once: true });
 }

@@ -74,7 +74,7 @@ describe('what the storage is asked for', () => {
 
 it('every call of every shelf of the storage goes through it', async () => {
   const store = new MemoryStore();
-  const storage = limited(store);
+  const storage = limited(store, { answered: () => {}, failed: () => {} });
   expect(Object.keys(storage), 'all shelves').toEqual(Object.keys(store).filter((key) => key !== 'broken'));
   for (const [name, shelf] of Object.entries(storage)) {
     for (const call of ['save', 'remove', 'load', 'all'] as const) {

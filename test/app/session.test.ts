@@ -379,7 +379,7 @@ describe('another memory', () => {
     const bench = await connectedBench({ store });
     bench.editor.type(S1, '7');
     await idle();
-    expect(notice(bench)).toBe('not-kept');
+    expect(bench.keeping.storage.value).toBe('full');
     await run(bench.session.selectMemory(1));
     await run(bench.session.selectMemory(0));
     expect(bench.editor.textOf(S1)).toBe('7');
@@ -523,7 +523,7 @@ describe('after a reload', () => {
     const store = new MemoryStore();
     store.broken = true;
     const bench = await appBench({ store });
-    expect(notice(bench)).toBe('not-kept');
+    expect(bench.keeping.storage.value).toBe('full');
     await run(bench.session.connect());
     expect(status(bench)).toBe('on');
   });

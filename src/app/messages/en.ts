@@ -3,6 +3,7 @@ import type { UnreadableReason } from '../units.js';
 import { bench, overview, theme } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
+import { framed, keeping } from './en-keeping.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { connection, notes, timer } from './en-notices.js';
@@ -205,6 +206,8 @@ export const en = {
   recovery,
   memories,
   backups,
+  keeping,
+  framed,
   dateTime: { dateStyle: 'medium', timeStyle: 'short' } as const,
   locale: 'en-GB',
   edits,

@@ -2,6 +2,7 @@ import { messages, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
 import type { Platform } from '../platform.js';
 import type { Notice } from '../state/notice.js';
+import { KeepingNotice } from './keeping-notice.js';
 import { OtherTabNotice } from './other-tab-notice.js';
 import { connectionSaid, TroubleHelp } from './trouble-help.js';
 
@@ -35,6 +36,7 @@ export function NoticeBar() {
           </button>
         </div>
       )}
+      <KeepingNotice />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice />}
       {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
       {notice && (

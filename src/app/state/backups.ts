@@ -15,10 +15,11 @@ export class Backups {
     this.#keeper = keeper;
   }
 
-  /** Reads what is kept. A browser that keeps nothing has none. */
+  /** Reads what is kept, beside what has been added meanwhile. A browser that keeps nothing has none. */
   async load(): Promise<void> {
-    const all = await this.#keeper.all().catch(() => []);
-    this.list.value = all.sort((a, b) => (a.key < b.key ? 1 : -1));
+    const kept = await this.#keeper.all().catch(() => []);
+    const all = new Map([...kept, ...this.list.value].map((backup) => [backup.key, backup]));
+    this.list.value = [...all.values()].sort((a, b) => (a.key < b.key ? 1 : -1));
   }
 
   /**

@@ -11,25 +11,40 @@ import type { TabNumber } from './tab-number.js';
 export class Drafts {
   readonly #shelf: Keeper<Draft>;
   readonly #tab: TabNumber;
-  readonly #onFailure: () => void;
   readonly #open = new Map<string, Draft>();
+  /** Under these keys it is known what was kept before. */
+  readonly #seen = new Set<string>();
+  readonly #begun: Promise<void>;
+  #begin: () => void = () => {};
+  /** What was to be kept before it was known under which number. */
+  #early: (() => void) | null = null;
+  #hasBegun = false;
   #saving: Promise<unknown> = Promise.resolve();
 
-  /** @param onFailure the browser does not keep anything. */
-  constructor(shelf: Keeper<Draft>, tab: TabNumber, onFailure: () => void) {
+  constructor(shelf: Keeper<Draft>, tab: TabNumber) {
     this.#shelf = shelf;
     this.#tab = tab;
-    this.#onFailure = onFailure;
+    this.#begun = new Promise((resolve) => {
+      this.#begin = resolve;
+    });
   }
 
-  /** The one that was worked on last and was not written: in this tab, else in one that is closed. */
-  async latest(): Promise<Draft | undefined> {
+  /**
+   * The one that was worked on last and was not written: in this tab, else in one that is closed. From its end on this tab has its number.
+   * @param wanted asked when it was found, which may take its time: whether it still has a place.
+   */
+  async latest(wanted: () => boolean): Promise<Draft | undefined> {
     await this.#tab.takeBefore();
     const edited = (await this.#all()).filter(isEdited);
-    for (const draft of edited) if (await this.#tab.take(draft.tab)) return this.#adopt(draft);
+    let found: Draft | undefined;
+    for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
     await this.#tab.takeAny();
-    for (const draft of edited) if (await this.#tab.isFree(draft.tab)) return this.#adopt(draft);
-    return undefined;
+    for (const draft of edited) if (!found && (await this.#tab.isFree(draft.tab))) found = draft;
+    const draft = found && wanted() ? this.#adopt(found) : undefined;
+    this.#hasBegun = true;
+    this.#begin();
+    this.#early?.();
+    return draft;
   }
 
   /**
@@ -37,9 +52,10 @@ export class Drafts {
    * @param inherit another tab has left its timer to this one: its edits come along.
    */
   async of(program: TimerProgram, simulated: boolean, inherit = false): Promise<Draft | undefined> {
+    await this.#begun;
     const key = workKey(program, simulated, this.#tab.value);
     await this.#saving;
-    const own = this.#open.get(key) ?? (await this.#shelf.load(key).catch(() => undefined));
+    const own = this.#open.get(key) ?? (await this.#load(key).catch(() => undefined));
     if (own) return this.#adopt(own);
     const kind = programKey(program, simulated);
     for (const draft of await this.#all()) {
@@ -54,40 +70,65 @@ export class Drafts {
     const tab = this.#tab.value;
     const key = workKey(draft.working, draft.simulated, tab);
     const own = { ...draft, key, tab };
-    this.#open.set(key, own);
     if (draft.tab !== tab) {
       this.#then(async () => {
-        await this.#shelf.save(own);
+        await this.#save(own);
         if (await this.#tab.isFree(draft.tab)) await this.#shelf.remove(draft.key);
       });
+    } else {
+      this.#seen.add(key);
     }
+    this.#open.set(key, own);
     return own;
   }
 
-  /** All that are kept, the latest first. */
+  /** All that are kept, the latest first; none where the browser does not give them. */
   async #all(): Promise<Draft[]> {
-    const all = await this.#shelf.all().catch((): Draft[] => {
-      this.#onFailure();
-      return [];
-    });
+    const all = await this.#shelf.all().catch((): Draft[] => []);
     return all.sort((a, b) => b.savedAt - a.savedAt);
   }
 
   /** Keeps what is on the screen while there is anything to bring back, or to undo, and forgets it when there is not. */
-  keep(content: EditorContent, simulated: boolean): void {
+  readonly keep = (content: EditorContent, simulated: boolean): void => {
+    if (!this.#hasBegun) {
+      this.#early = () => this.keep(content, simulated);
+      return;
+    }
+    this.#early = null;
     const tab = this.#tab.value;
     const key = workKey(content.working, simulated, tab);
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated, tab };
     if (isEdited(draft) || draft.history?.past.length || draft.history?.future.length) {
       this.#open.set(key, draft);
       // One that has been followed by another before its turn has come is not saved.
-      this.#then(async () => void (this.#open.get(key) === draft && (await this.#shelf.save(draft))));
+      this.#then(async () => void (this.#open.get(key) === draft && (await this.#save(draft))));
     } else if (this.#open.delete(key)) this.#then(() => this.#shelf.remove(key));
+  };
+
+  async #load(key: string): Promise<Draft | undefined> {
+    const draft = await this.#shelf.load(key);
+    this.#seen.add(key);
+    return draft;
   }
 
-  #then(work: () => Promise<unknown>): void {
-    this.#saving = this.#saving.then(work).catch(this.#onFailure);
+  /** What the browser did not give back when it was asked for is not overwritten: it is kept as the work of a tab that is closed. */
+  async #save(draft: Draft): Promise<void> {
+    const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
+    if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {
+      const tab = Math.max(2, Math.floor(unseen.savedAt));
+      await this.#shelf.save({ ...unseen, key: workKey(unseen.working, unseen.simulated, tab), tab });
+    }
+    await this.#shelf.save(draft);
   }
+
+  /** One thing after another. That the browser does not keep something it says itself, see `Keeping`. */
+  #then(work: () => Promise<unknown>): void {
+    this.#saving = this.#saving.then(work).catch(() => {});
+  }
+}
+
+function sameWork(a: Draft, b: Draft): boolean {
+  return differences(a.working, b.working).length === 0 && JSON.stringify(a.texts) === JSON.stringify(b.texts);
 }
 
 function isEdited({ baseline, working, texts }: Draft): boolean {

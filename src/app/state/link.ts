@@ -13,8 +13,11 @@ import {
   type TimerConnection,
   TimerLink,
 } from '../../serial/index.js';
-import type { Keeper, PortRecord } from '../storage/index.js';
+import { type Keeper, type PortRecord, within } from '../storage/index.js';
 import { kindKey } from './keys.js';
+
+/** So long a browser has to say which ports are plugged in, in milliseconds: a click that asks for a port does not count for long. */
+const PORTS_LIMIT = 1000;
 
 export interface LinkOptions {
   readonly surroundings: Surroundings;
@@ -51,6 +54,8 @@ export class Link {
   readonly #link: TimerLink;
   readonly #records = new Map<string, PortRecord>();
   readonly #simulated = new WeakSet<SerialPortLike>();
+  /** On its way: what is remembered of the ports. */
+  #learning: Promise<readonly PortRecord[]> = Promise.resolve([]);
   /** What is taken for true of the timer at hand, as it was last kept. */
   #quirksKept: AssumedQuirks | undefined;
 
@@ -70,14 +75,22 @@ export class Link {
 
   /** Reads what is remembered of the ports, and which of them are plugged in. */
   async start(): Promise<void> {
-    for (const record of await this.#options.ports.all().catch(() => [])) this.#records.set(record.key, record);
+    await Promise.all([this.refresh(), this.#learnRecords()]);
     await this.refresh();
+  }
+
+  /** What this page has found out meanwhile is newer. */
+  async #learnRecords(): Promise<void> {
+    this.#learning = this.#options.ports.all().catch(() => []);
+    for (const record of await this.#learning) {
+      if (!this.#records.has(record.key)) this.#records.set(record.key, record);
+    }
   }
 
   /** Looks again which ports are plugged in; those used last come first. */
   async refresh(): Promise<void> {
     if (!this.#options.surroundings.serial) return;
-    const ports = await this.#link.ports().catch(() => []);
+    const ports = await within(() => this.#link.ports(), PORTS_LIMIT).catch(() => []);
     const usedAt = ({ key }: KnownPort): number => this.#records.get(key)?.usedAt ?? 0;
     this.ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
   }
@@ -143,6 +156,7 @@ export class Link {
     if (!connection || this.simulated.value) return;
     const { identity, client, settings } = connection;
     this.#quirksKept = client.quirksAssumed;
+    await this.#learning;
     const before = this.#records.get(connection.portKey);
     const record: PortRecord = {
       key: connection.portKey,

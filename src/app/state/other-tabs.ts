@@ -67,7 +67,10 @@ type Message = v.InferOutput<typeof messageSchema>;
 type Question = Extract<Message, { kind: 'who' | 'release' }>;
 type Reply = Exclude<Message, Question>;
 
-/** The channel between the tabs of this program; null where the browser has none. */
+/**
+ * The channel between the tabs of this program; null where the browser has none.
+ * @throws what the browser says where it does not hand it out.
+ */
 export function openTabChannel(): TabChannel | null {
   return typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('sidus-timer tabs');
 }
@@ -162,6 +165,10 @@ export class OtherTabs {
   }
 
   #say(message: Message): void {
-    this.#channel?.postMessage(message);
+    try {
+      this.#channel?.postMessage(message);
+    } catch {
+      // Nobody hears it: the question ends without an answer, as if there were no other tab.
+    }
   }
 }

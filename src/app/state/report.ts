@@ -1,6 +1,7 @@
 import type { AssumedQuirks, LineErrorKind, QuirkCode, QuirkParams } from '../../client/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { OpenedSettings, PortKind } from '../../serial/index.js';
+import { tried } from '../browser.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
 import { version } from '../version.js';
@@ -75,7 +76,7 @@ export function gatherFacts({ log, link, connection: { value: connection } }: Se
   return {
     version,
     ...browserFacts(),
-    installed: matchMedia('(display-mode: standalone)').matches,
+    installed: tried(() => matchMedia('(display-mode: standalone)').matches) ?? false,
     port: connection && { kind: connection.kind, key: connection.portKey, settings: connection.settings },
     simulated: link.simulated.value,
     identity: client?.identity ?? kept.at(-1)?.layout.identity ?? null,

@@ -100,7 +100,7 @@ export class Session {
 
   constructor(options: SessionOptions) {
     this.#options = options;
-    this.#drafts = new Drafts(options.storage.drafts, options.tab, () => this.say('not-kept'));
+    this.#drafts = new Drafts(options.storage.drafts, options.tab);
     this.backups = new Backups(options.storage.backups);
     this.link = new Link({
       surroundings: options.surroundings,
@@ -123,17 +123,30 @@ export class Session {
     this.engaged = computed(() => this.busy.value || this.link.waiting.value);
   }
 
-  /** Brings back what a reload or a crash interrupted, and keeps from now on what is typed. */
+  /** Keeps from now on what is typed, and brings back what a reload or a crash interrupted. Nothing on the screen waits for it. */
   async start(): Promise<void> {
-    const draft = await this.#drafts.latest();
-    if (draft && !this.editor.working.value && this.editor.restore(draft)) {
-      this.simulated.value = draft.simulated;
-      this.notice.value ??= { kind: 'note', code: 'edits-restored' };
-    }
-    await Promise.all([this.knowledge.refresh(), this.backups.load(), this.link.start()]);
     effect(() => {
       const content = this.editor.snapshot();
       if (content) this.#drafts.keep(content, this.simulated.value);
+    });
+    await this.bringBack();
+  }
+
+  /** Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile. */
+  async bringBack(): Promise<void> {
+    // What other tabs have under way is told by the number of this one, which comes with the edits.
+    const known = this.#bringBackEdits().then(() => this.knowledge.refresh());
+    await Promise.all([known, this.backups.load(), this.link.start()]);
+  }
+
+  async #bringBackEdits(): Promise<void> {
+    const draft = await this.#drafts.latest(() => this.editor.working.value === null && !this.engaged.value);
+    if (!draft) return;
+    // At one stroke: it must not be kept as the work on a real timer in between.
+    batch(() => {
+      if (!this.editor.restore(draft)) return;
+      this.simulated.value = draft.simulated;
+      this.notice.value ??= { kind: 'note', code: 'edits-restored' };
     });
   }
 

@@ -1,5 +1,6 @@
 import { effect, signal } from '@preact/signals';
 import * as v from 'valibot';
+import type { Query } from '../browser.js';
 import { loadSetting, saveSetting } from '../storage/settings.js';
 
 /** How the page looks: as the system says, light, dark, or as strong as can be for bright sun. */
@@ -24,15 +25,16 @@ export class Theme {
 
   /**
    * Keeps a page as chosen.
-   * @param dark whether the system is dark, as the browser says it.
+   * @param dark whether the system is dark, as the browser says it; null where it does not.
    * @returns a function that ends it.
    */
-  follow({ documentElement, head }: Document, dark: MediaQueryList): () => void {
-    const isDark = signal(dark.matches);
+  follow({ documentElement, head }: Document, dark: Query | null): () => void {
+    const isDark = signal(dark?.matches ?? false);
     const note = (): void => {
-      isDark.value = dark.matches;
+      isDark.value = dark?.matches ?? false;
     };
-    dark.addEventListener('change', note);
+    // Safari had none of it for long.
+    dark?.addEventListener?.('change', note);
     const stop = effect(() => {
       const { value } = this.chosen;
       const shown = value === 'system' ? (isDark.value ? 'dark' : 'light') : value;
@@ -40,7 +42,7 @@ export class Theme {
       for (const bar of head.querySelectorAll<HTMLMetaElement>('meta[name="theme-color"]')) bar.content = BARS[shown];
     });
     return () => {
-      dark.removeEventListener('change', note);
+      dark?.removeEventListener?.('change', note);
       stop();
     };
   }

@@ -77,10 +77,7 @@ export class UnfinishedRecords {
   /** Whether another tab is at work on it: that tab says what comes of it. A tab that is gone has left it behind. */
   async #isElsewhere(record: Unfinished): Promise<boolean> {
     if (record.kind !== 'write' || record.tab === null || record.tab === this.#tab.value) return false;
-    return await within(this.#tab.isFree(record.tab)).then(
-      (free) => !free,
-      () => false,
-    );
+    return await this.#tab.isElsewhere(record.tab);
   }
 
   #note(key: string, record: Unfinished | null): void {

@@ -1,6 +1,7 @@
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
+import { StorageError } from './limit.js';
 
 const STORES = ['drafts', 'unfinished', 'backups', 'ports'] as const;
 
@@ -34,7 +35,7 @@ export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>>
           if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
         }
       },
-      blocked: () => reject(new Error('Another tab holds an older version of the storage.')),
+      blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
       // A newer version of this page wants to rearrange the storage: it goes first.
       blocking: (_, __, event) => (event.target as IDBDatabase).close(),
     }).then(resolve, reject);

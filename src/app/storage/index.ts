@@ -1,5 +1,5 @@
 import { type Keeper, openStorage, Shelf } from './database.js';
-import { within } from './limit.js';
+import { StorageQuestions, type StorageWatch } from './limit.js';
 import {
   type Backup,
   backupSchema,
@@ -12,7 +12,7 @@ import {
 } from './records.js';
 
 export type { Keeper } from './database.js';
-export { StorageError, type StorageErrorCode, within } from './limit.js';
+export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, within } from './limit.js';
 export type { Backup, Draft, PortRecord, Unfinished, UnfinishedWalk, UnfinishedWrite } from './records.js';
 
 /** All that is kept in the browser, so that it survives a reload, a crash and a flat battery. */
@@ -34,20 +34,18 @@ export function browserStorage(name?: string): Storage {
 }
 
 /** The same storage, each call of which ends in time: with what it gives, or with a StorageError. */
-export function limited({ drafts, unfinished, backups, ports }: Storage): Storage {
+export function limited({ drafts, unfinished, backups, ports }: Storage, watch: StorageWatch): Storage {
+  const questions = new StorageQuestions(watch);
+  const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>): Keeper<T> => ({
+    save: (record) => questions.ask('change', () => keeper.save(record)),
+    remove: (key) => questions.ask('change', () => keeper.remove(key)),
+    load: (key) => questions.ask('read', () => keeper.load(key)),
+    all: () => questions.ask('read', () => keeper.all()),
+  });
   return {
     drafts: inTime(drafts),
     unfinished: inTime(unfinished),
     backups: inTime(backups),
     ports: inTime(ports),
-  };
-}
-
-function inTime<T extends { readonly key: string }>(keeper: Keeper<T>): Keeper<T> {
-  return {
-    save: (record) => within(() => keeper.save(record)),
-    remove: (key) => within(() => keeper.remove(key)),
-    load: (key) => within(() => keeper.load(key)),
-    all: () => within(() => keeper.all()),
   };
 }

@@ -59,3 +59,54 @@ export async function within<T>(work: Promise<T> | (() => Promise<T>), ms: numbe
     clearTimeout(giveUp);
   }
 }
+
+/** Told how the storage does. */
+export interface StorageWatch {
+  /** Something was given back, or kept: also when it came too late for whoever had asked. */
+  answered(kind: StorageCall): void;
+  /** Something was refused, or has not come for a while. */
+  failed(kind: StorageCall, code: StorageErrorCode): void;
+}
+
+/** What can be asked of the storage: to give something back, or to keep something, or to throw it away. */
+export type StorageCall = 'read' | 'change';
+
+/** After so long it is said that the storage does not answer, in milliseconds. */
+const SAID_AFTER = 3000;
+/** So long a storage has that did not answer before: nobody has to wait for it again and again. */
+const SHORT_LIMIT = 250;
+
+/** Asks a storage, and waits no longer than makes sense by what it did before. */
+export class StorageQuestions {
+  readonly #watch: StorageWatch;
+  #limit = STORAGE_LIMIT;
+
+  constructor(watch: StorageWatch) {
+    this.#watch = watch;
+  }
+
+  /** @throws StorageError */
+  async ask<T>(kind: StorageCall, work: () => Promise<T>): Promise<T> {
+    const limit = this.#limit;
+    const say = setTimeout(() => this.#watch.failed(kind, 'slow'), Math.min(limit, SAID_AFTER));
+    const answer = (async () => work())();
+    answer.then(
+      () => {
+        clearTimeout(say);
+        this.#limit = STORAGE_LIMIT;
+        this.#watch.answered(kind);
+      },
+      (cause) => {
+        clearTimeout(say);
+        this.#limit = STORAGE_LIMIT;
+        this.#watch.failed(kind, StorageError.of(cause).code);
+      },
+    );
+    try {
+      return await within(answer, limit);
+    } catch (error) {
+      if (error instanceof StorageError && error.code === 'slow') this.#limit = SHORT_LIMIT;
+      throw error;
+    }
+  }
+}

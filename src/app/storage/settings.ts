@@ -28,3 +28,16 @@ export function saveSetting(name: string, value: unknown, place: Place = 'localS
     // The storage is full or switched off: the choice holds for this page alone.
   }
 }
+
+/** Whether the browser keeps such choices at all: a browser may have the place and refuse it. */
+export function keepsSettings(): boolean {
+  try {
+    for (const place of ['localStorage', 'sessionStorage'] as const) {
+      globalThis[place].setItem(`${PREFIX}probe`, '1');
+      globalThis[place].removeItem(`${PREFIX}probe`);
+    }
+    return true;
+  } catch {
+    return false;
+  }
+}

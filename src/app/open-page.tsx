@@ -1,0 +1,57 @@
+import { effect } from '@preact/signals';
+import { render } from 'preact';
+import { App } from './app.js';
+import { lacksOf, openDoors, tabNumberOf, tried } from './browser.js';
+import { type AppModels, createModels } from './models.js';
+import { registerOffline } from './offline.js';
+import { FramedPage, isFramed } from './parts/framed-page.js';
+import { platformOf } from './platform.js';
+import { plugRecording, plugSimulatedTimer } from './simulated-timer.js';
+import { browserStorage } from './storage/index.js';
+import { onWake } from './wake.js';
+
+/**
+ * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or never answers
+ * keeps the page from being drawn.
+ * @returns the models of the page; null inside of a frame, where it does not work.
+ */
+export function openPage(root: HTMLElement): AppModels | null {
+  if (isFramed(window)) {
+    render(<FramedPage address={location.href} />, root);
+    return null;
+  }
+  const doors = openDoors();
+  const models = createModels({
+    surroundings: doors.surroundings,
+    storage: browserStorage(),
+    tab: tabNumberOf(doors),
+    plugSimulated: plugSimulatedTimer,
+    plugRecording,
+    platform: platformOf(navigator),
+    channel: doors.channel,
+    lacks: lacksOf(doors),
+  });
+  const { session, write, memories, bench, update, keeping, theme } = models;
+  tried(() => theme.follow(document, doors.dark));
+  render(<App models={models} />, root);
+  void session.start();
+
+  const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
+  effect(() => {
+    // Leaving in the middle of a write is the one thing that a reload cannot mend by itself.
+    const isRunning = write.current.value?.step === 'running' || memories.current.value?.step === 'running';
+    if (isRunning) addEventListener('beforeunload', warn);
+    else removeEventListener('beforeunload', warn);
+  });
+  keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
+  document.addEventListener('visibilitychange', () => document.hidden && void bench.stopFollowing());
+  onWake(() => session.link.recheck());
+  tried(() =>
+    registerOffline({
+      onUpdateReady: update.offer,
+      whenFree: update.whenFree,
+      onMissing: () => keeping.lack('offline'),
+    }),
+  );
+  return models;
+}

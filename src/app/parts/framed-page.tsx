@@ -1,0 +1,23 @@
+import { messages } from '../messages/index.js';
+
+/** Whether this page lies inside of another one, which could lay something over its buttons. */
+export function isFramed({ self, top }: Pick<Window, 'self' | 'top'>): boolean {
+  return top !== self;
+}
+
+/** In the place of the program inside of another page: where it works. */
+export function FramedPage({ address }: { address: string }) {
+  const { framed } = messages.value;
+  return (
+    <main class="framed">
+      <h1>{framed.title}</h1>
+      <p>{framed.why}</p>
+      <p>
+        <a href={address} target="_blank" rel="noopener noreferrer">
+          {framed.open}
+        </a>
+      </p>
+      <p class="hint">{address}</p>
+    </main>
+  );
+}

@@ -1,0 +1,189 @@
+import { render, screen } from '@testing-library/preact';
+import { describe, expect, it, vi } from 'vitest';
+import { App } from '../../src/app/app.js';
+import { TabNumber } from '../../src/app/state/tab-number.js';
+import { StorageError } from '../../src/app/storage/index.js';
+import type { ProgramField } from '../../src/program/index.js';
+import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench.js';
+
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const SHELVES = ['drafts', 'unfinished', 'backups', 'ports'] as const;
+const CALLS = ['save', 'remove', 'load', 'all'] as const;
+
+/** Each call of the storage ends as `how` says, until the function that comes back is called. */
+function hold(store: MemoryStore, how: () => Promise<unknown>): () => void {
+  const held: (() => void)[] = [];
+  for (const shelf of SHELVES) {
+    for (const call of CALLS) {
+      const own = store[shelf][call].bind(store[shelf]) as (argument: never) => Promise<unknown>;
+      const spy = vi.spyOn(store[shelf] as Record<typeof call, typeof own>, call);
+      spy.mockImplementation((argument) => how().then(() => own(argument)));
+      held.push(() => spy.mockImplementation(own));
+    }
+  }
+  return () => {
+    for (const release of held) release();
+  };
+}
+
+async function drawn(options: BenchOptions): Promise<AppBench> {
+  const bench = await appBench({ ...options, started: false });
+  render(<App models={bench.models} />);
+  void bench.session.start();
+  await idle(0);
+  expect(screen.getByRole('button', { name: 'Connect' })).toBeTruthy();
+  return bench;
+}
+
+/** What a pilot has left behind: M1 with S1 of function 2 at 7. */
+async function left(): Promise<MemoryStore> {
+  const bench = await connectedBench();
+  bench.editor.type(S1, '7');
+  await idle();
+  return bench.store;
+}
+
+describe('a storage that does not answer', () => {
+  it('is said after three seconds, and never before', async () => {
+    const store = new MemoryStore();
+    hold(store, () => new Promise(() => {}));
+    await drawn({ store });
+    await idle(2900);
+    expect(screen.queryByText(/Its storage does not answer/)).toBeNull();
+    await idle(100);
+    expect(screen.getByText(/Its storage does not answer/)).toBeTruthy();
+  });
+
+  it('keeps nobody from reading, typing and writing', async () => {
+    const store = new MemoryStore();
+    hold(store, () => new Promise(() => {}));
+    const bench = await drawn({ store });
+    await run(bench.session.connect());
+    bench.editor.type(S1, '7');
+    await idle();
+    expect(bench.editor.textOf(S1)).toBe('7');
+    expect(store.drafts.records.size).toBe(0);
+  });
+
+  it('and then does gives back what was kept', async () => {
+    const store = await left();
+    let answer = (): void => {};
+    const answered = new Promise<void>((resolve) => {
+      answer = resolve;
+    });
+    const release = hold(store, () => answered);
+    const bench = await drawn({ store });
+    await idle();
+    expect([bench.editor.working.value, bench.keeping.storage.value]).toEqual([null, 'slow']);
+    release();
+    answer();
+    await idle();
+    expect([bench.editor.textOf(S1), bench.keeping.storage.value]).toEqual(['7', null]);
+    expect(screen.getByText('Your edits are back.')).toBeTruthy();
+  });
+
+  it('and then does never puts it over what was typed meanwhile, and loses neither', async () => {
+    const store = await left();
+    let answer = (): void => {};
+    const answered = new Promise<void>((resolve) => {
+      answer = resolve;
+    });
+    const release = hold(store, () => answered);
+    const bench = await drawn({ store });
+    await run(bench.session.connect());
+    bench.editor.type(S1, '8');
+    await idle();
+    release();
+    answer();
+    await idle();
+    expect(bench.editor.textOf(S1)).toBe('8');
+    bench.editor.type(S1, '9');
+    await idle();
+    const kept = [...store.drafts.records.values()].map(({ key, working }) => [key, working.positions[0]?.[2]]);
+    expect(kept.map(([, value]) => value).sort(), 'the older one stands beside it').toEqual([7, 9]);
+  });
+});
+
+describe('what the storage says', () => {
+  it.each([
+    ['newer', /A newer version of this page has written what is kept here\. Load the page again/],
+    ['blocked', /Another tab holds an older version/],
+    ['full', /Its storage is full/],
+    ['missing', /It has no storage for this page/],
+    ['failed', /Its storage fails/],
+  ] as const)('has its own sentence: %s', async (code, sentence) => {
+    const store = new MemoryStore();
+    hold(store, () => Promise.reject(new StorageError(code, 'as a browser does')));
+    await drawn({ store });
+    expect(screen.getByText(sentence)).toBeTruthy();
+  });
+});
+
+describe('locks that never answer', () => {
+  const silent = () => new TabNumber({ request: () => new Promise(() => {}) }, { load: () => null, save: () => {} });
+
+  it('are said, and what is typed is kept where no other tab can have it', async () => {
+    const store = await left();
+    const bench = await drawn({ store, tab: silent() });
+    await run(bench.session.connect());
+    bench.editor.type(S1, '8');
+    await idle();
+    expect(screen.getByText(/Tabs of this page cannot be told apart/)).toBeTruthy();
+    const kept = [...store.drafts.records.values()].map(({ working }) => working.positions[0]?.[2]);
+    expect(kept).toEqual([7, 8]);
+  });
+
+  it.each([
+    [
+      'throw',
+      () => {
+        throw new TypeError('no locks');
+      },
+    ],
+    ['refuse', () => Promise.reject(new DOMException('Not here.', 'SecurityError'))],
+  ])('or %s: the page works and says it', async (_, request) => {
+    const tab = new TabNumber({ request }, { load: () => 2, save: () => {} });
+    const bench = await drawn({ tab });
+    expect(screen.getByText(/Tabs of this page cannot be told apart/)).toBeTruthy();
+    await run(bench.session.connect());
+    bench.editor.type(S1, '7');
+    await idle();
+    expect(bench.store.drafts.records.size).toBe(1);
+  });
+});
+
+it('what is typed before the tab has its number is kept when it has', async () => {
+  let grant = (): void => {};
+  const granted = new Promise<void>((resolve) => {
+    grant = resolve;
+  });
+  const tab = new TabNumber(
+    { request: (_, __, work) => granted.then(() => work({})) },
+    { load: () => null, save: () => {} },
+  );
+  const bench = await drawn({ tab });
+  const { working } = (await connectedBench()).editor;
+  if (!working.value) throw new Error('nothing was read');
+  bench.editor.rebase(working.value);
+  bench.editor.type(S1, '7');
+  await idle(1000);
+  expect(bench.store.drafts.records.size).toBe(0);
+  grant();
+  await idle(0);
+  expect([...bench.store.drafts.records.values()].map(({ tab: number }) => number)).toEqual([1]);
+});
+
+it('a channel to the other tabs that throws stops nothing', async () => {
+  const channel = {
+    postMessage: () => {
+      throw new DOMException('closed', 'InvalidStateError');
+    },
+    addEventListener: () => {},
+    close: () => {},
+  };
+  const bench = await drawn({ channel });
+  bench.adapter.port.open = () => Promise.reject(new DOMException('taken', 'NetworkError'));
+  await run(bench.session.connect());
+  await idle();
+  expect([bench.session.notice.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
+});
