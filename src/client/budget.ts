@@ -1,22 +1,33 @@
 import type { Clock } from '../line/index.js';
 import type { CommandName, Identity } from '../protocol/index.js';
-import { longestJob, type Pace, timeForTheEnd } from './patience.js';
+import type { LinePace } from './line-pace.js';
+import { longestJob, timeForTheEnd } from './patience.js';
+
+/** Exchanges, on a timer of this layout. */
+interface Plan {
+  readonly names: readonly CommandName[];
+  readonly identity: Identity | null;
+}
 
 /** How long the job under way may take, and what it has lost to the line so far. */
 export class Budget {
   /** Told, until the job ends, whenever one of its requests goes out again. */
   onRepeat: (() => void) | undefined;
   readonly #clock: Clock;
-  readonly #pace: Pace;
+  readonly #pace: LinePace;
   #repeats = 0;
   #repeatsBefore = 0;
   #endsBy = Number.POSITIVE_INFINITY;
-  /** Milliseconds before that which are kept for what the job has to do at its end. */
-  #kept = 0;
+  /** The exchanges of the job, and milliseconds that they may take on a timer as it is known. */
+  #plan: Plan | null = null;
+  #length = 0;
+  /** What the job has to do at its end. */
+  readonly #kept = new Set<Plan>();
 
-  constructor(clock: Clock, pace: Pace) {
+  constructor(clock: Clock, pace: LinePace) {
     this.#clock = clock;
     this.#pace = pace;
+    pace.onSlower = () => this.#lengthen();
   }
 
   /** How many requests of this job went out again, fences included. */
@@ -39,22 +50,26 @@ export class Budget {
     this.onRepeat = undefined;
     this.#repeatsBefore += this.#repeats;
     this.#repeats = 0;
-    this.#endsBy = this.#clock.now() + longestJob(names, identity, this.#pace);
+    this.#plan = { names, identity };
+    this.#length = longestJob(names, identity, this.#pace);
+    this.#endsBy = this.#clock.now() + this.#length;
   }
 
   /** Whether something that takes so many milliseconds at most may still begin. */
   hasTimeFor(ms: number): boolean {
-    return this.#clock.now() + ms <= this.#endsBy - this.#kept;
+    let kept = 0;
+    for (const { names, identity } of this.#kept) kept += timeForTheEnd(names, identity, this.#pace);
+    return this.#clock.now() + ms <= this.#endsBy - kept;
   }
 
   /** Does a part of the job in such a way that time is left for these exchanges after it. */
   async keepTimeFor<T>(names: readonly CommandName[], identity: Identity, work: () => Promise<T>): Promise<T> {
-    const time = timeForTheEnd(names, identity, this.#pace);
-    this.#kept += time;
+    const part = { names, identity };
+    this.#kept.add(part);
     try {
       return await work();
     } finally {
-      this.#kept -= time;
+      this.#kept.delete(part);
     }
   }
 
@@ -66,6 +81,14 @@ export class Budget {
     } finally {
       this.#endsBy += this.#clock.now() - begin;
     }
+  }
+
+  /** The timer turns out to be slower than thought: each exchange is given more, and so is the job. */
+  #lengthen(): void {
+    if (!this.#plan) return;
+    const length = longestJob(this.#plan.names, this.#plan.identity, this.#pace);
+    this.#endsBy += length - this.#length;
+    this.#length = length;
   }
 
   countRepeat(): void {

@@ -10,13 +10,13 @@ import {
 } from '../protocol/index.js';
 import { Budget } from './budget.js';
 import { TimerError, throwIfAborted } from './errors.js';
+import type { LinePace } from './line-pace.js';
 import {
   BAD_REPLIES,
   LATEST_REPLY,
   longestExchange,
   longestFence,
   MISSES,
-  type Pace,
   READS,
   SENDS,
   SILENT,
@@ -31,6 +31,8 @@ export interface Patience {
   readonly tries?: number | undefined;
   /** The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that could be why. */
   readonly unanswered?: number | undefined;
+  /** A late reply to the same question, asked before, will do as well: then no fence has to tell the two apart. */
+  readonly anyReply?: boolean | undefined;
 }
 
 /** Harmless requests, in the order in which they are tried as a fence. */
@@ -43,7 +45,7 @@ const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 export class Exchange {
   readonly #wire: Wire;
   readonly #clock: Clock;
-  readonly #pace: Pace;
+  readonly #pace: LinePace;
   #lastSent = Number.NEGATIVE_INFINITY;
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
@@ -52,6 +54,8 @@ export class Exchange {
   /** Exchanges in a row without an answer in the request under way, and those of them in which nothing came at all. */
   #misses = 0;
   #silent = 0;
+  /** When the first of those went out. */
+  #silentSince = Number.NEGATIVE_INFINITY;
   /** How often damage, and frames that nobody asked for, had been seen when the job began. */
   #damageBefore = 0;
   #straysBefore = 0;
@@ -60,7 +64,7 @@ export class Exchange {
   identity: Identity | null = null;
   readonly budget: Budget;
 
-  constructor(wire: Wire, clock: Clock, pace: Pace) {
+  constructor(wire: Wire, clock: Clock, pace: LinePace) {
     this.#wire = wire;
     this.#clock = clock;
     this.#pace = pace;
@@ -145,7 +149,7 @@ export class Exchange {
   async #askUntilAnswered(
     request: Request,
     signal: AbortSignal | undefined,
-    { tries = SENDS, unanswered = UNANSWERED }: Patience,
+    { tries = SENDS, unanswered = UNANSWERED, anyReply = false }: Patience,
   ): Promise<Reply> {
     const { name } = request;
     const wire = this.#wire;
@@ -157,9 +161,10 @@ export class Exchange {
     const isIgnored = (): boolean => silent === sent && sent >= (wire.damage > 0 ? tries : unanswered);
     this.#misses = 0;
     this.#silent = 0;
-    while (this.#mayGoOn(request, damage)) {
+    while (this.#mayGoOn(request, damage) || (await this.#comesLate(request, damage, signal))) {
       throwIfAborted(signal);
-      if (this.#wire.unanswered.size > 0 && !(await this.#fence(signal))) continue;
+      const mayBeLate = wire.unanswered.size > 0 && !(anyReply && this.#isAlone(COMMANDS[name].request));
+      if (mayBeLate && !(await this.#fence(signal))) continue;
       throwIfAborted(signal);
       if (sent > 0) this.budget.countRepeat();
       sent++;
@@ -194,6 +199,26 @@ export class Exchange {
     return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#pace));
   }
 
+  /** Whether nothing else may still be answered. */
+  #isAlone(code: number): boolean {
+    return [...this.#wire.unanswered.keys()].every((letter) => letter === code);
+  }
+
+  /**
+   * Before a timer counts as silent, the latest reply that it can give to the first of those requests is waited for: it may be slow.
+   * @returns whether something came, and it makes sense to go on.
+   */
+  async #comesLate(request: Request, damage: number, signal: AbortSignal | undefined): Promise<boolean> {
+    const left = this.#silentSince + LATEST_REPLY - this.#clock.now();
+    if (left <= 0 || !this.#isSilent(request, damage) || !this.budget.hasTimeFor(left)) return false;
+    const { signs } = this.#wire;
+    await this.#wire.pause(left, signal, true);
+    throwIfAborted(signal);
+    if (this.#wire.signs === signs) return false;
+    this.#silent = 0;
+    return this.#mayGoOn(request, damage);
+  }
+
   /** Whether nothing at all has come for so long that nobody is there. For a dangerous request the timer has to be there at once. */
   #isSilent({ name }: Request, damage: number): boolean {
     const isPatient = COMMANDS[name].repeatable && (this.#awake || this.#wire.damage > damage);
@@ -215,6 +240,7 @@ export class Exchange {
     }
     this.#misses++;
     this.#silent = this.#wire.signs === signs ? this.#silent + 1 : 0;
+    if (this.#silent === 1) this.#silentSince = this.#lastSent;
     return undefined;
   }
 

@@ -2,7 +2,8 @@ import { type Clock, realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
 import type { CommandName, Frame, Identity, ReplyOf, Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
-import { Exchange } from './exchange.js';
+import { Exchange, type Patience } from './exchange.js';
+import { LinePace } from './line-pace.js';
 import type { LineEntry, LineErrorKind } from './log.js';
 import { type MemoriesHooks, type MemoriesRead, type MemoriesReport, readMemories, writeMemories } from './memories.js';
 import type { BytePort } from './port.js';
@@ -20,7 +21,10 @@ export interface TimerClientOptions {
   readonly clock?: Clock;
   /** What is known of this timer from an earlier session, or chosen by the pilot. Default: nothing. */
   readonly quirks?: AssumedQuirks | undefined;
-  /** Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered. Default 600. */
+  /**
+   * Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered, at first: it grows when a reply
+   * turns out to come later. Default 600.
+   */
   readonly margin?: number;
   /** Told of everything on the line. */
   readonly onLine?: ((entry: LineEntry) => void) | undefined;
@@ -38,6 +42,11 @@ export interface JobOptions {
 export interface IdentifyOptions extends JobOptions {
   /** How often the question goes out at most until it is answered, 1 or more. Default: as any other, more often when damage is seen. */
   readonly tries?: number | undefined;
+  /**
+   * A late reply to an earlier call of this method will do as well, so that nothing is asked in between to tell the two apart. Default
+   * false.
+   */
+  readonly anyReply?: boolean | undefined;
 }
 
 export interface ReadOptions extends JobOptions {
@@ -73,13 +82,15 @@ export class TimerClient {
   readonly #wire: Wire;
   readonly #exchange: Exchange;
   readonly #quirks: Quirks;
+  readonly #pace: LinePace;
   #queue: Promise<unknown> = Promise.resolve();
 
   constructor(port: BytePort, options: TimerClientOptions = {}) {
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
     this.#quirks = new Quirks(options.quirks ?? {});
-    this.#wire = new Wire(port, this.#quirks, { baudRate, clock, margin, onLine, onLost });
-    this.#exchange = new Exchange(this.#wire, clock, { baudRate, margin });
+    this.#pace = new LinePace({ baudRate, margin });
+    this.#wire = new Wire(port, this.#quirks, { pace: this.#pace, clock, onLine, onLost });
+    this.#exchange = new Exchange(this.#wire, clock, this.#pace);
   }
 
   /** What the timer said of itself; null before {@link identify}. */
@@ -123,6 +134,19 @@ export class TimerClient {
     return this.#wire.strays;
   }
 
+  /**
+   * Milliseconds, beyond the time of the bytes, after which the latest reply came that came too late; null while all came in time. Later
+   * requests are given that much longer.
+   */
+  get delay(): number | null {
+    return this.#pace.delay;
+  }
+
+  /** Milliseconds beyond the time of the bytes that a reply may take by now, see {@link TimerClientOptions}. */
+  get margin(): number {
+    return this.#pace.margin;
+  }
+
   /** How often the port told of each kind of error of the line. Reading went on behind all of them. */
   get lineErrors(): ReadonlyMap<LineErrorKind, number> {
     return this.#wire.lineErrors;
@@ -134,8 +158,8 @@ export class TimerClient {
   }
 
   /** Asks the timer what it is (GETSWVER). */
-  identify({ signal, tries }: IdentifyOptions = {}): Promise<Identity> {
-    return this.#inTurn(() => this.#identify(signal, tries));
+  identify({ signal, ...patience }: IdentifyOptions = {}): Promise<Identity> {
+    return this.#inTurn(() => this.#identify(signal, patience));
   }
 
   /**
@@ -284,9 +308,9 @@ export class TimerClient {
     });
   }
 
-  async #identify(signal: AbortSignal | undefined, tries?: number): Promise<Identity> {
+  async #identify(signal: AbortSignal | undefined, patience: Patience = {}): Promise<Identity> {
     this.#exchange.begin(['GETSWVER']);
-    const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal, { tries });
+    const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal, patience);
     this.#exchange.identity = reply.identity;
     return reply.identity;
   }

@@ -1,4 +1,4 @@
-import type { Clock } from '../line/index.js';
+import { type Clock, wireTime } from '../line/index.js';
 import {
   answers,
   COMMANDS,
@@ -18,13 +18,15 @@ import {
 } from '../protocol/index.js';
 import { tell } from './callback.js';
 import { TimerError } from './errors.js';
+import type { LinePace } from './line-pace.js';
 import type { LineEntry, LineErrorKind } from './log.js';
-import { DRAIN, LONGEST_FRAME, overtime, type Pace, replyTime, SILENCE } from './patience.js';
+import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './patience.js';
 import type { BytePort } from './port.js';
 import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
 
-export interface WireOptions extends Pace {
+export interface WireOptions {
+  readonly pace: LinePace;
   readonly clock: Clock;
   readonly onLine: ((entry: LineEntry) => void) | undefined;
   readonly onLost: ((error: TimerError) => void) | undefined;
@@ -40,7 +42,10 @@ interface Waiting {
 /** A request whose time is up. */
 interface Unanswered {
   /** How many replies to it may still come. */
-  due: number;
+  readonly due: number;
+  /** When it went out last, and in how many bytes. */
+  readonly sentAt: number;
+  readonly size: number;
 }
 
 const NO_BYTES = new Uint8Array(0);
@@ -67,6 +72,7 @@ export class Wire {
   #strays = 0;
   readonly #unanswered = new Map<number, Unanswered>();
   #lastSent: Frame | undefined;
+  #heard: (() => void) | undefined;
   #badReply: unknown;
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
@@ -172,18 +178,23 @@ export class Wire {
       if (left <= 0 || this.#lost || signal?.aborted || clock.now() > latest) break;
       await this.pause(left, signal);
     }
-    this.#dispatch(this.#decoder.idle());
+    this.#dispatch(this.#decoder.idle(), false);
   }
 
-  /** Settles after so many milliseconds, or at once when the port is lost or the signal asks to stop. */
-  pause(ms: number, signal: AbortSignal | undefined): Promise<void> {
+  /**
+   * Settles after so many milliseconds, or at once when the port is lost or the signal asks to stop.
+   * @param untilHeard also when something comes that shows that somebody is there.
+   */
+  pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<void> {
     if (this.#lost || signal?.aborted) return Promise.resolve();
     return new Promise((resolve) => {
       const settle = (): void => {
         cancel();
         signal?.removeEventListener('abort', settle);
+        this.#heard = undefined;
         resolve();
       };
+      if (untilHeard) this.#heard = settle;
       const cancel = this.#options.clock.after(ms, settle);
       signal?.addEventListener('abort', settle);
     });
@@ -214,12 +225,13 @@ export class Wire {
       };
       this.#waiting = { take, giveUp: () => settle(undefined) };
     });
-    const cancel = this.#waitFor(replyTime(bytes.length + size, this.#options));
+    const sentAt = this.#options.clock.now();
+    const cancel = this.#waitFor(bytes.length + size);
     try {
       await Promise.race([this.#send(bytes), answered]);
       const answer = await answered;
       if (answer === undefined && this.#lost) throw this.#lost;
-      if (answer === undefined) this.#noteUnanswered(bytes[ZEROS_SENT + 1] as number);
+      if (answer === undefined) this.#noteUnanswered(bytes, sentAt);
       return answer;
     } finally {
       cancel();
@@ -247,54 +259,67 @@ export class Wire {
   }
 
   /** Ends the wait when the time is up; while bytes are still coming it lasts until they stop, one longest frame at most. */
-  #waitFor(time: number): () => void {
-    const { clock } = this.#options;
-    const latest = clock.now() + time + overtime(this.#options);
+  #waitFor(size: number): () => void {
+    const { clock, pace } = this.#options;
+    const begin = clock.now();
     let cancel: () => void = () => {};
     const look = (): void => {
       const now = clock.now();
       const quietFor = now - this.#lastByteAt;
-      if (quietFor < SILENCE && now < latest) {
-        cancel = clock.after(SILENCE - quietFor, look);
+      // A late reply to another request may have shown meanwhile that this timer takes longer.
+      const until = begin + replyTime(size, pace);
+      const isComing = quietFor < SILENCE && now < until + overtime(pace);
+      if (now < until || isComing) {
+        cancel = clock.after(Math.max(until - now, isComing ? SILENCE - quietFor : 0), look);
         return;
       }
-      this.#dispatch(this.#decoder.idle());
+      this.#dispatch(this.#decoder.idle(), false);
       this.#waiting?.giveUp();
     };
-    cancel = clock.after(time, look);
+    cancel = clock.after(replyTime(size, pace), look);
     return () => cancel();
   }
 
   #receive(bytes: Uint8Array): void {
     this.#lastByteAt = this.#options.clock.now();
-    this.#dispatch(this.#decoder.push(bytes));
+    this.#dispatch(this.#decoder.push(bytes), true);
   }
 
-  #dispatch(frames: readonly Frame[]): void {
+  /** @param inTime whether they were whole just now, and were not hidden behind a false header. */
+  #dispatch(frames: readonly Frame[], inTime: boolean): void {
     for (const frame of frames) {
       const isRequest = commandOf(frame.code)?.direction === 'request';
-      if (!isRequest) this.#signs++;
+      if (!isRequest) this.#noteSign();
       const damage = this.#damage;
       if (this.#waiting?.take(frame) || this.#damage > damage) continue;
       if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
-      else if (!this.#isLate(frame) && this.#asked) this.#strays++;
+      else if (!this.#isLate(frame, inTime) && this.#asked) this.#strays++;
     }
   }
 
   /** Whether a frame answers a request whose time is up. */
-  #isLate({ code }: Frame): boolean {
+  #isLate({ code, data }: Frame, inTime: boolean): boolean {
+    const { clock, pace } = this.#options;
     for (const [letter, unanswered] of this.#unanswered) {
       const name = commandOf(letter)?.name;
       if (unanswered.due === 0 || !(code === letter + 1 || (name && answers(code, name)))) continue;
-      unanswered.due--;
+      const { due, sentAt, size } = unanswered;
+      this.#unanswered.set(letter, { due: due - 1, sentAt, size });
+      if (inTime) pace.learn(clock.now() - sentAt - wireTime(size + frameSize(data.length), pace.baudRate));
       return true;
     }
     return false;
   }
 
-  #noteUnanswered(letter: number): void {
-    const due = this.#unanswered.get(letter)?.due ?? 0;
-    this.#unanswered.set(letter, { due: due + 1 });
+  #noteUnanswered(bytes: Uint8Array, sentAt: number): void {
+    const letter = bytes[ZEROS_SENT + 1] as number;
+    const due = 1 + (this.#unanswered.get(letter)?.due ?? 0);
+    this.#unanswered.set(letter, { due, sentAt, size: bytes.length });
+  }
+
+  #noteSign(): void {
+    this.#signs++;
+    this.#heard?.();
   }
 
   #match(frame: Frame, request: Request, identity: Identity | null, misprints: boolean): Reply | undefined {
@@ -315,7 +340,7 @@ export class Wire {
 
   /** What was on the line before the first request, such as the noise of plugging in, says nothing about replies. */
   #noteDamage(): void {
-    this.#signs++;
+    this.#noteSign();
     if (this.#asked) this.#damage++;
   }
 

@@ -1,0 +1,37 @@
+import { LATEST_REPLY, type Pace } from './patience.js';
+
+/** Room for a timer that does not always take equally long. */
+const ROOM = 1.5;
+
+/** The speed of the line, and how slow the timer was found to be: a reply that came late makes later requests wait longer. */
+export class LinePace implements Pace {
+  readonly baudRate: number;
+  /** Told when the timer turns out to be slower than thought. */
+  onSlower: (() => void) | undefined;
+  #margin: number;
+  #delay: number | null = null;
+
+  constructor({ baudRate, margin }: Pace) {
+    this.baudRate = baudRate;
+    this.#margin = margin;
+  }
+
+  get margin(): number {
+    return this.#margin;
+  }
+
+  /** Milliseconds, beyond those of the bytes, after which the slowest late reply came; null while none came late. */
+  get delay(): number | null {
+    return this.#delay;
+  }
+
+  /** A reply came so many milliseconds later than its bytes take, after its time was up. */
+  learn(delay: number): void {
+    if (delay <= (this.#delay ?? 0) || delay > LATEST_REPLY) return;
+    this.#delay = delay;
+    const margin = Math.min(LATEST_REPLY, Math.ceil(ROOM * delay));
+    if (margin <= this.#margin) return;
+    this.#margin = margin;
+    this.onSlower?.();
+  }
+}
