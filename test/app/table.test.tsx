@@ -215,7 +215,7 @@ describe('intervals', () => {
     expect(field('Function 3 interval').value).toBe('0.50');
   });
 
-  it.each(['700', '12.345', '1x'])('change nothing by %j, whatever it began with', async (text) => {
+  it.each(['1300', '12.345', '1x'])('change nothing by %j, whatever it began with', async (text) => {
     const { editor } = await connected();
     await typeOut('Function 3 interval', text);
     expect(screen.getByRole('alert').textContent).not.toBe('');
@@ -516,7 +516,7 @@ describe('the reserved time', () => {
 describe('DT', () => {
   it('is set by a preset', async () => {
     await connected();
-    await press('DT 6:00');
+    await press('DT 6 min');
     expect(field('DT time').value).toBe('6:00');
     await press('Undo preset of DT time');
     expect(field('DT time').value).toBe('3:00');
@@ -527,11 +527,11 @@ describe('DT', () => {
     await press('Change presets');
     fireEvent.input(field('New preset'), { target: { value: '2:30' } });
     fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
-    await press('Remove 10:00');
+    await press('Remove 10 min');
     fireEvent.input(field('DT is short below'), { target: { value: '3:30' } });
     fireEvent.change(field('DT is short below'), { target: { value: '3:30' } });
     await press('Done');
-    expect(screen.getByRole('button', { name: 'DT 2:30' })).toBeTruthy();
+    expect(screen.getByRole('button', { name: 'DT 2:30 min' })).toBeTruthy();
     expect(screen.getByText('Short DT')).toBeTruthy();
     expect(models.preferences.presets.value).not.toContain(60000);
     const again = await appBench();
@@ -559,6 +559,124 @@ describe('DT', () => {
     fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
     await idle();
     expect(screen.getByRole('alert').textContent).toContain('up to 10:55.35');
+  });
+});
+
+describe('a time that can be read in two ways', () => {
+  it.each<[where: string, text: string, answers: [string, string], at: 0 | 1, shown: string]>([
+    ['DT', '2.30', ['2 min 30 s', '2.3 s'], 0, '2:30'],
+    ['DT time', '2.3', ['2 min 30 s', '2.3 s'], 1, '2.30'],
+    ['DT time', '230', ['2 min 30 s', '230 s, 3:50'], 1, '3:50'],
+    ['DT', '3', ['3 min', '3 s'], 0, '3:00'],
+    ['Function 4 time', '130', ['1 min 30 s', '130 s, 2:10'], 0, '1:30'],
+  ])('is asked about in %s after %j, and blocks until it is answered', async (where, text, answers, at, shown) => {
+    const { editor } = await connected();
+    const before = editor.working.value;
+    await typeOut(where, text);
+    expect(screen.queryByRole('button', { name: answers[0] }), 'it may not be finished').toBeNull();
+    await key('Enter');
+    expect(document.activeElement, 'the focus waits').toBe(field(where));
+    const asked = within(screen.getByRole('group', { name: `What ${where} means` }));
+    expect(asked.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(answers);
+    expect([editor.working.value?.timers, editor.blocked.value]).toEqual([before?.timers, true]);
+    fireEvent.click(asked.getByRole('button', { name: answers[at] }));
+    await idle();
+    const inTable = where === 'DT' ? 'DT time' : where;
+    expect([field(inTable).value, editor.blocked.value]).toEqual([shown, false]);
+    expect(screen.queryByRole('group', { name: /^What/ })).toBeNull();
+  });
+
+  it('is asked when the field is left, and put back by Escape', async () => {
+    const { editor } = await connected();
+    await enter('DT', '4:00');
+    await enter('DT', '2.30');
+    const [first] = screen.getAllByRole('button', { name: '2 min 30 s' });
+    first?.focus();
+    await key('Escape');
+    expect([field('DT').value, editor.blocked.value]).toEqual(['4:00', false]);
+    expect(document.activeElement).toBe(field('DT'));
+  });
+
+  it('is asked in an interval of DT, which moves nothing before', async () => {
+    const { editor } = await connected();
+    const last = editor.working.value?.timers[9] ?? 0;
+    await typeOut('DT interval', '2.30');
+    await key('Enter');
+    expect([document.activeElement, editor.dirty.value]).toEqual([field('DT interval'), false]);
+    fireEvent.click(screen.getByRole('button', { name: '2 min 30 s' }));
+    await idle();
+    expect([field('DT interval').value, editor.working.value?.timers[10]]).toEqual(['2:30', last + 15000]);
+  });
+
+  it('is asked of a preset', async () => {
+    const { models } = await connected();
+    await press('Change presets');
+    fireEvent.input(field('New preset'), { target: { value: '2.30' } });
+    await submitFrom('New preset');
+    expect(models.preferences.presets.value).not.toContain(15000);
+    await press('2 min 30 s');
+    expect(models.preferences.presets.value).toContain(15000);
+    expect(models.preferences.presets.value).not.toContain(230);
+    expect(field('New preset').value).toBe('');
+  });
+
+  it('is said in a table that is pasted, which is taken at its word', async () => {
+    await connected();
+    field('Function 9 time').focus();
+    await paste('130\n2.30');
+    const said = within(screen.getByRole('dialog')).getAllByText(/is read as/);
+    expect(said.map(({ textContent }) => textContent)).toEqual([
+      'Function 9 time: “130” is read as 2 min 10 s.',
+      'DT time: “2.30” is read as 2.3 s.',
+    ]);
+  });
+
+  it('is none with a colon or a unit', async () => {
+    const { editor } = await connected();
+    for (const [text, value] of [
+      ['2:30', 15000],
+      ['230 s', 23000],
+      ['3 min', 18000],
+      ['20', 2000],
+    ] as const) {
+      await enter('DT', text);
+      expect([editor.working.value?.timers[10], editor.blocked.value]).toEqual([value, false]);
+    }
+  });
+});
+
+describe('figures and their units', () => {
+  const describedBy = (name: string): string[] => {
+    const ids = (field(name).getAttribute('aria-describedby') ?? '').split(' ').filter((id) => id !== '');
+    return ids.map((id) => document.getElementById(id)?.textContent ?? '');
+  };
+
+  it('say seconds or minutes, a changed DT also in words', async () => {
+    await connected();
+    expect([field('Motor stop').value, describedBy('Motor stop')]).toEqual(['10.0', ['s']]);
+    expect([field('DT').value, describedBy('DT')]).toEqual(['3:00', ['min']]);
+    expect([describedBy('Function 2 time'), describedBy('DT time')]).toEqual([[], ['min']]);
+    await enter('DT', '2:30');
+    expect(describedBy('DT')).toEqual(['min', '2 min 30 s', 'was 3:00']);
+    await enter('DT', '20');
+    expect([field('DT').value, describedBy('DT').slice(0, 2)]).toEqual(['20', ['s', '20 s']]);
+    await enter('Motor stop', '9.55');
+    expect(field('Motor stop').value, 'no hundredth is hidden').toBe('9.55');
+  });
+
+  it('stand on the presets', async () => {
+    await connected();
+    const presets = within(screen.getByRole('group', { name: 'DT presets' })).getAllByRole('button', { name: /^DT/ });
+    expect(presets.map(({ textContent }) => textContent)).toEqual([
+      '20 s',
+      '1 min',
+      '3 min',
+      '4 min',
+      '5 min',
+      '6 min',
+      '8 min',
+      '10 min',
+    ]);
   });
 });
 

@@ -319,8 +319,10 @@ it('screen, working copy and difference agree over any edits, undos and redos', 
         expect(editor.changes.value).toEqual(differences(held, working));
         for (const field of fields) {
           const text = editor.textOf(field);
-          const parsed = parseValue(field, text);
+          const parsed = parseValue(working.identity, field, text);
           const value = valueAt(working, field);
+          // A DT of a few seconds could, if it were typed as it is shown, be meant for minutes.
+          if ('either' in parsed && parsed.either[1] === value) continue;
           if ('unreadable' in parsed) expect(editor.unreadable.value.has(fieldKey(field))).toBe(true);
           else if (value !== null && value >= 0)
             expect([text, parsed.value]).toEqual([formatValue(field, value), value]);

@@ -39,7 +39,7 @@ for (const name of ['F1Q', 'F1B'] as const) {
 test('the motor stop of an F1Q stands large beside DT, and is the start time', async () => {
   const app = await AppPage.open();
   await app.trySimulated('F1Q');
-  expect(await app.valueOf('Motor stop')).toBe('10.00');
+  expect(await app.valueOf('Motor stop')).toBe('10.0');
   await app.type('Motor stop', '9.5');
   expect(await app.valueOf('Motor stop time')).toBe('9.50');
 });

@@ -28,7 +28,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   for (const [row, time] of SHEET.times.entries()) {
     if (row > 0 && row < SHEET.times.length - 1) await fill(timeField(row), time);
   }
-  await tap('DT 4:00');
+  await tap('DT 4 min');
   for (const [servo, positions] of SHEET.positions.entries()) {
     for (const row of ROWS.keys()) {
       const field = positionField(row, servo);

@@ -7,7 +7,8 @@ import {
   type TimerProgram,
   valueAt,
 } from '../../program/index.js';
-import { formatTime, type Parsed, parseSteps, parseTime, type UnreadableReason } from '../units.js';
+import type { Identity } from '../../protocol/index.js';
+import { formatTime, parseSteps, type Question, type Reading, readTime, type UnreadableReason } from '../units.js';
 import { type FieldValue, withValues } from './edits.js';
 
 /** What the pilot wants, and the texts in fields as they were typed, by field: what an edit changes and undo brings back. */
@@ -20,11 +21,13 @@ export interface Content {
 export interface UnreadableField {
   readonly field: ProgramField;
   readonly reason: UnreadableReason;
+  /** What it may mean, where it is ambiguous. */
+  readonly either?: Question['either'] | undefined;
 }
 
 /** What a text in a field says. */
-export function parseValue(field: ProgramField, text: string): Parsed {
-  return field.kind === 'time' ? parseTime(text) : parseSteps(text);
+export function parseValue({ functions }: Identity, field: ProgramField, text: string): Reading {
+  return field.kind === 'time' ? readTime(text, { isDt: field.column === functions }) : parseSteps(text);
 }
 
 /** A value in the form in which a pilot reads and types it. */
@@ -38,8 +41,10 @@ export function unreadableIn({ working, texts }: Content): Map<string, Unreadabl
   if (Object.keys(texts).length === 0) return found;
   for (const field of fieldsOf(working.identity)) {
     const text = texts[fieldKey(field)];
-    const parsed = text === undefined ? null : parseValue(field, text);
-    if (parsed && 'unreadable' in parsed) found.set(fieldKey(field), { field, reason: parsed.unreadable });
+    const parsed = text === undefined ? null : parseValue(working.identity, field, text);
+    if (!parsed || 'value' in parsed) continue;
+    const either = 'either' in parsed ? parsed.either : undefined;
+    found.set(fieldKey(field), { field, reason: parsed.unreadable, either });
   }
   return found;
 }
@@ -51,11 +56,15 @@ export function meansSame(a: Content, b: Content): boolean {
   return differences(a.working, b.working).length === 0 && unreadable(a) === unreadable(b);
 }
 
-/** A text as it was typed, and its value if it has one. */
-export function typed({ working, texts }: Content, field: ProgramField, text: string): Content {
-  const parsed = parseValue(field, text);
+/**
+ * A text as it was typed, and its value if it has one. One that asks what it means has none: the field is worth again what it was before.
+ * @param before the program before anything was typed there: on the way to `230` stood `23`.
+ */
+export function typed({ working, texts }: Content, field: ProgramField, text: string, before: TimerProgram): Content {
+  const parsed = parseValue(working.identity, field, text);
+  const value = 'value' in parsed ? parsed.value : 'either' in parsed ? valueAt(before, field) : null;
   return {
-    working: 'value' in parsed ? withValues(working, [{ field, value: parsed.value }]) : working,
+    working: value === null ? working : withValues(working, [{ field, value }]),
     texts: { ...texts, [fieldKey(field)]: text },
   };
 }

@@ -7,7 +7,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { type Parsed, parseInterval, parseSteps, parseTime, type UnreadableReason } from '../units.js';
+import { type Parsed, parseInterval, parseSteps, parseTime, readInterval, type UnreadableReason } from '../units.js';
 import { MAX_CELLS, MAX_CHARACTERS, readTable } from './clipboard-table.js';
 import { type FieldValue, MAX_VALUE, refusalOf, retime, startOf, type TextOption, withValues } from './edits.js';
 import {
@@ -34,7 +34,7 @@ import {
  * - `too-large` (cells, characters): the rest of the text from this row on was not read.
  */
 export type PasteProblemCode =
-  | Exclude<UnreadableReason, 'empty'>
+  | Exclude<UnreadableReason, 'empty' | 'ambiguous'>
   | Extract<FindingCode, 'time-out-of-range' | 'position-out-of-range'>
   | 'later-out-of-range'
   | 'before-unreadable'
@@ -55,6 +55,14 @@ export interface PasteProblem {
   readonly field: GridField | null;
 }
 
+/** A pasted text that a pilot could have typed for something else. Tables are taken at their word: it is seconds. */
+export interface PasteReading {
+  readonly field: GridField;
+  readonly text: string;
+  /** Hundredths of a second. */
+  readonly value: number;
+}
+
 /** What a text would do to a program. Nothing is done if there is a problem, unless the rest is taken on purpose: see {@link pasted}. */
 export interface PastePreview {
   /** What would change. */
@@ -63,6 +71,8 @@ export interface PastePreview {
   readonly values: readonly FieldValue[];
   /** Row by row. */
   readonly problems: readonly PasteProblem[];
+  /** How texts are read that would be asked about where they are typed, row by row. */
+  readonly readings: readonly PasteReading[];
   /** How many cells with something in them have no place: past the edge of the grid, or under a heading of something else. */
   readonly ignored: number;
   /** The first row was taken for headings. */
@@ -108,7 +118,8 @@ export function previewPaste(
     const params = { cells: MAX_CELLS, characters: MAX_CHARACTERS };
     problems.push({ code: 'too-large', params, row: rows.length, column: 0, text: '', field: null });
   }
-  return { changes: differences(program, withValues(program, values)), values, problems, ...read };
+  const readings = cells.flatMap((cell) => readingOf(program.identity, cell));
+  return { changes: differences(program, withValues(program, values)), values, problems, readings, ...read };
 }
 
 /**
@@ -256,4 +267,10 @@ function parseCell({ text, field }: Pasted): Parsed {
   if (field.kind === 'position') return parseSteps(text);
   if (TWO_MARKS.test(text)) return { unreadable: 'not-a-time' };
   return field.kind === 'time' ? parseTime(text) : parseInterval(text);
+}
+
+function readingOf({ functions }: Identity, { field, text }: Pasted): PasteReading[] {
+  if (field.kind === 'position') return [];
+  const typed = readInterval(text, { isDt: field.column === functions });
+  return 'either' in typed ? [{ field, text, value: typed.either[1] }] : [];
 }

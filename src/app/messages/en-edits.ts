@@ -101,6 +101,8 @@ export const edits = {
   pasting: {
     title: 'Paste',
     lead: (count: number) => (count === 0 ? 'This changes nothing.' : `This changes ${cells(count)}.`),
+    /** Tables are taken at their word, which is said where it may have been another. */
+    reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
     ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
     problems: 'This cannot be taken',
     problem: (row: number, column: number, text: string, reason: string) =>

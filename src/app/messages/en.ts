@@ -41,6 +41,7 @@ const unreadable: Record<UnreadableReason, string> = {
   'not-a-time': 'Not a time: type seconds like 12.5, or minutes like 2:05.',
   'too-fine': 'Finer than a hundredth of a second.',
   'not-a-whole-number': 'Not a whole number of steps.',
+  ambiguous: 'This can be read in two ways: choose one.',
 };
 
 const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
@@ -64,6 +65,18 @@ export const en = {
   /** What stands before a sentence about it. */
   about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
+  times: {
+    /** “2 min 30 s”, “3 min”, “20 s”. */
+    spoken: (minutes: number, seconds: string) =>
+      [minutes > 0 && `${minutes} min`, (seconds !== '0' || minutes === 0) && `${seconds} s`].filter(Boolean).join(' '),
+    units: { s: 's', min: 'min' },
+    /** “10.0 s”, “3:00 min”. */
+    figure: (text: string, unit: string) => `${text} ${unit}`,
+    /** What was typed as seconds and is minutes by now: “230 s, 3:50”. */
+    asSeconds: (seconds: string, clock: string) => `${seconds} s, ${clock}`,
+    /** Around the two answers. */
+    meaning: (field: string) => `What ${field} means`,
+  },
 
   header: {
     firmware: (firmware: string) => `firmware ${firmware}`,

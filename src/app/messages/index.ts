@@ -1,12 +1,29 @@
 import { signal } from '@preact/signals';
-import { type Change, columnKind, type Finding, fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
+import {
+  type Change,
+  columnKind,
+  type Finding,
+  fieldKey,
+  fieldsOf,
+  manualRange,
+  type ProgramField,
+} from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { KnownPort } from '../../serial/index.js';
 import { formatValue } from '../edit/content.js';
 import type { Obstacle } from '../edit/edits.js';
+import type { GridField } from '../edit/grid.js';
 import type { StepName } from '../edit/history.js';
 import type { PasteProblem } from '../edit/paste.js';
-import { formatInterval, formatTime } from '../units.js';
+import {
+  type Figure,
+  formatFigure,
+  formatInterval,
+  formatTime,
+  plainSeconds,
+  type Question,
+  spokenParts,
+} from '../units.js';
 import { en } from './en.js';
 
 export type { TimelineFacts } from './en.js';
@@ -31,6 +48,51 @@ export function fieldLabel(identity: Identity, field: ProgramField): string {
   return field.column === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(column);
 }
 
+/** A time as it is said: “2 min 30 s”, “20 s”, “2.3 s”; one before launch with a minus. */
+export function spokenTime(hundredths: number): string {
+  const { minutes, seconds } = spokenParts(Math.abs(hundredths));
+  const said = messages.value.times.spoken(minutes, seconds);
+  return hundredths < 0 ? `-${said}` : said;
+}
+
+/** What a text may mean, to choose from: “2 min 30 s” and “2.3 s”, or “230 s, 3:50”. */
+export function eitherTexts([minutes, seconds]: Question['either']): readonly [string, string] {
+  const inSeconds =
+    Math.abs(seconds) < 6000
+      ? spokenTime(seconds)
+      : messages.value.times.asSeconds(plainSeconds(seconds), formatInterval(seconds));
+  return [spokenTime(minutes), inSeconds];
+}
+
+/** A value as a large figure, apart from its unit; of what is no time, or cannot be one, all that there is to say. */
+export function figureOf(
+  identity: Identity,
+  field: ProgramField,
+  value: number,
+): Figure | { readonly text: string; readonly unit: null } {
+  if (field.kind !== 'time' || !Number.isInteger(value) || value < 0)
+    return { text: formatValue(field, value), unit: null };
+  const isDt = field.column === identity.functions;
+  return formatFigure(value, isDt ? 100 : (manualRange(identity, field.column)?.step ?? 1));
+}
+
+/** A value as a large figure: “10.0 s”, “3:00 min”, “65”. */
+export function figureText(identity: Identity, field: ProgramField, value: number): string {
+  const { text, unit } = figureOf(identity, field, value);
+  return unit ? inUnit({ text, unit }) : text;
+}
+
+/** A DT to choose: “20 s”, “3 min”, “1:30 min”. */
+export function presetText(value: number): string {
+  if (value % 6000 === 0) return spokenTime(value);
+  return inUnit(formatFigure(value, 100));
+}
+
+function inUnit({ text, unit }: Figure): string {
+  const { figure, units } = messages.value.times;
+  return figure(text, units[unit]);
+}
+
 /** The sentence for a finding of the check, with times as a pilot writes them. */
 export function findingText({ code, params, field }: Finding): string {
   const isTime = field?.kind === 'time';
@@ -40,6 +102,12 @@ export function findingText({ code, params, field }: Finding): string {
     isTime && typeof value === 'number' ? seconds(formatTime(value)) : String(value),
   ]);
   return findings[code](Object.fromEntries(shown));
+}
+
+/** What a cell of the table is called, also that of an interval. */
+export function gridLabel(identity: Identity, field: GridField): string {
+  if (field.kind !== 'interval') return fieldLabel(identity, field);
+  return messages.value.edits.table.intervalOf(columnLabel(identity, field.column));
 }
 
 export function timerName({ timerClass }: Identity): string {

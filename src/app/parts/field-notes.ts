@@ -13,6 +13,8 @@ export interface FieldNote {
 export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
   const key = fieldKey(field);
   const unreadable = editor.unreadable.value.get(key);
+  // While it is typed, `2` may become `2:30`.
+  if (unreadable?.either && !editor.asked.value.has(key)) return [];
   if (unreadable) return [{ field, severity: 'error', text: messages.value.unreadable[unreadable.reason] }];
   return editor.findings.value
     .filter((finding) => finding.field && fieldKey(finding.field) === key)
@@ -23,8 +25,10 @@ export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
 export function allNotes(
   editor: Editor,
 ): { field: ProgramField | null; severity: Severity; text: string; finding: Finding | null }[] {
-  const unreadable = [...editor.unreadable.value.values()];
-  const typed = new Set(unreadable.map(({ field }) => fieldKey(field)));
+  const typed = editor.unreadable.value;
+  const unreadable = [...typed.values()].filter(
+    ({ field, either }) => !either || editor.asked.value.has(fieldKey(field)),
+  );
   return [
     ...unreadable.map(({ field, reason }) => ({
       field,

@@ -1,4 +1,5 @@
 import { useSignal } from '@preact/signals';
+import type { TargetedFocusEvent } from 'preact';
 import { useRef } from 'preact/hooks';
 import { type Edit, setInterval, stepInterval } from '../edit/edits.js';
 import { intervalAt } from '../edit/grid.js';
@@ -6,9 +7,10 @@ import { groupOf } from '../edit/history.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attemptInterval } from '../state/attempt.js';
-import { formatInterval, parseInterval } from '../units.js';
+import { formatInterval, type Question, readInterval } from '../units.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
+import { TimeQuestion } from './time-question.js';
 import { useSteady } from './use-steady.js';
 import { useSwipe } from './use-swipe.js';
 
@@ -18,13 +20,15 @@ interface Entry {
   readonly text: string | null;
   /** Why it changed nothing; null when it was done. */
   readonly problem: string | null;
+  /** What it may mean, where it is asked which: nothing was done. */
+  readonly either?: Question['either'] | undefined;
   /** The interval after it. When that has changed, as by undo, the entry counts no more. */
   readonly interval: number | null;
 }
 
 /**
  * The time since the function before: the same truth as the time, seen from there. What is typed moves this function and those after it. A
- * text that is no interval changes nothing, and the interval stands there again when the field is left.
+ * text that is no interval, or asks what it means, changes nothing, and the interval stands there again when the field is left.
  */
 export function IntervalField({ column, label }: { readonly column: number; readonly label: string }) {
   const { session } = useModels();
@@ -36,6 +40,7 @@ export function IntervalField({ column, label }: { readonly column: number; read
   const interval = useSteady(find, [editor, column]);
   const entry = entered.value?.interval === interval ? entered.value : null;
   const problem = entry?.problem ?? null;
+  const either = entry?.either;
   const typing = groupOf('type', `interval:${column}`);
   const stepping = groupOf('step', `interval:${column}`);
   const notesId = `interval-notes-${column}`;
@@ -53,21 +58,39 @@ export function IntervalField({ column, label }: { readonly column: number; read
     entered.value = { text: null, problem, interval: find() };
   };
   const type = (text: string): void => {
-    const parsed = parseInterval(text);
     const working = editor.working.value;
     if (!working) return;
+    const parsed = readInterval(text, { isDt: column === working.identity.functions });
     const problem =
       'unreadable' in parsed
         ? messages.value.unreadable[parsed.unreadable]
         : set(setInterval(working, column, parsed.value), typing);
     // What it began with may have been an interval.
     if (problem) editor.abandon(typing);
-    entered.value = { text, problem, interval: find() };
+    const either = 'either' in parsed ? parsed.either : undefined;
+    entered.value = { text, problem: either ? null : problem, either, interval: find() };
+  };
+  const answer = (value: number, byKey: boolean): void => {
+    const working = editor.working.value;
+    if (!working) return;
+    const problem = set(setInterval(working, column, value), typing);
+    entered.value = problem ? { text: formatInterval(value), problem, interval: find() } : null;
+    if (byKey) input.current?.focus();
+  };
+  const takeBack = (): void => {
+    entered.value = null;
+    input.current?.focus();
+  };
+  /** The text gives way when the focus goes, and not when it goes to its question. */
+  const leave = ({ relatedTarget, currentTarget }: TargetedFocusEvent<HTMLElement>): void => {
+    if (relatedTarget instanceof Node && currentTarget.contains(relatedTarget)) return;
+    entered.value = null;
+    editor.settle();
   };
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${problem ? 'wrong' : ''}`} {...refuseDrag}>
+    <span class={`value ${either ? 'asked' : problem ? 'wrong' : ''}`} onFocusOut={leave} {...refuseDrag}>
       <input
         ref={input}
         type="text"
@@ -85,15 +108,17 @@ export function IntervalField({ column, label }: { readonly column: number; read
         onInput={(event) => type(event.currentTarget.value)}
         onBlur={() => {
           focused.value = false;
-          entered.value = null;
-          editor.settle();
         }}
         onKeyDown={(event) => {
-          if (event.defaultPrevented || stepByKey(event, step) || event.key !== 'Escape') return;
+          if (event.defaultPrevented || stepByKey(event, step)) return;
+          // It asks first what was meant; the answers are the next thing that Tab comes to.
+          if (event.key === 'Enter' && either) event.preventDefault();
+          if (event.key !== 'Escape') return;
           entered.value = null;
           if (!problem && !editor.abandon(typing)) editor.abandon(stepping);
         }}
       />
+      {either && <TimeQuestion {...{ label, either }} onAnswer={answer} onEscape={takeBack} />}
       {problem && (
         <span class="notes bad-text" role="alert" id={notesId}>
           {problem}

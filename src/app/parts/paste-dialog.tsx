@@ -2,7 +2,7 @@ import type { Signal } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { GridRange } from '../edit/grid.js';
 import { pasted, previewPaste } from '../edit/paste.js';
-import { changeText, messages, pasteProblemText } from '../messages/index.js';
+import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { Modal } from './modal.js';
 
@@ -41,7 +41,7 @@ function Preview({ pasting: { range, text }, close }: { readonly pasting: Pastin
   const headings = [program.time, edits.table.interval, ...servos];
   // The program may change while the dialog is open, as when a timer comes back: what is shown is what will be done.
   const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
-  const { changes, problems, ignored } = preview;
+  const { changes, problems, readings, ignored } = preview;
   const apply = (): void => {
     const values = pasted(preview, true);
     editor.apply(values, { code: 'paste', params: { count: changes.length } });
@@ -56,6 +56,18 @@ function Preview({ pasting: { range, text }, close }: { readonly pasting: Pastin
             <li key={fieldKey(change.field)}>{changeText(identity, change)}</li>
           ))}
         </ul>
+      )}
+      {readings.length > 0 && (
+        <div class="notice">
+          <ul>
+            {readings.slice(0, TOLD).map(({ field, text, value }) => (
+              <li key={`${field.kind} ${field.column} ${text}`}>
+                {words.reading(gridLabel(identity, field), text, spokenTime(value))}
+              </li>
+            ))}
+          </ul>
+          {readings.length > TOLD && <p>{words.more(readings.length - TOLD)}</p>}
+        </div>
       )}
       {ignored > 0 && <p class="hint">{words.ignored(ignored)}</p>}
       {problems.length > 0 && (

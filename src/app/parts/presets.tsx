@@ -1,9 +1,10 @@
 import { useComputed, useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
-import { messages } from '../messages/index.js';
+import { messages, presetText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { formatTime, parseTime } from '../units.js';
+import { formatTime, type Question, readTime } from '../units.js';
+import { TimeQuestion } from './time-question.js';
 
 /** The DT of a contest or of a trimming flight with one tap; and the pilot's own. */
 export function DtPresets({ column }: { readonly column: number }) {
@@ -24,20 +25,20 @@ export function DtPresets({ column }: { readonly column: number }) {
               type="button"
               class="remove"
               key={value}
-              aria-label={words.remove(formatTime(value))}
+              aria-label={words.remove(presetText(value))}
               onClick={() => preferences.removePreset(value)}
             >
-              {formatTime(value)}
+              {presetText(value)}
             </button>
           ) : (
             <button
               type="button"
               key={value}
-              aria-label={words.use(formatTime(value))}
+              aria-label={words.use(presetText(value))}
               aria-current={value === current}
               onClick={() => editor.apply([{ field, value }], { code: 'preset', params: { field: key } })}
             >
-              {formatTime(value)}
+              {presetText(value)}
             </button>
           ),
         )}
@@ -63,6 +64,13 @@ export function DtPresets({ column }: { readonly column: number }) {
   );
 }
 
+/** A text that can be read in two ways, and what the chosen one is for. */
+interface Asked {
+  readonly label: string;
+  readonly either: Question['either'];
+  readonly use: (value: number) => boolean;
+}
+
 function PresetSettings() {
   const { session, preferences } = useModels();
   const { presets: words } = messages.value.edits;
@@ -70,11 +78,26 @@ function PresetSettings() {
   const limitInput = useRef<HTMLInputElement>(null);
   const limit = useSignal(formatTime(session.editor.shortDt.value));
   const problem = useSignal<string | null>(null);
-  const take = (text: string, use: (value: number) => boolean): boolean => {
-    const parsed = parseTime(text);
-    if ('unreadable' in parsed) problem.value = messages.value.unreadable[parsed.unreadable];
-    else problem.value = use(parsed.value) ? null : words.refused;
-    return problem.value === null;
+  const asked = useSignal<Asked | null>(null);
+  const takeValue = (value: number, use: (value: number) => boolean): void => {
+    asked.value = null;
+    problem.value = use(value) ? null : words.refused;
+  };
+  const take = (text: string, label: string, use: (value: number) => boolean): void => {
+    const read = readTime(text, { isDt: true });
+    asked.value = 'either' in read ? { label, either: read.either, use } : null;
+    if ('value' in read) takeValue(read.value, use);
+    else problem.value = 'either' in read ? null : messages.value.unreadable[read.unreadable];
+  };
+  const add = (value: number): boolean => {
+    const isAdded = preferences.addPreset(value);
+    if (isAdded) added.value = '';
+    return isAdded;
+  };
+  const setLimit = (value: number): boolean => {
+    const isSet = preferences.setShortDt(value);
+    if (isSet) limit.value = formatTime(value);
+    return isSet;
   };
   return (
     <form
@@ -83,7 +106,7 @@ function PresetSettings() {
         event.preventDefault();
         // Enter in the field of the limit: it has taken that, and no preset is asked for.
         if (added.value === '' && document.activeElement === limitInput.current) return;
-        if (take(added.value, (value) => preferences.addPreset(value))) added.value = '';
+        take(added.value, words.add, add);
       }}
     >
       <label>
@@ -93,7 +116,10 @@ function PresetSettings() {
           inputMode="decimal"
           autocomplete="off"
           value={added.value}
-          onInput={(event) => (added.value = event.currentTarget.value)}
+          onInput={(event) => {
+            added.value = event.currentTarget.value;
+            asked.value = null;
+          }}
         />
       </label>
       <button type="submit">{words.addButton}</button>
@@ -107,10 +133,20 @@ function PresetSettings() {
           value={limit.value}
           onChange={(event) => {
             limit.value = event.currentTarget.value;
-            take(limit.value, (value) => preferences.setShortDt(value));
+            take(limit.value, words.shortDt, setLimit);
           }}
         />
       </label>
+      {asked.value && (
+        <TimeQuestion
+          label={asked.value.label}
+          either={asked.value.either}
+          onAnswer={(value) => asked.value && takeValue(value, asked.value.use)}
+          onEscape={() => {
+            asked.value = null;
+          }}
+        />
+      )}
       {problem.value && (
         <p class="notes bad-text" role="alert">
           {problem.value}

@@ -1,13 +1,14 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import { fieldKey, type ProgramField } from '../../program/index.js';
+import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
 import { formatValue } from '../edit/content.js';
-import { messages } from '../messages/index.js';
+import { figureOf, messages, spokenTime } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { stepField } from '../state/attempt.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
+import { TimeQuestion } from './time-question.js';
 import { useSteady } from './use-steady.js';
 import { useSwipe } from './use-swipe.js';
 
@@ -31,19 +32,34 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
   const key = fieldKey(field);
-  const { text, change, unreadable, notes } = useSteady(
-    () => ({
-      text: editor.textOf(field),
-      change: editor.changed.value.get(key) ?? null,
+  const isLarge = place === 'large';
+  const { text, unit, spoken, change, unreadable, either, notes } = useSteady(() => {
+    const working = editor.working.value;
+    const value = working && valueAt(working, field);
+    const change = editor.changed.value.get(key) ?? null;
+    const isTyped = editor.isTyped(field);
+    const figure = working && value !== null && !isTyped ? figureOf(working.identity, field, value) : null;
+    const isSaid =
+      isLarge && field.kind === 'time' && (field.column === working?.identity.functions || figure?.unit === 'min');
+    return {
+      text: isLarge && figure ? figure.text : editor.textOf(field),
+      // In the table a column of seconds says it at its head, as it were; what is not seconds there says it itself.
+      unit: isLarge || figure?.unit === 'min' ? (figure?.unit ?? null) : null,
+      spoken: isSaid && change && value !== null && !editor.unreadable.value.has(key) ? spokenTime(value) : null,
+      change,
       unreadable: editor.unreadable.value.has(key),
+      either: editor.asked.value.get(key) ?? null,
       notes: notesFor(editor, field),
-    }),
-    [editor, key],
-  );
+    };
+  }, [editor, key]);
   const wrong = notes.some(({ severity }) => severity === 'error');
-  const wasId = `${place}-was-${key}`;
-  const notesId = `${place}-notes-${key}`;
-  const described = [change && wasId, notes.length > 0 && notesId].filter(Boolean).join(' ');
+  const id = (what: string): string => `${place}-${what}-${key}`;
+  const described = [
+    unit && id('unit'),
+    spoken && id('spoken'),
+    change && id('was'),
+    notes.length > 0 && id('notes'),
+  ].filter(Boolean);
   const revert = (): void => editor.revert(field);
   const step: OnStep = (direction, options) => {
     if (!readOnly) stepField(editor, field, direction, options);
@@ -51,7 +67,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${change ? 'changed' : ''} ${wrong ? 'wrong' : ''}`} {...refuseDrag}>
+    <span class={`value ${change ? 'changed' : ''} ${either ? 'asked' : wrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input
         ref={input}
         type="text"
@@ -61,7 +77,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
         spellcheck={false}
         aria-label={label}
         aria-invalid={wrong}
-        aria-describedby={described || undefined}
+        aria-describedby={described.join(' ') || undefined}
         readOnly={readOnly}
         class={text.length > LONG ? 'long' : ''}
         value={text}
@@ -75,17 +91,53 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
           editor.leave(field);
         }}
         onKeyDown={(event) => {
-          if (event.defaultPrevented || stepByKey(event, step, place === 'large')) return;
-          if (event.key === 'Escape') editor.escape(field);
+          if (event.defaultPrevented || stepByKey(event, step, isLarge)) return;
+          if (event.key === 'Escape') {
+            if (either) editor.takeBack(field);
+            else editor.escape(field);
+          }
+          if (event.key !== 'Enter') return;
+          editor.leave(field);
+          // It asks first what was meant; the answers are the next thing that Tab comes to.
+          if (editor.asked.value.has(key)) event.preventDefault();
+          if (isLarge) event.currentTarget.select();
         }}
       />
-      {change && change.from !== null && (
-        <span class="was" id={wasId}>
-          {messages.value.program.was(formatValue(field, change.from))}
+      {unit && (
+        <span class="unit" id={id('unit')}>
+          {messages.value.times.units[unit]}
+        </span>
+      )}
+      {either && (
+        <TimeQuestion
+          label={label}
+          either={either}
+          onAnswer={(value, byKey) => {
+            editor.answer(field, value);
+            if (byKey) input.current?.focus();
+          }}
+          onEscape={() => {
+            editor.takeBack(field);
+            input.current?.focus();
+          }}
+        />
+      )}
+      {(spoken || (change && change.from !== null)) && (
+        <span class="below">
+          {spoken && (
+            <span class="spoken" id={id('spoken')}>
+              {spoken}
+            </span>
+          )}
+          {change && change.from !== null && (
+            <span class="was" id={id('was')}>
+              {messages.value.program.was(formatValue(field, change.from))}
+            </span>
+          )}
         </span>
       )}
       {notes.length > 0 && (
-        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={notesId}>
+        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={id('notes')}>
           {notes.map(({ text }) => text).join(' ')}
         </span>
       )}

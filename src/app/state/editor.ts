@@ -30,6 +30,7 @@ import {
 import { type FieldValue, withValues } from '../edit/edits.js';
 import type { History, StepName, Turned } from '../edit/history.js';
 import * as histories from '../edit/history.js';
+import type { Question } from '../units.js';
 import { steady } from './steady.js';
 
 /** What can be put back into an editor: see {@link Editor.snapshot}. */
@@ -38,6 +39,7 @@ export interface EditorContent extends Content {
   readonly history?: History<Content> | undefined;
 }
 
+const NOTHING_ASKED: ReadonlyMap<string, Question['either']> = new Map();
 const NOTHING_UNREADABLE: ReadonlyMap<string, UnreadableField> = new Map();
 
 /**
@@ -51,6 +53,8 @@ export class Editor {
   readonly fresh = signal(false, { name: 'fresh' });
   readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
   readonly #history = signal<History<Content>>(histories.EMPTY_HISTORY, { name: 'history' });
+  /** The field in which a text is being typed. */
+  readonly #typing = signal<string | null>(null, { name: 'typing' });
   readonly #moved = signal<ReadonlyMap<string, Change>>(new Map(), { name: 'moved' });
 
   /** What kind of timer the program on the screen is for; null when there is none. */
@@ -74,6 +78,14 @@ export class Editor {
     const working = this.working.value;
     const found = working && unreadableIn({ working, texts: this.#texts.value });
     return found && found.size > 0 ? found : NOTHING_UNREADABLE;
+  });
+  /** What each of these texts may mean: the pilot is asked. While one is being typed it is not finished, and he is not. */
+  readonly asked: ReadonlySignal<ReadonlyMap<string, Question['either']>> = computed(() => {
+    const typing = this.#typing.value;
+    const open = [...this.unreadable.value].flatMap(([key, { either }]): [string, Question['either']][] =>
+      either && key !== typing ? [[key, either]] : [],
+    );
+    return open.length > 0 ? new Map(open) : NOTHING_ASKED;
   });
   /** A DT below this is called short, in hundredths of a second. */
   readonly shortDt = signal(6000, { name: 'shortDt' });
@@ -113,16 +125,51 @@ export class Editor {
   type(field: ProgramField, text: string): void {
     const key = fieldKey(field);
     const step: StepName = { code: 'type', params: { field: key } };
-    this.#change(step, histories.groupOf('type', key), (content) => typed(content, field, text));
+    const group = histories.groupOf('type', key);
+    const { open, past } = this.#history.value;
+    const began = open === group ? past.at(-1)?.state.working : undefined;
+    batch(() => {
+      this.#change(step, group, (content) => typed(content, field, text, began ?? content.working));
+      this.#typing.value = key;
+    });
   }
 
-  /** The field was left: a text that has a value gives way to that value's usual form. */
+  /**
+   * The field was left, or Enter was pressed in it: a text that has a value gives way to that value's usual form. One that may mean two things
+   * is asked about: see {@link asked}.
+   */
   leave(field: ProgramField): void {
     const key = fieldKey(field);
     batch(() => {
+      if (this.#typing.value === key) this.#typing.value = null;
       if (!this.unreadable.value.has(key)) this.#texts.value = without(this.#texts.value, [key]);
       this.settle();
     });
+  }
+
+  /** What was asked about the text in a field is answered, as part of the same step: it is this value. */
+  answer(field: ProgramField, value: number): void {
+    const key = fieldKey(field);
+    const group = histories.groupOf('type', key);
+    batch(() => {
+      if (this.#endsWithTyping(key)) this.#history.value = { ...this.#history.value, open: group };
+      this.apply([{ field, value }], { code: 'type', params: { field: key } }, group);
+      this.settle();
+    });
+  }
+
+  /** What was asked is not answered: the text is taken back, or where more was done since then the field is put back to what the timer holds. */
+  takeBack(field: ProgramField): void {
+    if (this.#endsWithTyping(fieldKey(field))) this.undo();
+    else this.revert(field);
+  }
+
+  /** Whether the last thing that was done is typing in this field. */
+  #endsWithTyping(key: string): boolean {
+    const last = this.#history.value.past.at(-1)?.name;
+    if (last?.code !== 'type') return false;
+    const { field } = last.params;
+    return field === key;
   }
 
   /**
