@@ -23,6 +23,11 @@ export interface TimerQuirks extends LayoutQuirks {
   readonly idleThrottleOnQOnly?: boolean;
   /** SETSERVO is answered, but kept only for the function the servos were last moved to. */
   readonly servoNeedsMove?: boolean;
+  /**
+   * Whether SETSERVO alone moves the servo (rows 15 and 17 of the protocol page leave it open): never, when the servos stand at that function,
+   * or whatever function they stand at. Default `there`.
+   */
+  readonly setMoves?: 'never' | 'there' | 'always';
   /** The adapter returns every byte that is sent to the timer. */
   readonly echo?: boolean;
 }

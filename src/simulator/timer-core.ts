@@ -157,7 +157,8 @@ export class TimerCore {
     if (this.#quirks.servoNeedsMove && this.column !== column) return;
     const row = this.content.positions[servo] as number[];
     row[column] = position;
-    if (this.column === column) this.servos[servo] = position;
+    const { setMoves = 'there' } = this.#quirks;
+    if (setMoves === 'always' || (setMoves === 'there' && this.column === column)) this.servos[servo] = position;
   }
 
   #positionsAt(column: number): number[] {

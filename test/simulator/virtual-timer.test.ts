@@ -75,6 +75,19 @@ describe('the virtual timer', () => {
     expect(timer.core.servos).toEqual([40, 35, 35]);
   });
 
+  it.each([
+    ['never', [35, 35, 35]],
+    ['there', [40, 35, 35]],
+    ['always', [40, 50, 35]],
+  ] as const)('when a position is stored, servos move: %s', async (setMoves, servos) => {
+    const { timer, ask } = timerOnLine({ quirks: { setMoves } });
+    await ask({ name: 'MOVETOFUNC', function: 2 });
+    await ask({ name: 'SETSERVO', servo: 0, function: 2, position: 40 });
+    await ask({ name: 'SETSERVO', servo: 1, function: 5, position: 50 });
+    expect(timer.core.servos).toEqual(servos);
+    expect([timer.core.content.positions[0]?.[2], timer.core.content.positions[1]?.[5]]).toEqual([40, 50]);
+  });
+
   it('keeps silent on damage, on values out of range and on what is no request', async () => {
     const { send, timer } = timerOnLine();
     for (const hex of [
