@@ -2,6 +2,7 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Platform } from './platform.js';
 import { Bench } from './state/bench.js';
+import { Follow } from './state/follow.js';
 import { Keeping, type Lack } from './state/keeping.js';
 import { Memories } from './state/memories.js';
 import type { TabChannel } from './state/other-tabs.js';
@@ -22,6 +23,7 @@ export interface AppModels {
   readonly recover: Recover;
   readonly memories: Memories;
   readonly bench: Bench;
+  readonly follow: Follow;
   readonly theme: Theme;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
@@ -56,12 +58,15 @@ export function createModels({ platform, channel, lacks, ...options }: ModelOpti
   const memories = new Memories(session);
   const isWriting = (): boolean =>
     write.current.value?.step === 'running' || memories.current.value?.step === 'running';
+  const isElsewhere = (): boolean => write.current.value !== null || memories.current.value !== null;
+  const bench = new Bench(session, isElsewhere);
   return {
     session,
     keeping,
     write,
     memories,
-    bench: new Bench(session, () => write.current.value !== null || memories.current.value !== null),
+    bench,
+    follow: new Follow(session, bench, isElsewhere),
     theme: new Theme(),
     preferences: new Preferences(session.editor),
     recover: new Recover(session, write),

@@ -31,7 +31,7 @@ export function openPage(root: HTMLElement): AppModels | null {
     channel: doors.channel,
     lacks: lacksOf(doors),
   });
-  const { session, write, memories, bench, update, keeping, theme } = models;
+  const { session, write, memories, follow, update, keeping, theme } = models;
   tried(() => theme.follow(document, doors.dark));
   render(<App models={models} />, root);
   void session.start();
@@ -44,7 +44,7 @@ export function openPage(root: HTMLElement): AppModels | null {
     else removeEventListener('beforeunload', warn);
   });
   keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
-  document.addEventListener('visibilitychange', () => document.hidden && void bench.stopFollowing());
+  document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
   onWake(() => session.link.recheck());
   tried(() =>
     registerOffline({

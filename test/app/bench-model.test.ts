@@ -5,7 +5,7 @@ import type { Request } from '../../src/protocol/index.js';
 import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from './bench.js';
 
 const S2: ProgramField = { kind: 'position', servo: 1, column: 4 };
-const S3: ProgramField = { kind: 'position', servo: 2, column: 5 };
+const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
 const DT: ProgramField = { kind: 'time', column: 10 };
 
 afterEach(() => localStorage.clear());
@@ -20,10 +20,12 @@ async function safeBench(options: BenchOptions = {}) {
 
 type SafeBench = Awaited<ReturnType<typeof safeBench>>;
 
+/** A bench whose servos stand at function 4 and follow. */
 async function followingBench(options: BenchOptions = {}) {
   const app = await safeBench(options);
-  await run(app.bench.follow());
-  expect(app.bench.following.value).toBe(true);
+  await run(app.bench.moveTo(4));
+  await run(app.follow.start());
+  expect(app.follow.on.value).toBe(true);
   app.timer.core.answered.length = 0;
   return app;
 }
@@ -58,13 +60,13 @@ describe('moving to a function', () => {
   });
 
   it('waits for the word that it is safe', async () => {
-    const { bench, session, timer } = await safeBench();
+    const { bench, follow, session, timer } = await safeBench();
     session.safe.value = false;
     expect(await bench.moveTo(4)).toBe(false);
     expect(await bench.unlock()).toBe(false);
     expect(await bench.jump()).toBe(false);
-    await run(bench.follow());
-    expect([bench.following.value, timer.core.answered.length]).toEqual([false, 0]);
+    await run(follow.start());
+    expect([follow.on.value, timer.core.answered.length]).toEqual([false, 0]);
   });
 
   it('does nothing while a write is open', async () => {
@@ -154,7 +156,7 @@ describe('following', () => {
   it('reads afresh and keeps a backup before it begins, and sends no edit from before', async () => {
     const app = await safeBench();
     set(app, S2, 70);
-    await run(app.bench.follow());
+    await run(app.follow.start());
     await idle();
     expect(app.timer.core.answered.map(({ name }) => name)).toContain('GETSERVOPOS');
     expect(app.session.backups.list.value[0]?.program).toEqual(app.editor.baseline.value);
@@ -168,7 +170,7 @@ describe('following', () => {
     await idle();
     expect([stored(app), heldBy(app, S2)]).toEqual([[70], 70]);
     expect(app.editor.dirty.value).toBe(false);
-    expect(app.bench.tried.value.map(({ field, to }) => [field, to])).toEqual([[S2, 70]]);
+    expect(app.follow.trials.tried.value.map(({ field, to }) => [field, to])).toEqual([[S2, 70]]);
   });
 
   it('sends one at a time, leaves out what has gone by, and ends at the last value', async () => {
@@ -208,7 +210,7 @@ describe('following', () => {
     set(app, S2, 131);
     await idle();
     expect(app.timer.core.answered).toEqual([]);
-    expect(app.bench.following.value).toBe(true);
+    expect(app.follow.on.value).toBe(true);
   });
 
   it('ends with a fresh read, and what was tried can be kept', async () => {
@@ -216,18 +218,19 @@ describe('following', () => {
     set(app, S2, 70);
     await idle();
     app.timer.core.answered.length = 0;
-    await run(app.bench.stopFollowing());
+    await run(app.follow.stop());
     expect(app.timer.core.answered.map(({ name }) => name)).toContain('GETSERVOPOS');
-    expect(app.bench.tried.value).toHaveLength(1);
-    app.bench.keep();
-    expect([app.bench.trial.value, heldBy(app, S2)]).toEqual([null, 70]);
+    expect(app.follow.trials.tried.value).toHaveLength(1);
+    app.follow.keep();
+    expect([app.follow.trials.current.value, heldBy(app, S2)]).toEqual([null, 70]);
   });
 
   it('ends behind the command that is under way', async () => {
-    const app = await followingBench();
+    const app = await followingBench({ latency: 20 });
     set(app, S2, 70);
+    await vi.advanceTimersByTimeAsync(5);
     expect(app.session.busy.value).toBe(true);
-    await run(app.bench.stopFollowing());
+    await run(app.follow.stop());
     expect(app.timer.core.answered.map(({ name }) => name)).toEqual([
       'SETSERVO',
       'GETMEMORY',
@@ -235,7 +238,7 @@ describe('following', () => {
       'GETSERVOPOS',
       'GETLOWRPM',
     ]);
-    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
   });
 
   it('can be put back by a write, and then nothing is left to decide', async () => {
@@ -243,31 +246,31 @@ describe('following', () => {
     const before = heldBy(app, S2);
     set(app, S2, 70);
     await idle();
-    await run(app.bench.stopFollowing());
-    app.editor.apply(app.bench.takeBack(), { code: 'restore', params: {} });
+    await run(app.follow.stop());
+    app.editor.apply(app.follow.trials.takeBack(), { code: 'restore', params: {} });
     await run(app.write.open());
     await run(app.write.start());
-    expect([heldBy(app, S2), app.bench.trial.value]).toEqual([before, null]);
+    expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
   });
 
   it('leaves out of the choice what was written otherwise', async () => {
     const app = await followingBench();
     set(app, S2, 70);
     await idle();
-    await run(app.bench.stopFollowing());
+    await run(app.follow.stop());
     set(app, S3, 20);
     set(app, DT, 20000);
     await run(app.write.open());
     await run(app.write.start());
     expect(app.timer.core.content.timers[10]).toBe(20000);
-    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 70 }]);
-    expect(app.bench.takeBack()).toMatchObject([{ field: S2 }]);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+    expect(app.follow.trials.takeBack()).toMatchObject([{ field: S2 }]);
   });
 
   it('forgets a trial in which nothing was tried', async () => {
     const app = await followingBench();
-    await run(app.bench.stopFollowing());
-    expect(app.bench.trial.value).toBeNull();
+    await run(app.follow.stop());
+    expect(app.follow.trials.current.value).toBeNull();
   });
 
   it('is off after every connect, and what was tried can still be decided', async () => {
@@ -276,37 +279,38 @@ describe('following', () => {
     await idle();
     app.adapter.unplug();
     await idle();
-    expect(app.bench.following.value).toBe(false);
+    expect(app.follow.on.value).toBe(false);
     app.adapter.replug();
     await idle(60_000);
-    expect([app.session.connection.value !== null, app.bench.following.value]).toEqual([true, false]);
+    expect([app.session.connection.value !== null, app.follow.on.value]).toEqual([true, false]);
     set(app, S3, 20);
     await idle();
     expect(stored(app)).toEqual([70]);
-    expect(app.bench.tried.value).toHaveLength(1);
+    expect(app.follow.trials.tried.value).toHaveLength(1);
   });
 
   it('ends when the timer no longer answers, and when another memory is selected', async () => {
     const app = await followingBench();
     await run(app.session.selectMemory(1));
-    expect(app.bench.following.value).toBe(false);
+    expect(app.follow.on.value).toBe(false);
     app.session.safe.value = true;
-    await run(app.bench.follow());
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
     app.timer.core.sleep();
     set(app, S2, 70);
     await idle();
-    expect(app.bench.following.value).toBe(false);
+    expect(app.follow.on.value).toBe(false);
   });
 
   it.each<[what: string, done: (app: SafeBench) => unknown]>([
-    ['it was called off', ({ bench }) => bench.stopFollowing()],
+    ['it was called off', ({ follow }) => follow.stop()],
     ['it was no longer said to be safe', ({ session }) => Object.assign(session.safe, { value: false })],
   ])('does not begin when %s while the timer was read', async (_, done) => {
     const app = await safeBench();
-    const starting = app.bench.follow();
+    const starting = app.follow.start();
     await done(app);
     await run(starting);
-    expect(app.bench.following.value).toBe(false);
+    expect(app.follow.on.value).toBe(false);
   });
 
   it('does not begin again before it is decided what becomes of what was tried', async () => {
@@ -314,35 +318,35 @@ describe('following', () => {
     const before = heldBy(app, S2);
     set(app, S2, 70);
     await idle();
-    await run(app.bench.stopFollowing());
-    await run(app.bench.follow());
-    expect(app.bench.following.value).toBe(false);
-    expect(app.bench.takeBack()).toEqual([{ field: S2, value: before }]);
+    await run(app.follow.stop());
+    await run(app.follow.start());
+    expect(app.follow.on.value).toBe(false);
+    expect(app.follow.trials.takeBack()).toEqual([{ field: S2, value: before }]);
   });
 
   it('is off when another memory turns out to be current, also one in which something was tried', async () => {
     const app = await safeBench();
     await run(app.session.selectMemory(1));
-    await run(app.bench.follow());
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
     set(app, S3, 7);
     await idle();
     await run(app.session.selectMemory(0));
-    await run(app.bench.follow());
-    expect(app.bench.following.value).toBe(true);
+    await run(app.follow.start());
+    expect(app.follow.on.value).toBe(true);
     app.timer.core.memory = 1;
     await run(app.session.read());
-    expect([app.editor.working.value?.memory, app.bench.following.value]).toEqual([1, false]);
+    expect([app.editor.working.value?.memory, app.follow.on.value]).toEqual([1, false]);
   });
 
-  it('sends nothing while a write is open', async () => {
+  it('is off once a write is shown, and nothing is sent behind it', async () => {
     const app = await followingBench();
     await run(app.write.open());
+    expect(app.follow.on.value).toBe(false);
     set(app, S2, 70);
-    await idle();
-    expect(stored(app)).toEqual([]);
     app.write.dismiss();
     await idle();
-    expect(stored(app)).toEqual([70]);
+    expect(stored(app)).toEqual([]);
   });
 
   it('sends no value behind a text that is none', async () => {
@@ -366,7 +370,7 @@ describe('following', () => {
     await run(app.session.selectMemory(1));
     app.timer.core.onAnswer = undefined;
     const { memory } = app.timer.core;
-    expect([app.bench.following.value, app.session.memoryOpen.value]).toEqual([false, false]);
+    expect([app.follow.on.value, app.session.memoryOpen.value]).toEqual([false, false]);
     expect(app.editor.working.value?.memory, 'what is shown is current').toBe(memory);
     set(app, S2, 66);
     await idle();
@@ -378,7 +382,7 @@ describe('following', () => {
     app.memories.open({ kind: 'back-up' });
     const walking = app.memories.start();
     await Promise.resolve();
-    expect(app.bench.following.value).toBe(false);
+    expect(app.follow.on.value).toBe(false);
     await run(walking);
     expect(app.session.memoryOpen.value).toBe(false);
   });
@@ -394,7 +398,7 @@ describe('following', () => {
     app.adapter.replug();
     await idle(60_000);
     expect(heldBy(app, S2)).toBe(66);
-    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
   });
 
   it('keeps a choice for each memory', async () => {
@@ -402,16 +406,17 @@ describe('following', () => {
     set(app, S2, 66);
     await idle();
     await run(app.session.selectMemory(1));
-    await run(app.bench.follow());
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
     set(app, S3, 7);
     await idle();
-    await run(app.bench.stopFollowing());
-    expect(app.bench.tried.value).toMatchObject([{ field: S3, to: 7 }]);
+    await run(app.follow.stop());
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S3, to: 7 }]);
     await run(app.session.selectMemory(0));
-    expect(app.bench.tried.value).toMatchObject([{ field: S2, to: 66 }]);
-    app.bench.keep();
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    app.follow.keep();
     await run(app.session.selectMemory(1));
-    expect(app.bench.tried.value).toMatchObject([{ field: S3, to: 7 }]);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S3, to: 7 }]);
   });
 
   it('leaves the choice open through a reload', async () => {
@@ -420,12 +425,12 @@ describe('following', () => {
     await idle();
     const after = await reloaded(app);
     await run(after.session.connect());
-    expect(after.bench.following.value).toBe(false);
-    expect(after.bench.tried.value).toMatchObject([{ field: S2, to: 66 }]);
-    after.bench.keep();
+    expect(after.follow.on.value).toBe(false);
+    expect(after.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    after.follow.keep();
     const later = await reloaded(after);
     await run(later.session.connect());
-    expect(later.bench.tried.value).toEqual([]);
+    expect(later.follow.trials.tried.value).toEqual([]);
   });
 
   it('keeps its choice beside those of other tabs', async () => {
@@ -435,7 +440,7 @@ describe('following', () => {
     set(app, S2, 66);
     await idle();
     expect(kept().map(({ key }) => key)).toEqual([expect.any(String), 'of another tab']);
-    app.bench.keep();
+    app.follow.keep();
     expect(kept().map(({ key }) => key)).toEqual(['of another tab']);
   });
 
@@ -450,17 +455,17 @@ describe('following', () => {
     localStorage.setItem('sidus-timer/trials', JSON.stringify([kept]));
     const after = await reloaded(app);
     await run(after.session.connect());
-    expect([after.bench.trial.value, after.editor.working.value?.positions[1]?.[4]]).toEqual([null, 66]);
+    expect([after.follow.trials.current.value, after.editor.working.value?.positions[1]?.[4]]).toEqual([null, 66]);
   });
 
   it('keeps what was tried on the screen too, when putting it back was begun and not written', async () => {
     const app = await followingBench();
     set(app, S2, 66);
     await idle();
-    await run(app.bench.stopFollowing());
-    app.editor.apply(app.bench.takeBack(), { code: 'restore', params: {} });
+    await run(app.follow.stop());
+    app.editor.apply(app.follow.trials.takeBack(), { code: 'restore', params: {} });
     expect(app.editor.changes.value).toHaveLength(1);
-    app.bench.keep();
-    expect([app.editor.changes.value, app.bench.trial.value]).toEqual([[], null]);
+    app.follow.keep();
+    expect([app.editor.changes.value, app.follow.trials.current.value]).toEqual([[], null]);
   });
 });

@@ -48,7 +48,8 @@ async function flip(): Promise<void> {
   await idle();
 }
 
-const isOn = () => screen.getByRole('switch').getAttribute('aria-checked') === 'true';
+const isOn = () =>
+  screen.getByRole('switch', { name: 'Servos follow the positions' }).getAttribute('aria-checked') === 'true';
 
 describe('the bench', () => {
   it('moves the servos to a function, says so, and steps to the next and the previous one', async () => {
@@ -149,23 +150,34 @@ describe('hold to unlock', () => {
 });
 
 describe('servos that follow', () => {
+  const row = (name: string): HTMLElement => screen.getByRole('row', { name: new RegExp(`^${name}`) });
+  const isMarked = (name: string): boolean => within(row(name)).queryByText('servos here') !== null;
+  const note = (): string => document.querySelector('.actions')?.textContent ?? '';
+  const positions = ({ timer }: AppBench): [stored: number | undefined, servo: number | undefined] => [
+    timer.core.content.positions[1]?.[4],
+    timer.core.servos[1],
+  ];
+
   it('move with the field, and what was tried is kept', async () => {
     const app = await opened();
+    await press('Function 4');
     await flip();
     expect(isOn()).toBe(true);
+    expect([isMarked('Function 4'), isMarked('Function 5')]).toEqual([true, false]);
     await type('Function 4, S2', '70');
-    expect(app.timer.core.content.positions[1]?.[4]).toBe(70);
+    expect(positions(app)).toEqual([70, 70]);
     expect(screen.getAllByText('Tried: 1 position.').length).toBeGreaterThan(0);
     await press('Stop following');
-    expect(isOn()).toBe(false);
+    expect([isOn(), isMarked('Function 4'), note().includes('has stopped')]).toEqual([false, false, false]);
     await press('Keep it');
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
-    expect(app.timer.core.content.positions[1]?.[4]).toBe(70);
+    expect(positions(app)[0]).toBe(70);
   });
 
   it('are put back by a write that shows what it does', async () => {
     const app = await opened();
     const before = app.timer.core.content.positions[1]?.[4];
+    await press('Function 4');
     await flip();
     await type('Function 4, S2', '70');
     await flip();
@@ -176,5 +188,88 @@ describe('servos that follow', () => {
     await idle();
     expect(app.timer.core.content.positions[1]?.[4]).toBe(before);
     expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
+  });
+
+  it('are offered to be moved to a function that is edited, under its row', async () => {
+    const app = await opened();
+    await flip();
+    expect(note()).toContain('Where the servos stand is not known here.');
+    await type('Function 4, S2', '70');
+    expect(positions(app)).toEqual([55, 115]);
+    const offer = screen.getByRole('button', { name: 'Move the servos to function 4' });
+    expect(offer.closest('tr')?.previousElementSibling).toBe(row('Function 4'));
+    expect(offer.closest('tr')?.textContent).toContain('Not in the timer yet.');
+    await press('Move the servos to function 4');
+    expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
+    expect(screen.queryByRole('button', { name: /^Move the servos/ })).toBeNull();
+    expect(document.activeElement?.getAttribute('aria-label')).toBe('Function 4, S2');
+    expect(note()).toContain('Servos at function 4');
+    await type('Function 5, S2', '7');
+    expect(screen.getByRole('button', { name: 'Move the servos to function 5' }).closest('tr')?.textContent).toContain(
+      'Servos at function 4',
+    );
+  });
+
+  it('go to the function that is edited only when that is switched on', async () => {
+    const app = await opened();
+    const going = () => screen.queryByRole('switch', { name: 'Go to the function I edit' });
+    expect(going()).toBeNull();
+    await flip();
+    expect(going()?.getAttribute('aria-checked')).toBe('false');
+    fireEvent.click(going() as HTMLElement);
+    await idle();
+    expect(going()?.getAttribute('aria-checked')).toBe('true');
+    await type('Function 4, S2', '70');
+    expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
+    await flip();
+    await press('Keep it');
+    await flip();
+    expect(going()?.getAttribute('aria-checked')).toBe('false');
+  });
+
+  it('are told apart from what waits for a write', async () => {
+    await opened();
+    await press('Function 4');
+    await flip();
+    expect(note()).not.toContain('Times wait');
+    await type('Function 4, S2', '70');
+    expect(note()).toContain('1 tried in the timer');
+    expect(note()).not.toContain('for Write');
+    await type('Function 4, S1', '71');
+    await type('Function 9 time', '25');
+    expect(note()).toContain('2 tried in the timer, 1 waits for Write');
+    expect(note()).toContain('Times wait for Write.');
+    await type('Function 5, S1', '7');
+    expect(note()).toContain('2 tried in the timer, 2 wait for Write');
+  });
+
+  it('say why they have stopped, whether the timer was read since, and what may have moved', async () => {
+    const { timer } = await opened();
+    await press('Function 4');
+    await flip();
+    await press('Read again');
+    expect(note()).toContain(
+      'Following has stopped: something else was done with the timer. The timer was read since.',
+    );
+    await press('Dismiss');
+    expect(note()).not.toContain('has stopped');
+    await flip();
+    timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && timer.core.sleep();
+    await type('Function 4, S2', '70');
+    expect(note()).toContain('a command was not acknowledged. The timer was not read since.');
+    expect(note()).toContain('the servos may have moved to function 4 all the same');
+  });
+
+  it('ask before they do so without a backup', async () => {
+    const app = await opened();
+    await press('Function 4');
+    app.store.broken = true;
+    await flip();
+    expect(isOn()).toBe(false);
+    expect(screen.getByRole('alert').textContent).toContain('could not keep a backup');
+    await press('Follow without a backup');
+    expect(isOn()).toBe(true);
+    await type('Function 4, S2', '70');
+    expect(positions(app)).toEqual([70, 70]);
   });
 });

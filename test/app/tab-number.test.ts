@@ -200,10 +200,11 @@ describe.each([
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
     const benches = [await trying({ store, tab: tabs[0].page() }), await trying({ store, tab: tabs[1].page() })];
-    const tried = ({ bench }: AppBench) => bench.tried.value.map(({ to }) => to);
-    for (const [i, { session, bench, editor }] of benches.entries()) {
+    const tried = ({ follow }: AppBench) => follow.trials.tried.value.map(({ to }) => to);
+    for (const [i, { session, bench, follow, editor }] of benches.entries()) {
       session.safe.value = true;
-      await run(bench.follow());
+      await run(bench.moveTo(2));
+      await run(follow.start());
       editor.type(S1, `${7 + i}`);
       await idle();
     }
@@ -212,7 +213,7 @@ describe.each([
     expect(kept[1]?.key).toBe(`${kept[0]?.key}/2`);
     tabs[0].close();
     const again = await appBench({ store, tab: tabs[0].page() });
-    expect(again.bench.trial.value?.before.positions[0]?.[2]).toBe(35);
+    expect(again.follow.trials.current.value?.before.positions[0]?.[2]).toBe(35);
   });
 });
 

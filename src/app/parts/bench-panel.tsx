@@ -1,10 +1,10 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
-import { fieldKey } from '../../program/index.js';
 import { columnCount, type Identity } from '../../protocol/index.js';
-import { columnLabel, fieldLabel, messages } from '../messages/index.js';
+import { columnLabel, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import type { Done } from '../state/bench.js';
+import { doneText } from './bench-text.js';
+import { FollowSwitch } from './follow-panel.js';
 import { HoldButton } from './hold-button.js';
 import { SafetyCheck } from './safety-check.js';
 
@@ -38,7 +38,7 @@ function Controls({ identity }: { identity: Identity }) {
       {connected && <SafetyCheck />}
       <Said identity={identity} />
       {connected && <Columns identity={identity} />}
-      {connected && <Follow />}
+      {connected && <FollowSwitch identity={identity} />}
       {connected && identity.timerClass === 'Q' && <Motor />}
       {connected && <Experimental />}
     </>
@@ -51,26 +51,9 @@ function Said({ identity }: { identity: Identity }) {
   const { value } = bench.done;
   return (
     <p class={`bench-said ${value && !value.certain ? 'bad-text' : ''}`} role="status">
-      {doneText(identity, value)}
+      {doneText(identity, value, bench.stand.at.value)}
     </p>
   );
-}
-
-function doneText(identity: Identity, done: Done | null): string {
-  const { bench: words } = messages.value;
-  if (!done) return words.atNone;
-  const { action, certain } = done;
-  if (action.kind === 'move') {
-    const column = inSentence(columnLabel(identity, action.column));
-    return certain ? words.at(column) : words.moveMaybe(column);
-  }
-  if (action.kind === 'unlock') return certain ? words.unlocked : words.unlockMaybe;
-  return certain ? words.jumped : words.jumpMaybe;
-}
-
-/** “Servos at function 4”, but “Servos at DT”. */
-function inSentence(label: string): string {
-  return /^[A-Z][a-z]/.test(label) ? label.charAt(0).toLowerCase() + label.slice(1) : label;
 }
 
 /** Start to DT, and steps from one to the next. */
@@ -78,8 +61,9 @@ function Columns({ identity }: { identity: Identity }) {
   const { bench } = useModels();
   const { bench: words } = messages.value;
   const ready = bench.ready.value;
+  const at = bench.stand.at.value;
   const action = bench.done.value?.action;
-  const at = action?.kind === 'move' ? action.column : null;
+  const last = at ?? (action?.kind === 'move' ? action.column : null);
   const count = columnCount(identity);
   const go = (column: number) => () => void (ready && bench.moveTo(column));
   return (
@@ -87,8 +71,8 @@ function Columns({ identity }: { identity: Identity }) {
       <legend>{words.columns}</legend>
       <div class="bench-steps">
         {[
-          { name: words.previous, to: at === null ? null : at - 1, path: 'M12 4L6 10L12 16' },
-          { name: words.next, to: at === null ? 0 : at + 1, path: 'M8 4L14 10L8 16' },
+          { name: words.previous, to: last === null ? null : last - 1, path: 'M12 4L6 10L12 16' },
+          { name: words.next, to: last === null ? 0 : last + 1, path: 'M8 4L14 10L8 16' },
         ].map(({ name, to, path }) => {
           const can = ready && to !== null && to >= 0 && to < count;
           return (
@@ -117,92 +101,6 @@ function Columns({ identity }: { identity: Identity }) {
         ))}
       </div>
     </fieldset>
-  );
-}
-
-/** The switch, and what becomes of what was tried. */
-function Follow() {
-  const { session, bench } = useModels();
-  const { bench: words } = messages.value;
-  const { editor } = session;
-  const on = bench.following.value;
-  const tried = bench.tried.value;
-  const identity = editor.identity.value;
-  if (!identity) return null;
-  const open = !on && tried.length > 0;
-  const isWaiting = on && editor.changes.value.some(({ field }) => !bench.trial.value?.touched.has(fieldKey(field)));
-  return (
-    <section class={`bench-follow ${on ? 'on' : ''}`}>
-      <button
-        type="button"
-        class="switch"
-        role="switch"
-        aria-checked={on}
-        aria-disabled={!on && (open || !bench.ready.value)}
-        onClick={() => void (on ? bench.stopFollowing() : bench.follow())}
-      >
-        <span class="switch-track" aria-hidden="true" />
-        {words.follow}
-      </button>
-      <p class="hint">{on ? words.followingNow : words.followHint}</p>
-      {isWaiting && <p class="hint">{words.followPending}</p>}
-      {(on || open) && <p role="status">{words.tried(tried.length)}</p>}
-      {open && (
-        <ul>
-          {tried.map(({ field, from, to }) => (
-            <li key={fieldKey(field)}>{words.triedOf(fieldLabel(identity, field), String(from), String(to))}</li>
-          ))}
-        </ul>
-      )}
-    </section>
-  );
-}
-
-/** Where fields are edited it has to be in sight that they move the servos, and that a choice is open. */
-export function FollowNote() {
-  const { bench } = useModels();
-  const { bench: words } = messages.value;
-  const { length } = bench.tried.value;
-  if (bench.following.value) {
-    return (
-      <div class="follow-note">
-        <strong>{words.followingNow}</strong>
-        <button type="button" onClick={() => void bench.stopFollowing()}>
-          {words.stopFollowing}
-        </button>
-      </div>
-    );
-  }
-  if (length === 0) return null;
-  return (
-    <div class="follow-note">
-      <strong>
-        {words.tried(length)} {words.decide}
-      </strong>
-      <Decide />
-    </div>
-  );
-}
-
-function Decide() {
-  const { session, bench, write } = useModels();
-  const { bench: words } = messages.value;
-  return (
-    <div class="buttons">
-      <button type="button" class="primary" onClick={() => bench.keep()}>
-        {words.keep}
-      </button>
-      <button
-        type="button"
-        disabled={session.busy.value || session.editor.blocked.value}
-        onClick={() => {
-          session.editor.apply(bench.takeBack(), { code: 'restore', params: {} });
-          void write.open();
-        }}
-      >
-        {words.putBack}
-      </button>
-    </div>
   );
 }
 

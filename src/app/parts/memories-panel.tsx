@@ -54,7 +54,7 @@ export function BackupsPanel() {
 }
 
 function BackupRow({ set }: { set: readonly Backup[] }) {
-  const { session, memories, bench } = useModels();
+  const { session, memories, follow } = useModels();
   const { backups: words, memories: all, memoryName, recovery } = messages.value;
   const [first] = set;
   if (!first) return null;
@@ -62,7 +62,7 @@ function BackupRow({ set }: { set: readonly Backup[] }) {
   const working = session.editor.working.value;
   const fits = working !== null && sameLayout(working.identity, identity);
   // What is shown would be stored at once.
-  const canShow = fits && !bench.following.value;
+  const canShow = fits && !follow.on.value;
   const isSet = first.reason === 'memories';
   const name = memory === null ? recovery.unknownMemory : memoryName(memory);
   return (

@@ -16,6 +16,7 @@ import { IntervalField } from './interval-field.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { RangeBar } from './range-bar.js';
 import { useRangePointer } from './range-pointer.js';
+import { ServosHere, ServosOffer } from './servos-here.js';
 import { tableClipboard } from './table-clipboard.js';
 import { cellAt, cellOf, onTableKey } from './table-keys.js';
 import { useHeight } from './use-height.js';
@@ -176,6 +177,7 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
       <tr class={columnKind(identity, column)} data-column={column}>
         <th scope="row">
           {name}
+          <ServosHere column={column} />
           {changed && (
             <button
               type="button"
@@ -210,6 +212,7 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
           </td>
         </tr>
       )}
+      <ServosOffer identity={identity} column={column} width={servos.length + 3} />
     </>
   );
 }

@@ -122,7 +122,9 @@ export class FrameForm {
       this.#result.value = null;
     });
     try {
-      this.#result.value = { reply: await connection.client.send(frame.code, frame.data) };
+      const answer = connection.client.send(frame.code, frame.data);
+      if (effect !== 'reads') session.servoMoves.mayMove();
+      this.#result.value = { reply: await answer };
     } catch (error) {
       // A lost port says so itself, once.
       if (session.connection.value === connection) session.report(error);

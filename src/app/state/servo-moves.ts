@@ -6,7 +6,7 @@ import type { TimerConnection } from '../../serial/index.js';
 export class ServoMoves {
   /** The pilot agrees that the servos move to each function before its positions are stored. */
   readonly allowed = signal(false, { name: 'moveServos' });
-  /** How many writes may have moved them: where they stand is not known since. */
+  /** How often something other than the bench may have moved them: where they stand is not known since. */
   readonly count = signal(0, { name: 'servoMoves' });
   readonly #connection: ReadonlySignal<TimerConnection | null>;
   readonly #safe: ReadonlySignal<boolean>;
@@ -22,6 +22,11 @@ export class ServoMoves {
     return this.#connection.value?.client.quirksAssumed.positionsNeedMove === true;
   }
 
+  /** Something that is about to go out, as a frame by hand, may move them. */
+  mayMove(): void {
+    this.count.value++;
+  }
+
   /** Another write is about to be shown. */
   ask(): void {
     this.allowed.value = false;
@@ -35,7 +40,7 @@ export class ServoMoves {
     const isAllowed = this.allowed.value && this.needed && this.#safe.value;
     batch(() => {
       this.allowed.value = false;
-      if (isAllowed) this.count.value++;
+      if (isAllowed) this.mayMove();
     });
     return isAllowed;
   }

@@ -1,0 +1,152 @@
+import type { ComponentChildren } from 'preact';
+import { fieldKey } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { fieldLabel, messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { doneText, standText } from './bench-text.js';
+
+/** The switches, and what becomes of what was tried. */
+export function FollowSwitch({ identity }: { readonly identity: Identity }) {
+  const { bench, follow } = useModels();
+  const { bench: words } = messages.value;
+  const on = follow.on.value;
+  const tried = follow.trials.tried.value;
+  const open = !on && tried.length > 0;
+  const isStarting = follow.starting.value;
+  return (
+    <section class={`bench-follow ${on ? 'on' : ''}`}>
+      <Switch
+        on={on}
+        disabled={!on && (open || isStarting || !bench.ready.value)}
+        onClick={() => void (on ? follow.stop() : follow.start())}
+      >
+        {words.follow}
+      </Switch>
+      <p class="hint">{on ? words.followingNow : isStarting ? words.starting : words.followHint}</p>
+      {follow.unkept.value && (
+        <div role="alert">
+          <p class="bad-text">{words.unkept}</p>
+          <div class="buttons">
+            <button type="button" onClick={() => follow.startUnkept()}>
+              {words.followUnkept}
+            </button>
+            <button type="button" onClick={() => follow.cancelUnkept()}>
+              {words.cancel}
+            </button>
+          </div>
+        </div>
+      )}
+      {on && (
+        <>
+          <Switch on={follow.going.value} onClick={() => follow.setGoing(!follow.going.value)}>
+            {words.going}
+          </Switch>
+          <p class="hint">{words.goingHint}</p>
+        </>
+      )}
+      {on && follow.hasEarlier.value && <p class="hint">{words.followPending}</p>}
+      {(on || open) && <p role="status">{words.tried(tried.length)}</p>}
+      {open && (
+        <ul>
+          {tried.map(({ field, from, to }) => (
+            <li key={fieldKey(field)}>{words.triedOf(fieldLabel(identity, field), String(from), String(to))}</li>
+          ))}
+        </ul>
+      )}
+    </section>
+  );
+}
+
+interface SwitchProps {
+  readonly on: boolean;
+  readonly disabled?: boolean;
+  readonly onClick: () => void;
+  readonly children: ComponentChildren;
+}
+
+function Switch({ on, disabled = false, onClick, children }: SwitchProps) {
+  return (
+    <button type="button" class="switch" role="switch" aria-checked={on} aria-disabled={disabled} onClick={onClick}>
+      <span class="switch-track" aria-hidden="true" />
+      {children}
+    </button>
+  );
+}
+
+/** Where fields are edited it has to be in sight that they move the servos, how that ended, and that a choice is open. */
+export function FollowNote() {
+  const { session, bench, follow } = useModels();
+  const { bench: words } = messages.value;
+  const identity = session.editor.identity.value;
+  const { length } = follow.trials.tried.value;
+  if (!identity) return null;
+  if (follow.on.value) {
+    const isTimeWaiting = session.editor.changes.value.some(({ field }) => field.kind === 'time');
+    return (
+      <div class="follow-note">
+        <p>
+          <strong>{words.followingNow}</strong> <span role="status">{standText(identity, bench.stand.at.value)}</span>{' '}
+          {isTimeWaiting && words.timesWait}
+        </p>
+        <button type="button" onClick={() => void follow.stop()}>
+          {words.stopFollowing}
+        </button>
+      </div>
+    );
+  }
+  return (
+    <>
+      <EndNote identity={identity} />
+      {length > 0 && (
+        <div class="follow-note">
+          <strong>
+            {words.tried(length)} {words.decide}
+          </strong>
+          <Decide />
+        </div>
+      )}
+    </>
+  );
+}
+
+/** Why the servos no longer follow, and what is known since. */
+function EndNote({ identity }: { readonly identity: Identity }) {
+  const { bench, follow } = useModels();
+  const { bench: words, dismiss } = messages.value;
+  const ended = follow.ended.value;
+  const done = bench.done.value;
+  if (!ended) return null;
+  return (
+    <div class="follow-note" role="status">
+      <p>
+        <strong>{words.ended[ended.reason]}</strong> {follow.endRead.value ? words.endRead : words.endUnread}{' '}
+        {done && !done.certain && <span class="bad-text">{doneText(identity, done, null)}</span>}
+      </p>
+      <button type="button" class="quiet" onClick={() => follow.dismissEnd()}>
+        {dismiss}
+      </button>
+    </div>
+  );
+}
+
+function Decide() {
+  const { session, follow, write } = useModels();
+  const { bench: words } = messages.value;
+  return (
+    <div class="buttons">
+      <button type="button" class="primary" onClick={() => follow.keep()}>
+        {words.keep}
+      </button>
+      <button
+        type="button"
+        disabled={session.busy.value || session.editor.blocked.value}
+        onClick={() => {
+          session.editor.apply(follow.trials.takeBack(), { code: 'restore', params: {} });
+          void write.open();
+        }}
+      >
+        {words.putBack}
+      </button>
+    </div>
+  );
+}
