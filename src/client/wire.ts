@@ -231,7 +231,7 @@ export class Wire {
       await Promise.race([this.#send(bytes), answered]);
       const answer = await answered;
       if (answer === undefined && this.#lost) throw this.#lost;
-      if (answer === undefined) this.#noteUnanswered(bytes, sentAt);
+      this.#noteDue(bytes, sentAt, answer === undefined);
       return answer;
     } finally {
       cancel();
@@ -311,10 +311,11 @@ export class Wire {
     return false;
   }
 
-  #noteUnanswered(bytes: Uint8Array, sentAt: number): void {
+  /** The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been the answer to it. */
+  #noteDue(bytes: Uint8Array, sentAt: number, isUnanswered: boolean): void {
     const letter = bytes[ZEROS_SENT + 1] as number;
-    const due = 1 + (this.#unanswered.get(letter)?.due ?? 0);
-    this.#unanswered.set(letter, { due, sentAt, size: bytes.length });
+    const due = (this.#unanswered.get(letter)?.due ?? 0) + (isUnanswered ? 1 : 0);
+    if (isUnanswered || this.#unanswered.has(letter)) this.#unanswered.set(letter, { due, sentAt, size: bytes.length });
   }
 
   #noteSign(): void {

@@ -5,6 +5,7 @@ import { ConnectionError } from './errors.js';
 import type { TimerConnection } from './link-state.js';
 import { PortOpener } from './port-opener.js';
 import { type PortKind, portKey, portKind } from './ports.js';
+import { impossible } from './probe.js';
 import { DEFAULT_SETTINGS, type OpenedSettings } from './settings.js';
 import type { PortInfo, SerialPortLike } from './types.js';
 
@@ -105,7 +106,8 @@ function identifyFailure(error: unknown): unknown {
       return new ConnectionError('no-answer', 'nothing on this port answers as a timer does', error);
     case 'bad-reply':
     case 'unstable':
-      return new ConnectionError('bad-reply', 'the answer cannot be right', error);
+    case 'crowded':
+      return impossible(error);
     case 'port-lost':
       return new ConnectionError('lost', 'the port was lost while the timer was asked what it is', error);
     default:

@@ -11,7 +11,7 @@
  * - `bad-settings`: the port does not take these settings, such as a rate that the adapter does not know.
  * - `unplugged`: the port is gone.
  * - `no-answer`: the port opened, and nothing on it answered as a timer does.
- * - `bad-reply`: something answered, and what it said of itself cannot be.
+ * - `bad-reply`: something answered, and what it said of itself cannot be; `bytes` is what it said.
  * - `lost`: an open port was unplugged or its stream failed.
  */
 export type ConnectionErrorCode =
@@ -31,9 +31,12 @@ export type ConnectionErrorCode =
 export class ConnectionError extends Error {
   override readonly name = 'ConnectionError';
   readonly code: ConnectionErrorCode;
+  /** What came in the place of an answer, where that tells something. */
+  readonly bytes: Uint8Array | null;
 
-  constructor(code: ConnectionErrorCode, message: string, cause?: unknown) {
+  constructor(code: ConnectionErrorCode, message: string, cause?: unknown, bytes: Uint8Array | null = null) {
     super(message, cause === undefined ? undefined : { cause });
     this.code = code;
+    this.bytes = bytes;
   }
 }

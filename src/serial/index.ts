@@ -1,6 +1,7 @@
 export { availability, choosePort, rememberedPorts, type Surroundings } from './choose.js';
 export { type ConnectOptions, connect, type DirectConnection } from './connection.js';
 export { ConnectionError, type ConnectionErrorCode } from './errors.js';
+export type { Heard } from './heard.js';
 export { type RememberedPort, TimerLink, type TimerLinkOptions } from './link.js';
 export type { LinkState, TimerConnection } from './link-state.js';
 export { LINK_TABLE, type LinkEvent, type LinkStatus } from './link-table.js';

@@ -1,6 +1,7 @@
 import type { TimerClient } from '../client/index.js';
 import type { Identity } from '../protocol/index.js';
 import type { ConnectionError } from './errors.js';
+import type { Heard } from './heard.js';
 import type { PortKind } from './ports.js';
 import type { OpenedSettings } from './settings.js';
 import type { PortInfo, SerialPortLike } from './types.js';
@@ -49,6 +50,8 @@ export type LinkState =
       readonly baudRate: number;
       /** How often it was asked in vain since it is waited for. */
       readonly asked: number;
+      /** What else talks on the port, by all that came at any rate; null while nothing does. */
+      readonly heard: Heard | null;
     }
   | { readonly status: 'on'; readonly port: SerialPortLike; readonly connection: TimerConnection }
   | {

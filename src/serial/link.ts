@@ -114,6 +114,7 @@ export class TimerLink {
       serial,
       settings: settings ?? memory?.settings ?? DEFAULT_SETTINGS,
       knownRate: knownRate ?? memory?.knownRate,
+      margin: MARGIN,
       onLine,
       assumed,
       tell: (event, state) => this.#enter(event, state),
@@ -177,4 +178,6 @@ export class TimerLink {
   }
 }
 
+/** Milliseconds that a timer may take to answer at first, beyond those of the bytes. */
+const MARGIN = 600;
 const SETTLED: readonly LinkState['status'][] = ['on', 'waiting', 'away', 'off'];

@@ -16,6 +16,8 @@ export interface Trip {
   /** Asks to stop: nothing is told any more from then on. */
   readonly stop: AbortSignal;
   readonly tell: (event: LinkEvent, state: LinkState) => void;
+  /** Milliseconds that the timer may take to answer, as it was last learned; see `TimerClient`. */
+  margin: number;
   /** The rate at which a timer answered on this port, if one has. */
   knownRate: number | undefined;
   /** Whether the port could be opened since the pilot chose it: then a port that is gone is waited for. */

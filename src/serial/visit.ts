@@ -1,12 +1,13 @@
 import { TimerError, tell } from '../client/index.js';
 import { sameKind } from '../program/index.js';
-import { ask, type Found } from './ask.js';
 import { ConnectionError } from './errors.js';
+import { clearest, Ear } from './heard.js';
 import type { LinkState, TimerConnection } from './link-state.js';
 import type { LinkEvent } from './link-table.js';
 import { pause } from './pause.js';
 import { PortOpener } from './port-opener.js';
 import type { KnownPort } from './ports.js';
+import { type Found, Probe } from './probe.js';
 import { ReturnWatch } from './return-watch.js';
 import { quietRate, type Rates, ratesToTry } from './settings.js';
 import type { Trip } from './trip.js';
@@ -39,6 +40,10 @@ export class Visit {
   readonly #over = new AbortController();
   #end: VisitEnd = { why: 'stopped' };
   #openedAt: number | null = null;
+  /** Asks at the rate at which the port is open; null while a timer has been found, or the port is closed. */
+  #probe: Probe | null = null;
+  /** What was heard at each rate. */
+  readonly #ears = new Map<number, Ear>();
   /** The connection while it is on, and the way on from there. */
   #on: { readonly connection: TimerConnection; readonly leave: (to: 'search' | 'wait') => void } | null = null;
 
@@ -66,6 +71,7 @@ export class Visit {
       if (!(error instanceof ConnectionError)) throw error;
       this.#finish({ why: 'failed', error });
     } finally {
+      await this.#endProbe();
       await this.#opener.close();
       port.removeEventListener('disconnect', onDisconnect);
       stop.removeEventListener('abort', onStop);
@@ -187,6 +193,7 @@ export class Visit {
   async #stayWith({ client, identity, settings }: Found): Promise<'search' | 'wait'> {
     const { port, info, kind, key } = this.#known;
     this.#trip.knownRate = settings.baudRate;
+    this.#ears.clear();
     const quirks = tell(this.#trip.assumed, identity, key);
     if (quirks) client.assume(quirks);
     const connection = { client, identity, settings, info, kind, portKey: key };
@@ -198,19 +205,36 @@ export class Visit {
     this.#tell('answered', { status: 'on', port, connection });
     const next = await left;
     this.#on = null;
+    this.#trip.margin = client.margin;
     await client.close();
     return next;
   }
 
-  #ask(): Promise<Found | null> {
-    return this.#isOver
-      ? Promise.resolve(null)
-      : ask(this.#opener, this.#trip, (error) => this.#lose(error), this.#over.signal);
+  /** Asks once at the rate at which the port is open. What has found a timer is its own client's from then on. */
+  async #ask(): Promise<Found | null> {
+    const { settings, port } = this.#opener;
+    if (this.#isOver || !settings) return null;
+    this.#probe ??= new Probe(port, settings, this.#trip, this.#earAt(settings.baudRate), (error) => this.#lose(error));
+    const found = await this.#probe.ask(this.#over.signal);
+    if (found) this.#probe = null;
+    return found;
+  }
+
+  async #endProbe(): Promise<void> {
+    await this.#probe?.close();
+    this.#probe = null;
+  }
+
+  #earAt(baudRate: number): Ear {
+    const ear = this.#ears.get(baudRate) ?? new Ear(baudRate);
+    this.#ears.set(baudRate, ear);
+    return ear;
   }
 
   /** @returns whether the port is open at this rate. */
   async #setRate(baudRate: number): Promise<boolean> {
     if (this.#isOver) return false;
+    if (this.#opener.settings?.baudRate !== baudRate) await this.#endProbe();
     try {
       await this.#opener.open({ ...this.#trip.settings, baudRate });
       return true;
@@ -258,6 +282,7 @@ export class Visit {
   }
 
   #waiting(baudRate: number, asked: number): LinkState {
-    return { status: 'waiting', port: this.#known.port, baudRate, asked };
+    const heard = clearest([...this.#ears.values()].map((ear) => ear.heard));
+    return { status: 'waiting', port: this.#known.port, baudRate, asked, heard };
   }
 }

@@ -1,0 +1,80 @@
+import { TimerClient, TimerError } from '../client/index.js';
+import type { CodecError, Identity } from '../protocol/index.js';
+import { ConnectionError } from './errors.js';
+import type { Ear } from './heard.js';
+import type { OpenedSettings } from './settings.js';
+import type { Trip } from './trip.js';
+import type { SerialPortLike } from './types.js';
+
+/** How often an impossible answer must come in a row to be believed: a damaged one passes the checksum now and then. */
+const BAD_REPLIES = 3;
+
+/** A timer that has said what it is, and the client that asked it. */
+export interface Found {
+  readonly client: TimerClient;
+  readonly identity: Identity;
+  readonly settings: OpenedSettings;
+}
+
+/**
+ * Asks on an open port, at one rate, whether there is a timer (GETSWVER), as often as one likes. A late reply to an earlier question says
+ * the same, so a timer that is slow is found too.
+ */
+export class Probe {
+  readonly #client: TimerClient;
+  readonly #settings: OpenedSettings;
+  readonly #ear: Ear;
+
+  constructor(
+    port: SerialPortLike,
+    settings: OpenedSettings,
+    { clock, onLine, margin }: Trip,
+    ear: Ear,
+    onLost: (error: TimerError) => void,
+  ) {
+    const { baudRate } = settings;
+    this.#settings = settings;
+    this.#ear = ear;
+    this.#client = new TimerClient(port, {
+      baudRate,
+      clock,
+      margin,
+      onLine: (entry) => {
+        ear.note(entry);
+        onLine?.(entry);
+      },
+      onLost,
+    });
+  }
+
+  /**
+   * Asks once.
+   * @returns null when nothing answered, the signal asked to stop, or the port was lost.
+   * @throws ConnectionError `bad-reply`.
+   */
+  async ask(signal: AbortSignal): Promise<Found | null> {
+    const client = this.#client;
+    this.#ear.next();
+    for (let bad = 1; ; bad++) {
+      try {
+        const identity = await client.identify({ signal, tries: 1, anyReply: true });
+        return { client, identity, settings: this.#settings };
+      } catch (error) {
+        if (!(error instanceof TimerError)) throw error;
+        if (error.code !== 'bad-reply' || signal.aborted) return null;
+        if (bad === BAD_REPLIES) throw impossible(error);
+      }
+    }
+  }
+
+  /** Lets go of the port. */
+  close(): Promise<void> {
+    return this.#client.close();
+  }
+}
+
+/** Something has answered what no timer can be: with what it said of itself. */
+export function impossible(error: TimerError): ConnectionError {
+  const { details } = (error.cause ?? {}) as Partial<CodecError>;
+  return new ConnectionError('bad-reply', 'the answer cannot be right', error, details?.bytes);
+}

@@ -1,0 +1,106 @@
+import { describe, expect, it } from 'vitest';
+import type { MockSerialPort } from '../../src/mock-serial/index.js';
+import { DEFAULT_SETTINGS, type Heard } from '../../src/serial/index.js';
+import { B536 } from '../protocol/vectors.js';
+import { connectionOf, linkBench } from './link-bench.js';
+
+const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+/** A link whose timer sleeps, while something else talks on the port. */
+async function hears(talk: (port: MockSerialPort, baudRate: number) => void): Promise<Heard | null> {
+  const bench = linkBench({ plug: { timing: true } });
+  const { timer, port, link, clock } = bench;
+  timer.core.sleep();
+  port.device.onopenchange = (opened) => {
+    const again = (): void => {
+      if (port.device.opened?.baudRate !== opened?.baudRate || !opened) return;
+      talk(port, opened.baudRate);
+      clock.after(250, again);
+    };
+    if (opened) clock.after(50, again);
+  };
+  await bench.connect();
+  await clock.advance(3000);
+  if (link.state.status !== 'waiting') throw new Error(link.state.status);
+  return link.state.heard;
+}
+
+describe('what is no timer', () => {
+  it('is nothing on a silent line', async () => {
+    expect(await hears(() => {})).toBeNull();
+  });
+
+  it.each([9600, 115200])('is text at %i baud, in words of its own', async (rate) => {
+    const heard = await hears((port, baudRate) => {
+      port.device.write(baudRate === rate ? bytes('$GPGGA,092750,5321.68,N*76\r\n') : [0xf3, 0x81, 0x9c, 0xfe, 0x8d]);
+    });
+    expect(heard).toMatchObject({ kind: 'text', baudRate: rate });
+    expect(new TextDecoder().decode(heard?.sample)).toContain('GPGGA');
+    expect(heard?.sample.length).toBeLessThanOrEqual(64);
+  });
+
+  it('is noise when it cannot be read at any rate', async () => {
+    const heard = await hears((port) => port.device.write([0xf3, 0x81, 0x9c, 0xfe, 0x8d, 0x02]));
+    expect(heard).toMatchObject({ kind: 'noise' });
+  });
+
+  it('is noise when the port tells of errors of the line alone', async () => {
+    const heard = await hears((port) => {
+      for (let i = 0; i < 4; i++) port.device.error('framing');
+    });
+    expect(heard).toMatchObject({ kind: 'noise' });
+  });
+
+  it('is nothing to speak of when a few bytes come as a plug is pushed in', async () => {
+    let count = 0;
+    expect(await hears((port) => void (count++ === 0 && port.device.write([0xff, 0x3c])))).toBeNull();
+  });
+
+  it('is an echo when only the question comes back', async () => {
+    const { timer, connect, link } = linkBench({ quirks: { echo: true } });
+    timer.core.sleep();
+    await connect();
+    expect(link.state).toMatchObject({ status: 'waiting', heard: { kind: 'echo', sample: new Uint8Array(0) } });
+  });
+
+  it('is forgotten when it has not been heard for a while, and when a timer was found', async () => {
+    const { timer, port, connect, link, clock } = linkBench();
+    timer.core.sleep();
+    await connect();
+    port.device.write(bytes('Hello, world\r\n'));
+    await clock.advance(2000);
+    expect(link.state).toMatchObject({ status: 'waiting', heard: { kind: 'text' } });
+    await clock.advance(20_000);
+    expect(link.state).toMatchObject({ status: 'waiting', heard: null });
+    port.device.write(bytes('Hello, world\r\n'));
+    timer.core.press();
+    await clock.advance(2000);
+    expect(connectionOf(link).identity).toEqual(B536);
+    timer.core.sleep();
+    link.wait();
+    expect(link.state).toMatchObject({ status: 'waiting', heard: null });
+  });
+});
+
+describe('a timer that is slow', () => {
+  it.each([900, 2000])('is found when it answers after %i ms, and its delay is learned', async (latency) => {
+    const { connect, link, clock, port } = linkBench({ latency });
+    await connect(port, { ...DEFAULT_SETTINGS, baudRate: 9600 });
+    await clock.advance(10_000);
+    const { client, identity } = connectionOf(link);
+    expect(identity).toEqual(B536);
+    expect(await clock.run(client.readProgram())).toMatchObject({ memory: 0 });
+    expect(client.delay).toBeGreaterThan(latency - 50);
+    expect(client.damageSeen).toBe(false);
+    expect(client.strays).toBe(0);
+  });
+
+  it('is known to be slow when it is asked again on the same way', async () => {
+    const { connect, link, clock } = linkBench({ latency: 900 });
+    await connect();
+    await clock.run(connectionOf(link).client.readProgram());
+    link.wait();
+    await clock.advance(5000);
+    expect(connectionOf(link).client.margin).toBeLessThan(1400);
+  });
+});
