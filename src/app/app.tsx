@@ -2,6 +2,7 @@ import { type AppModels, Models } from './models.js';
 import { Header } from './parts/header.js';
 import { RecoveryPanel } from './parts/recovery-panel.js';
 import { ThemeChoice } from './parts/theme-choice.js';
+import { LeaveDialog } from './screens/leave-dialog.js';
 import { LinePanel } from './screens/line-panel.js';
 import { MemoriesDialog } from './screens/memories-dialog.js';
 import { ProgramScreen } from './screens/program-screen.js';
@@ -24,6 +25,7 @@ export function App({ models }: { models: AppModels }) {
       </footer>
       <WriteDialog />
       <MemoriesDialog />
+      <LeaveDialog />
     </Models.Provider>
   );
 }

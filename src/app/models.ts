@@ -4,6 +4,7 @@ import type { Platform } from './platform.js';
 import { Bench } from './state/bench.js';
 import { Follow } from './state/follow.js';
 import { Keeping, type Lack } from './state/keeping.js';
+import { Leaving } from './state/leaving.js';
 import { Memories } from './state/memories.js';
 import type { TabChannel } from './state/other-tabs.js';
 import { Preferences } from './state/preferences.js';
@@ -22,6 +23,7 @@ export interface AppModels {
   readonly write: WriteFlow;
   readonly recover: Recover;
   readonly memories: Memories;
+  readonly leaving: Leaving;
   readonly bench: Bench;
   readonly follow: Follow;
   readonly theme: Theme;
@@ -65,6 +67,7 @@ export function createModels({ platform, channel, lacks, ...options }: ModelOpti
     keeping,
     write,
     memories,
+    leaving: new Leaving(session, memories),
     bench,
     follow: new Follow(session, bench, isElsewhere),
     theme: new Theme(),

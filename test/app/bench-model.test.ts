@@ -380,10 +380,12 @@ describe('following', () => {
   it('is off as soon as all memories are walked through', async () => {
     const app = await followingBench();
     app.memories.open({ kind: 'back-up' });
-    const walking = app.memories.start();
-    await Promise.resolve();
-    expect(app.follow.on.value).toBe(false);
-    await run(walking);
+    const following: boolean[] = [];
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') following.push(app.follow.on.value);
+    };
+    await run(app.memories.start());
+    expect([following.length, following.includes(true)]).toEqual([4, false]);
     expect(app.session.memoryOpen.value).toBe(false);
   });
 

@@ -42,6 +42,11 @@ function kept({ session }: AppBench) {
   }));
 }
 
+/** What is known of each memory. */
+function known({ session }: AppBench): string[] {
+  return [0, 1, 2, 3].map((memory) => session.knowledge.of(memory).state);
+}
+
 describe('the memories at a glance', () => {
   it('are as they were read last, also when another one is current since', async () => {
     const made = await bench();
@@ -50,18 +55,22 @@ describe('the memories at a glance', () => {
     made.timer.core.memories[1]?.timers.fill(100);
     await run(made.session.read());
     await run(made.session.selectMemory(0));
-    expect(made.memories.contents.value.get(1)?.timers).toEqual(made.timer.core.memories[1]?.timers);
+    expect(made.session.knowledge.of(1)).toMatchObject({
+      state: 'read',
+      program: { timers: made.timer.core.memories[1]?.timers },
+    });
   });
 
   it('are not those of the next timer: it may be another', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
-    expect(made.memories.contents.value.size).toBe(4);
+    expect(known(made)).toEqual(['read', 'read', 'read', 'read']);
     made.adapter.unplug();
     await idle();
     made.adapter.replug();
     await idle();
-    expect([made.session.connection.value !== null, made.memories.contents.value.size]).toEqual([true, 0]);
+    expect(made.session.connection.value).not.toBeNull();
+    expect(known(made)).toEqual(['unread', 'read', 'unread', 'unread']);
   });
 });
 
@@ -154,7 +163,7 @@ describe('copying a memory', () => {
     expect(kept(made)).toEqual([{ reason: 'write', memory: 3, ...before[3] }]);
     expect(made.store.unfinished.records.size).toBe(0);
     expect(made.timer.core.idleThrottle).toBe(30);
-    expect(made.memories.contents.value.size, 'two of four are no glance at all of them').toBe(0);
+    expect(known(made), 'what was read on the way').toEqual(['read', 'read', 'unread', 'read']);
   });
 
   it('leaves the idle throttle alone, also where each memory has its own', async () => {

@@ -22,6 +22,21 @@ export async function press(name: string | RegExp): Promise<void> {
   await idle();
 }
 
+/** Looks at a memory: its name as it is read aloud, “M1, flies next” for the current one. */
+export async function lookAt(name: string | RegExp): Promise<void> {
+  fireEvent.click(screen.getByRole('radio', { name }));
+  await idle(0);
+}
+
+/** Makes a memory the one that flies next. */
+export async function fly(name: string): Promise<void> {
+  await lookAt(name);
+  // The memories side by side have such a button, too.
+  const look = within(document.querySelector<HTMLElement>('.memory-look') as HTMLElement);
+  fireEvent.click(look.getByRole('button', { name: `Make ${name} fly next` }));
+  await idle();
+}
+
 export function field(name: string): HTMLInputElement {
   return screen.getByRole<HTMLInputElement>('textbox', { name });
 }

@@ -109,7 +109,7 @@ describe('the table', () => {
         .getAllByRole('columnheader')
         .map(({ textContent }) => textContent),
     ).toEqual(['Function', 'Time', 'Interval', 'S1', 'S2', 'S3', 'S4']);
-    expect(screen.getAllByRole('button', { name: /^M\d$/ })).toHaveLength(2);
+    expect(screen.getAllByRole('radio', { name: /^M\d/ })).toHaveLength(2);
   });
 
   it('marks what differs, with the old value', async () => {
@@ -243,84 +243,6 @@ describe('the large figures', () => {
   it('show the idle throttle only when the timer has said one', async () => {
     await connected({ identity: { timerClass: 'B' } });
     expect(screen.queryByRole('textbox', { name: 'Idle throttle' })).toBeNull();
-  });
-});
-
-describe('the memories', () => {
-  const memories = () => within(screen.getByRole('group', { name: 'Memory' }));
-  const pressed = () =>
-    memories()
-      .queryAllByRole('button', { pressed: true })
-      .map(({ textContent }) => textContent);
-
-  it('are not changed by passing over them with the keys', async () => {
-    const { timer } = await connected();
-    const asked = timer.core.answered.length;
-    screen.getByRole('button', { name: 'M1' }).focus();
-    for (const key of ['ArrowRight', 'ArrowDown', 'End']) fireEvent.keyDown(document.activeElement as Element, { key });
-    await idle();
-    expect([timer.core.answered.length - asked, pressed()]).toEqual([0, ['M1']]);
-  });
-
-  it('keep the focus while one is being selected', async () => {
-    await connected();
-    const chosen = screen.getByRole('button', { name: 'M2' });
-    chosen.focus();
-    fireEvent.click(chosen);
-    await idle();
-    expect(document.activeElement).toBe(chosen);
-  });
-
-  it('let nothing be typed into the one that is left while another is read', async () => {
-    await connected();
-    const parts = [field('DT'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
-    const isShut = () => parts.map((part) => part.closest('[inert]') !== null);
-    fireEvent.click(button('M3'));
-    await Promise.resolve();
-    expect(isShut()).toEqual([true, true, true]);
-    expect(button('M1').closest('[inert]')).toBeNull();
-    await idle();
-    expect(isShut()).toEqual([false, false, false]);
-  });
-
-  it('show which is current, and read the one that is chosen', async () => {
-    const { timer } = await connected();
-    expect(pressed()).toEqual(['M1']);
-    fireEvent.click(screen.getByRole('button', { name: 'M3' }));
-    await idle();
-    expect([timer.core.memory, pressed()]).toEqual([2, ['M3']]);
-    expect(field('DT').value).toBe('4:00');
-  });
-
-  it('show none while it is open whether the other was selected, then the one that is current', async () => {
-    const { timer } = await connected();
-    timer.core.sleep();
-    fireEvent.click(screen.getByRole('button', { name: 'M3' }));
-    await idle();
-    expect(pressed()).toEqual([]);
-    expect(screen.getByText('No answer yet.')).toBeTruthy();
-    timer.core.press();
-    await idle();
-    expect([timer.core.memory, pressed()]).toEqual([0, ['M1']]);
-    expect(screen.getByText('The timer is back.')).toBeTruthy();
-  });
-
-  it('can be chosen again, the one before too, after a failure that leaves open which is current', async () => {
-    const { timer, session } = await connected();
-    session.memoryOpen.value = true;
-    await idle(0);
-    expect(pressed()).toEqual([]);
-    expect(screen.getByText('It is not known which memory is current. Choose one, or read again.')).toBeTruthy();
-    timer.core.memory = 2;
-    fireEvent.click(screen.getByRole('button', { name: 'M1' }));
-    await idle();
-    expect([timer.core.memory, pressed()]).toEqual([0, ['M1']]);
-  });
-
-  it('say when the timer does not tell which it is', async () => {
-    await connected({ quirks: { memoryReplyEmpty: true } });
-    expect(screen.getByText('This timer does not say which memory is current.')).toBeTruthy();
-    expect(pressed()).toEqual([]);
   });
 });
 

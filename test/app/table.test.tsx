@@ -3,6 +3,7 @@ import fc from 'fast-check';
 import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../src/app/app.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from './bench.js';
+import { fly } from './screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -506,9 +507,9 @@ describe('the reserved time', () => {
   it('is locked again in another memory', async () => {
     await connected({ identity: { timerClass: 'B' } });
     await press('Edit the reserved time');
-    await press('M2');
+    await fly('M2');
     expect(field('Start time').readOnly).toBe(true);
-    await press('M1');
+    await fly('M1');
     expect(field('Start time').readOnly).toBe(true);
   });
 });

@@ -109,8 +109,18 @@ export class AppPage {
     await this.isReady();
   }
 
-  async memory(name: string): Promise<void> {
-    await this.button(name).click();
+  /** Looks at a memory by what was last read of it: nothing is sent. */
+  async lookAt(name: string): Promise<void> {
+    await this.page.getByRole('radio', { name }).check({ force: true });
+  }
+
+  /** Makes a memory the one that flies next. */
+  async fly(name: string): Promise<void> {
+    await this.lookAt(name);
+    await this.page
+      .locator('.memory-look')
+      .getByRole('button', { name: `Make ${name} fly next` })
+      .click();
     await this.isReady();
   }
 

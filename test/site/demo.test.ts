@@ -84,11 +84,11 @@ test('each memory is read as it is chosen, and keeps its own edits', async () =>
   const app = await AppPage.open();
   await app.trySimulated('F1Q');
   await app.type('Function 3, S2', '77');
-  await app.memory('M2');
+  await app.fly('M2');
   expect(await app.valueOf('DT')).toBe('3:30');
   expect(await app.valueOf('Function 3, S2')).toBe('45');
   await app.says('Your edits of the other memory are kept.');
-  await app.memory('M1');
+  await app.fly('M1');
   await app.says('Earlier edits for this memory are back.');
   expect(await app.valueOf('Function 3, S2')).toBe('77');
 });

@@ -83,16 +83,16 @@ test('each memory keeps a history of its own, also over a reload', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   const first = await work(app);
-  await app.memory('M2');
+  await app.fly('M2');
   expect(await steps(app), 'nothing was done here').toEqual(['Undo', 'Redo']);
   const second = new Trail(app);
   await second.note();
   await app.type('Function 3, S2', '99');
   await second.note();
-  await app.memory('M1');
+  await app.fly('M1');
   await first.goBack(() => app.undo.click());
   await first.goForward(() => app.redo.click());
-  await app.memory('M2');
+  await app.fly('M2');
   await second.goBack(() => app.undo.click());
   await second.goForward(() => app.redo.click());
 
@@ -100,7 +100,7 @@ test('each memory keeps a history of its own, also over a reload', async () => {
   await app.reload();
   await app.connect();
   await second.goBack(() => app.undo.click());
-  await app.memory('M1');
+  await app.fly('M1');
   await first.goBack(() => app.undo.click());
 });
 

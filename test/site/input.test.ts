@@ -67,13 +67,13 @@ describe('what was typed is kept', () => {
     const app = await AppPage.open({ bench: {} });
     await app.connect();
     await app.type('Function 2, S1', 'seven');
-    await app.memory('M2');
+    await app.fly('M2');
     expect(await app.valueOf('Function 2, S1')).toBe('35');
     await app.reload();
     await app.button('Connect').click();
     await app.isReady();
     expect(await app.valueOf('Function 2, S1'), 'M2 is still current').toBe('35');
-    await app.memory('M1');
+    await app.fly('M1');
     expect(await app.valueOf('Function 2, S1')).toBe('seven');
   });
 
@@ -158,8 +158,8 @@ describe('the page starts all the same', () => {
       await app.connect();
       await app.type('Function 2, S1', '7');
       await app.says('This browser does not keep what you type.');
-      await app.memory('M2');
-      await app.memory('M1');
+      await app.fly('M2');
+      await app.fly('M1');
       expect(await app.valueOf('Function 2, S1')).toBe('7');
     },
   );

@@ -111,7 +111,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.isReady();
       await app.page.locator('summary', { hasText: 'Compare' }).click();
       await isWellMade(app, 'an interrupted write');
-      await app.memory('M2');
+      await app.fly('M2');
       await app.button('Make M1 current and look').waitFor();
       await isWellMade(app, 'an interrupted write into another memory');
     });

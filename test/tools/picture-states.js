@@ -238,6 +238,25 @@ export const states = {
       await settled(page);
     },
   },
+  looked: {
+    title: 'A memory that is looked at',
+    reach: async (page) => {
+      await connect(page);
+      await page.getByRole('radio', { name: 'M3' }).check({ force: true });
+      await press(page, 'Look at M3');
+      await page.getByRole('heading', { name: /^M3, read / }).waitFor();
+    },
+  },
+  leaving: {
+    title: 'Another memory flies next than at connect, before disconnecting',
+    reach: async (page) => {
+      await connect(page);
+      await page.getByRole('radio', { name: 'M3' }).check({ force: true });
+      await press(page, 'Make M3 fly next');
+      await page.getByText('M3 flies next. At connect it was M1.').waitFor();
+      await press(page, 'Disconnect');
+    },
+  },
   disconnected: {
     title: 'Not connected, with changes',
     reach: async (page) => {

@@ -6,6 +6,7 @@ import { help } from './en-help.js';
 import { framed, keeping } from './en-keeping.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
+import { look, nextFlight } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
 import { backups, memories, recovery } from './en-recovery.js';
 
@@ -101,8 +102,8 @@ export const en = {
     column: 'Function',
     time: 'Time',
     memory: 'Memory',
-    memoryUnknown: 'This timer does not say which memory is current.',
-    memoryOpen: 'It is not known which memory is current. Choose one, or read again.',
+    memoryUnknown: 'This timer does not say which memory is current, so it is not known which one flies next.',
+    memoryOpen: 'It is not known which memory flies next. Make one fly next, or read again.',
     dt: 'DT',
     motorStop: 'Motor stop',
     idleThrottle: 'Idle throttle',
@@ -218,6 +219,8 @@ export const en = {
   aboutTimer,
   recovery,
   memories,
+  nextFlight,
+  look,
   backups,
   keeping,
   framed,

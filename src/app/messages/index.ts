@@ -129,6 +129,13 @@ export function dateText(time: number): string {
   return new Date(time).toLocaleString(locale, dateTime);
 }
 
+/** A time of today as its hour and minute, any other with its day. */
+export function clockText(time: number): string {
+  const { locale, dateTime } = messages.value;
+  const isToday = new Date(time).toDateString() === new Date().toDateString();
+  return isToday ? new Date(time).toLocaleTimeString(locale, { timeStyle: dateTime.timeStyle }) : dateText(time);
+}
+
 /** What a step is called: “shift from Function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
   const { edits, servoName, seconds } = messages.value;

@@ -8,7 +8,7 @@ import { useHeight } from './use-height.js';
 
 /** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
 export function Header() {
-  const { session } = useModels();
+  const { session, leaving } = useModels();
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const top = useRef<HTMLElement>(null);
@@ -24,7 +24,7 @@ export function Header() {
         <div class="top-actions">
           {status === 'off' && session.editor.working.value && <ConnectButtons />}
           {status === 'on' && (
-            <button type="button" class="quiet" onClick={() => void session.disconnect()}>
+            <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
               {header.disconnect}
             </button>
           )}
@@ -39,13 +39,14 @@ export function Header() {
 
 function JobProgress() {
   const { session, memories } = useModels();
-  const { program } = messages.value;
+  const { program, look, memoryName } = messages.value;
   const job = session.job.value;
   // A write and a job over several memories have a dialog of their own, and what is done on the bench is said there.
   if (!job || job.kind === 'bench' || job.kind === 'write' || memories.current.value) return null;
+  const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
   return (
     <ProgressLine
-      label={job.kind === 'select' ? program.selecting : program.reading}
+      label={looking || (job.kind === 'select' ? program.selecting : program.reading)}
       progress={job.progress}
       onStop={() => job.stop.abort()}
     />

@@ -5,10 +5,10 @@ import { ProgressLine } from './progress-line.js';
 
 /** What is under way until a timer answers: said while it lasts, with the way to stop it. */
 export function LinkNotice() {
-  const { session } = useModels();
+  const { session, leaving } = useModels();
   const { link } = messages.value;
   const state = session.link.state.value;
-  const stop = (): void => void session.disconnect();
+  const stop = (): void => void leaving.disconnect();
   switch (state.status) {
     case 'opening':
       return state.refusals === 0 ? (

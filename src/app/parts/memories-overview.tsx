@@ -1,32 +1,40 @@
 import { useSignal } from '@preact/signals';
 import { differences, type TimerProgram } from '../../program/index.js';
-import { formatValue } from '../edit/content.js';
-import { messages } from '../messages/index.js';
+import { clockText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { type Known, possibleValues } from '../state/knowledge.js';
 import { Timeline } from '../timeline/timeline.js';
+import { formatTime } from '../units.js';
 import { ValueTable } from './value-table.js';
 
 /** All memories of the timer as small pictures, once they were read: to pick one, to copy it, to compare two. */
 export function MemoriesOverview() {
   const { session, memories } = useModels();
   const { overview: words } = messages.value;
-  const contents = [...memories.contents.value].sort(([a], [b]) => a - b);
   const baseline = session.editor.baseline.value;
   const ready = session.connection.value !== null && !session.busy.value;
   if (!baseline || baseline.memory === null || baseline.identity.memories < 2) return null;
+  const contents = Array.from({ length: baseline.identity.memories }, (_, memory) => ({
+    memory,
+    known: session.knowledge.of(memory),
+  })).filter((each): each is Content => each.known.state !== 'unread');
   return (
     <details class="overview">
       <summary>{words.title}</summary>
       <div class="overview-top">
-        <p class="hint">{contents.length === 0 ? words.empty : words.edited}</p>
+        <p class="hint">{contents.length < 2 ? words.empty : words.edited}</p>
         <button type="button" disabled={!ready} onClick={() => memories.open({ kind: 'back-up' })}>
           {words.readAll}
         </button>
       </div>
-      {contents.length > 0 && (
+      {contents.length > 1 && (
         <ul class="overview-list">
-          {contents.map(([memory, program]) => (
-            <Memory key={memory} {...{ memory, program, ready }} isCurrent={memory === baseline.memory} />
+          {contents.map(({ memory, known }) => (
+            <Memory
+              key={memory}
+              {...{ memory, known, ready }}
+              isCurrent={!session.memoryOpen.value && memory === baseline.memory}
+            />
           ))}
         </ul>
       )}
@@ -35,36 +43,51 @@ export function MemoriesOverview() {
   );
 }
 
-interface MemoryProps {
+/** A memory and what was read of it. */
+interface Content {
   readonly memory: number;
-  readonly program: TimerProgram;
+  readonly known: Exclude<Known, { state: 'unread' }>;
+}
+
+interface MemoryProps extends Content {
   readonly isCurrent: boolean;
   readonly ready: boolean;
 }
 
-function Memory({ memory, program, isCurrent, ready }: MemoryProps) {
-  const { session } = useModels();
-  const { overview: words, memoryName, seconds } = messages.value;
+function Memory({ memory, known, isCurrent, ready }: MemoryProps) {
+  const { memories } = useModels();
+  const { overview: words, nextFlight, look, memoryName, seconds } = messages.value;
+  const program = lastRead(known);
   const column = program.identity.functions;
-  const dt = formatValue({ kind: 'time', column }, program.timers[column] ?? 0);
+  const dts = possibleValues(known, { kind: 'time', column }).map((value) => seconds(formatTime(value)));
   return (
     <li class={`overview-memory ${isCurrent ? 'current' : ''}`}>
       <h2>
-        {memoryName(memory)} <span class="hint">{words.dt(seconds(dt))}</span>{' '}
-        {isCurrent && <span class="badge">{words.current}</span>}
+        {memoryName(memory)} <span class="hint">{words.dt(dts.join(words.or))}</span>{' '}
+        {isCurrent && <span class="badge">{nextFlight.badge}</span>}
       </h2>
+      {known.state === 'read' ? (
+        <p class="hint">{words.readAt(clockText(known.at))}</p>
+      ) : (
+        <p class="bad-text">{words.notCertain}</p>
+      )}
       <Timeline program={program} compact />
       {!isCurrent && (
-        <button type="button" disabled={!ready} onClick={() => void session.selectMemory(memory)}>
-          {words.pick(memoryName(memory))}
+        <button type="button" disabled={!ready} onClick={() => void memories.fly(memory)}>
+          {look.fly(memoryName(memory))}
         </button>
       )}
     </li>
   );
 }
 
+/** What a memory held when it was last read whole. */
+function lastRead(known: Content['known']): TimerProgram {
+  return known.state === 'read' ? known.program : known.before;
+}
+
 interface PairProps {
-  readonly contents: readonly (readonly [number, TimerProgram])[];
+  readonly contents: readonly Content[];
   readonly ready: boolean;
 }
 
@@ -72,12 +95,10 @@ interface PairProps {
 function Pair({ contents, ready }: PairProps) {
   const { memories } = useModels();
   const { overview: words, memories: all, memoryName } = messages.value;
-  const from = useSignal(contents[0]?.[0] ?? 0);
-  const to = useSignal(contents[1]?.[0] ?? 1);
-  const byMemory = new Map(contents);
-  const first = byMemory.get(from.value);
-  const second = byMemory.get(to.value);
-  const choices = contents.map(([memory]) => memory);
+  const from = useSignal(contents[0]?.memory ?? 0);
+  const to = useSignal(contents[1]?.memory ?? 1);
+  const choices = contents.map(({ memory }) => memory);
+  const [first, second] = [from, to].map(({ value }) => contents.find(({ memory }) => memory === value)?.known);
   return (
     <section class="overview-pair">
       <h2>{words.compared}</h2>
@@ -111,7 +132,11 @@ function Pair({ contents, ready }: PairProps) {
         </button>
       </div>
       {first && second && from.value !== to.value && (
-        <Comparison first={first} second={second} names={[memoryName(from.value), memoryName(to.value)]} />
+        <Comparison
+          first={lastRead(first)}
+          second={lastRead(second)}
+          names={[memoryName(from.value), memoryName(to.value)]}
+        />
       )}
     </section>
   );

@@ -10,6 +10,8 @@ import { ChecksPanel } from '../parts/checks-panel.js';
 import { FollowNote } from '../parts/follow-panel.js';
 import { MemoriesOverview } from '../parts/memories-overview.js';
 import { BackupsPanel, MemoriesPanel } from '../parts/memories-panel.js';
+import { MemoryChoice } from '../parts/memory-choice.js';
+import { MemoryLook, MemoryPicture } from '../parts/memory-look.js';
 import { DtPresets } from '../parts/presets.js';
 import { ProgramTable } from '../parts/program-table.js';
 import { ShiftTool } from '../parts/shift-tool.js';
@@ -20,7 +22,7 @@ import { ValueField } from '../parts/value-field.js';
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramScreen() {
-  const { session } = useModels();
+  const { session, memories, follow } = useModels();
   const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -34,6 +36,7 @@ export function ProgramScreen() {
   }, []);
   // What is typed while another memory is asked for would go into the one that is left.
   const leaving = useComputed(() => session.job.value?.kind === 'select').value;
+  const looking = memories.looking.value;
   if (!identity) return null;
   return (
     <div class="program">
@@ -42,24 +45,35 @@ export function ProgramScreen() {
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         <MemoryChoice />
-        <div class="of-memory" inert={leaving}>
-          <LargeFigures />
-          <DtPresets column={identity.functions} />
-          {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
-          <ProgramTable marked={marked} />
-          <ShiftTool />
-        </div>
-        <BenchPanel />
+        {looking === null ? (
+          <div class="of-memory" inert={leaving}>
+            <LargeFigures />
+            <DtPresets column={identity.functions} />
+            {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
+            <ProgramTable marked={marked} />
+            <ShiftTool />
+          </div>
+        ) : (
+          <MemoryLook memory={looking} />
+        )}
+        {/* It moves the servos to the functions of the current memory. */}
+        {(looking === null || follow.on.value) && <BenchPanel />}
         <MemoriesPanel />
         <MemoriesOverview />
         <BackupsPanel />
         <AboutTimer />
       </div>
       <aside class="program-side" inert={leaving}>
-        <TimelinePanel selected={selected.value} onSelect={select} onPoint={point} />
-        <ChecksPanel />
+        {looking === null ? (
+          <>
+            <TimelinePanel selected={selected.value} onSelect={select} onPoint={point} />
+            <ChecksPanel />
+          </>
+        ) : (
+          <MemoryPicture memory={looking} />
+        )}
       </aside>
-      <Actions />
+      {looking === null && <Actions />}
     </div>
   );
 }
@@ -68,42 +82,6 @@ export function ProgramScreen() {
 function fieldAt(target: EventTarget | null, identity: Identity): ProgramField | null {
   const key = target instanceof HTMLInputElement ? target.getAttribute('data-field') : null;
   return fieldsOf(identity).find((field) => fieldKey(field) === key) ?? null;
-}
-
-/** Which memory is current is what flies next: it changes by a click or by Enter on one, never by passing over it. */
-function MemoryChoice() {
-  const { session } = useModels();
-  const { program, memoryName } = messages.value;
-  const { editor } = session;
-  const identity = editor.identity.value;
-  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
-  if (!identity) return null;
-  const memories = Array.from({ length: identity.memories }, (_, index) => index);
-  const isOpen = session.memoryOpen.value && !session.busy.value;
-  const shown = session.job.value?.memory ?? (isOpen ? null : memory);
-  const connected = session.connection.value !== null;
-  return (
-    <fieldset class="memories">
-      <legend>{program.memory}</legend>
-      <div class="segments">
-        {memories.map((index) => (
-          <button
-            type="button"
-            key={index}
-            aria-pressed={index === shown}
-            // Not while a job runs; but the focus stays, which a disabled button would lose.
-            aria-disabled={session.busy.value}
-            disabled={!connected}
-            onClick={() => void (index !== shown && session.selectMemory(index))}
-          >
-            {memoryName(index)}
-          </button>
-        ))}
-      </div>
-      {memory === null && <p class="hint">{program.memoryUnknown}</p>}
-      {isOpen && connected && <p class="bad-text">{program.memoryOpen}</p>}
-    </fieldset>
-  );
 }
 
 /** DT is always in sight; on Q the motor stop beside it. */

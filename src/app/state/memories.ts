@@ -1,5 +1,5 @@
-import { effect, type ReadonlySignal, signal } from '@preact/signals';
-import type { MemoriesReport, Progress, TimerClient, TimerError } from '../../client/index.js';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { type MemoriesReport, type Progress, type TimerClient, TimerError } from '../../client/index.js';
 import type { TimerProgram } from '../../program/index.js';
 import type { CodecError, Identity } from '../../protocol/index.js';
 import type { Backup } from '../storage/index.js';
@@ -41,28 +41,48 @@ export type MemoriesStep =
       readonly kept: boolean;
     };
 
-/** Back up all memories, copy one to another, restore several: only when the pilot asks for it. */
+/** Look at a memory, back up all of them, copy one to another, restore several: only when the pilot asks for it. */
 export class Memories {
   readonly current = signal<MemoriesStep | null>(null, { name: 'memories' });
-  /** What each memory of the timer that is connected held when all were read, by its number; empty before that. */
-  readonly contents: ReadonlySignal<ReadonlyMap<number, TimerProgram>>;
-  readonly #contents = signal<ReadonlyMap<number, TimerProgram>>(new Map(), { name: 'contents' });
+  /** A memory that is not the current one and that the pilot looks at, by what was last read of it; null: none. */
+  readonly looking: ReadonlySignal<number | null> = computed(() => {
+    const { memoryOpen, editor } = this.#session;
+    const current = memoryOpen.value ? null : (editor.baseline.value?.memory ?? null);
+    return this.#picked.value === current ? null : this.#picked.value;
+  });
+  readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #session: Session;
   #kept = true;
+  /** The memory to come back to, while a job has left it. */
+  #home: number | null = null;
 
   constructor(session: Session) {
     this.#session = session;
-    this.contents = this.#contents;
-    effect(() => {
-      // Whatever is read or acknowledged since stands for its memory, also when another one is current later.
-      const held = session.editor.baseline.value;
-      const contents = this.#contents.peek();
-      if (!held || held.memory === null || contents.size === 0) return;
-      this.#contents.value = new Map(contents).set(held.memory, held);
-    });
+    // The next timer may be another one.
     session.connection.subscribe(() => {
-      this.#contents.value = new Map();
+      this.#picked.value = null;
     });
+  }
+
+  /** Shows what was last read of a memory, and sends nothing; of the current one the program itself. */
+  show(memory: number): void {
+    this.#picked.value = memory;
+  }
+
+  /** Reads a memory and makes the one current again that was. */
+  async look(memory: number): Promise<void> {
+    this.#picked.value = memory;
+    await this.#session.run('look', memory, async ({ client, identity }, options) => {
+      await this.#read(client, identity, { ...options, memories: [memory] });
+    });
+    await this.#findCurrent();
+  }
+
+  /** Makes a memory the one that flies next, and shows it. Edits of the one that is left are kept. */
+  async fly(memory: number): Promise<boolean> {
+    const good = await this.#session.selectMemory(memory);
+    this.#picked.value = null;
+    return good;
   }
 
   /** Shows what is about to be done. */
@@ -90,8 +110,6 @@ export class Memories {
     this.#kept = true;
     let outcome: MemoriesOutcome = { saved: 0, written: [], stopped: null, unkept: false };
     await this.#session.run('memories', null, async ({ client, identity }, options) => {
-      // Others are selected on the way; what is read at the end says which one is current.
-      this.#session.memoryOpen.value = true;
       const told = { ...options, onProgress: (progress: Progress) => this.#follow(plan, progress, options) };
       if (plan.kind === 'back-up') outcome = { ...outcome, saved: await this.#backUp(client, identity, told) };
       else
@@ -104,8 +122,15 @@ export class Memories {
     // What stopped a backup stands in the notice of the page.
     this.current.value =
       plan.kind === 'back-up' && outcome.saved === 0 ? null : { step: 'done', plan, outcome, kept: this.#kept };
-    if (!this.#session.connection.value) return;
-    const { notice } = this.#session;
+    // What was written may be what is on the screen.
+    if (plan.kind !== 'back-up') this.#session.memoryOpen.value = true;
+    await this.#findCurrent();
+  }
+
+  /** Asks which memory is current where a job has left that open. */
+  async #findCurrent(): Promise<void> {
+    const { notice, memoryOpen, connection } = this.#session;
+    if (!memoryOpen.value || !connection.value) return;
     const said = notice.value;
     await this.#session.read();
     // A reading that has nothing to say does not take back what stopped the job.
@@ -115,7 +140,6 @@ export class Memories {
   async #backUp(client: TimerClient, identity: Identity, options: JobOptions): Promise<number> {
     const { backups, simulated } = this.#session;
     const programs = await this.#read(client, identity, options);
-    this.#remember(programs);
     const savedAt = Date.now();
     for (const program of programs) {
       await backups.add(program, 'memories', simulated.value, savedAt).catch(() => {
@@ -132,11 +156,12 @@ export class Memories {
     options: JobOptions & { readonly memories?: readonly number[] },
   ): Promise<readonly TimerProgram[]> {
     const onHome = (home: number): Promise<void> => this.#leave(identity, home);
-    const { programs } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
-      await this.#home(identity, error);
+    const { programs, home } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
+      await this.#cameHome(identity, this.#home, error);
       throw error;
     });
-    await this.#home(identity, null);
+    for (const program of programs) this.#session.knowledge.read(program);
+    await this.#cameHome(identity, home, null);
     return programs;
   }
 
@@ -148,7 +173,7 @@ export class Memories {
   ): Promise<Pick<MemoriesOutcome, 'written' | 'stopped' | 'unkept'>> {
     const { knowledge, recovery, simulated, servoMoves } = this.#session;
     const moveServos = servoMoves.take();
-    const { memories, stopped } = await client.writeMemories(goals, {
+    const { memories, stopped, home } = await client.writeMemories(goals, {
       ...options,
       moveServos,
       onHome: (home) => this.#leave(identity, home),
@@ -159,30 +184,33 @@ export class Memories {
     });
     for (const { before, report } of memories) {
       if (report.held && !report.stopped) await knowledge.ended(before);
+      if (report.held) knowledge.read(report.held, Date.now(), report.result === 'verified');
     }
-    if (this.#contents.value.size > 0) this.#remember(memories.flatMap(({ report }) => report.held ?? []));
-    await this.#home(identity, stopped);
+    await this.#cameHome(identity, home, stopped);
     const reports = memories.map(({ report }) => report);
     return { written: memories, stopped, unkept: servoMoves.wanted(moveServos, reports) };
   }
 
-  #remember(programs: readonly TimerProgram[]): void {
-    const read = programs.flatMap((program): [number, TimerProgram][] =>
-      program.memory === null ? [] : [[program.memory, program]],
-    );
-    this.#contents.value = new Map([...this.#contents.value, ...read]);
-  }
-
+  /** Another memory is about to be selected: the one to come back to is noted. */
   async #leave(identity: Identity, home: number): Promise<void> {
-    const { recovery, simulated } = this.#session;
-    if (!(await recovery.leave(identity, home, simulated.value))) this.#kept = false;
+    const { recovery, simulated, memoryOpen, nextFlight } = this.#session;
+    this.#home = home;
+    // A job that has not come back before is remembered until its own home is current again.
+    const isNoted = recovery.offer.value?.kind === 'memories';
+    if (!isNoted && !(await recovery.leave(identity, home, simulated.value))) this.#kept = false;
+    memoryOpen.value = true;
+    nextFlight.leave(null);
   }
 
-  /** The memory that was current is so again, unless the job ended with the very word that it is not. */
-  async #home(identity: Identity, stopped: unknown): Promise<void> {
-    const { recovery, simulated } = this.#session;
-    const isLeft = stopped instanceof Error && 'code' in stopped && stopped.code === 'memory-left';
-    if (!isLeft) await recovery.cameHome(identity, simulated.value);
+  /** The memory that was current is so again, by the timer's own word, unless the job ended with the very word that it is not. */
+  async #cameHome(identity: Identity, home: number | null, stopped: unknown): Promise<void> {
+    const { recovery, simulated, memoryOpen, nextFlight, editor } = this.#session;
+    const wasLeft = this.#home !== null;
+    this.#home = null;
+    if (home === null || (stopped instanceof TimerError && stopped.code === 'memory-left')) return;
+    nextFlight.found(home);
+    memoryOpen.value = home !== editor.baseline.value?.memory;
+    if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.cameHome(identity, simulated.value);
   }
 
   #follow(plan: Plan, progress: Progress, { onProgress }: JobOptions): void {

@@ -17,6 +17,7 @@ import { kindKey, programKey, workKey } from './keys.js';
 import { Knowledge } from './knowledge.js';
 import { LineLog } from './line-log.js';
 import { Link } from './link.js';
+import { NextFlight } from './next-flight.js';
 import type { NoteCode, Notice } from './notice.js';
 import { Recovery } from './recovery.js';
 import { ServoMoves } from './servo-moves.js';
@@ -25,8 +26,8 @@ import { UnfinishedRecords } from './unfinished.js';
 
 /** A job on the wire that takes longer than a blink. */
 export interface Job {
-  readonly kind: 'read' | 'select' | 'write' | 'memories' | 'bench';
-  /** The memory that is being made current; null when the job is another. */
+  readonly kind: 'read' | 'select' | 'look' | 'write' | 'memories' | 'bench';
+  /** The memory that is being made current, or looked at; null when the job is another. */
   readonly memory: number | null;
   readonly progress: Progress | null;
   readonly stop: AbortController;
@@ -81,6 +82,8 @@ export class Session {
   readonly byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
   /** None was read since the timer came, or since another one was asked for: the memory on the screen need not be the current one. */
   readonly memoryOpen = signal(false, { name: 'memoryOpen' });
+  /** Which memory flies next, and whether it is the one of the time of connect. */
+  readonly nextFlight = new NextFlight(this.memoryOpen);
   /** Whether the program on the screen is of the simulated timer. */
   readonly simulated = signal(false, { name: 'simulated' });
   readonly connection: ReadonlySignal<TimerConnection | null>;
@@ -221,6 +224,7 @@ export class Session {
   async selectMemory(memory: number): Promise<boolean> {
     const good = await this.run('select', memory, async ({ client }, options) => {
       this.memoryOpen.value = true;
+      this.nextFlight.leave(memory);
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options), options);
     });
@@ -337,6 +341,7 @@ export class Session {
       this.#returning = true;
     }
     if (state.status === 'on') {
+      this.nextFlight.met(state.connection.identity, this.link.simulated.value);
       this.#arriving = this.#arrive();
       return;
     }
@@ -345,6 +350,7 @@ export class Session {
     this.knowledge.connectionOver();
     if (state.status !== 'off') return;
     this.#returning = false;
+    this.nextFlight.forget();
     if (!state.error) return;
     const port = 'info' in before ? before.info : 'port' in before ? before.port.getInfo() : null;
     this.notice.value = {
@@ -394,6 +400,7 @@ export class Session {
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
       this.memoryOpen.value = false;
+      this.nextFlight.found(read.memory);
       this.byteOrderOpen.value = this.connection.value?.client.byteOrderOpen ?? false;
       this.simulated.value = simulated;
       if (completed) this.say('write-completed');

@@ -1,0 +1,50 @@
+import { useComputed } from '@preact/signals';
+import { useId } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { NextFlightLine } from './next-flight-line.js';
+
+/** Which memory flies next, in words, and which one is shown. To choose one only shows it: nothing is sent. */
+export function MemoryChoice() {
+  const { session, memories } = useModels();
+  const { program, memoryName, nextFlight } = messages.value;
+  const { editor, job, memoryOpen, connection, busy } = session;
+  const name = useId();
+  const identity = editor.identity.value;
+  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
+  if (!identity) return null;
+  const isConnected = connection.value !== null;
+  const current = memoryOpen.value ? null : memory;
+  const shown = memories.looking.value ?? (job.value?.kind === 'select' ? job.value.memory : current);
+  const isOpen = memoryOpen.value && !busy.value && isConnected;
+  return (
+    <fieldset class="memories">
+      <legend>{program.memory}</legend>
+      <div class="segments">
+        {Array.from({ length: identity.memories }, (_, index) => {
+          const flies = isConnected && index === current;
+          return (
+            <label key={index}>
+              <input
+                type="radio"
+                class="visually-hidden"
+                name={name}
+                aria-label={flies ? nextFlight.named(memoryName(index)) : memoryName(index)}
+                checked={index === shown}
+                disabled={!isConnected}
+                onChange={() => memories.show(index)}
+              />
+              <span>
+                {memoryName(index)}
+                {flies && <small>{nextFlight.badge}</small>}
+              </span>
+            </label>
+          );
+        })}
+      </div>
+      {memory === null && <p class="hint">{program.memoryUnknown}</p>}
+      {isOpen && !session.nextFlight.word.value && <p class="bad-text">{program.memoryOpen}</p>}
+      <NextFlightLine />
+    </fieldset>
+  );
+}

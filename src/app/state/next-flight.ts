@@ -1,0 +1,76 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { Identity } from '../../protocol/index.js';
+import { kindKey } from './keys.js';
+
+/** What the pilot has to know of the memory that flies next; memories are counted from 0. */
+export type NextFlightWord =
+  /** By the timer's own word another one is current than at connect; `home` is null when that one was never known. */
+  | { readonly code: 'other'; readonly memory: number; readonly home: number | null }
+  /** Others were selected and it is not known which one is current; `asked` was selected last, if that is known. */
+  | { readonly code: 'unknown'; readonly asked: number | null; readonly home: number | null };
+
+/**
+ * The current memory is what flies next. It is changed only by selecting one (SETMEMORY), and this page does that when the pilot asks for
+ * it, or to read others and come back. So it is remembered which one was current at connect, and said when that is no longer so.
+ */
+export class NextFlight {
+  /** The memory that was current when the timer was connected; null when it was not said before another one was selected. */
+  readonly home: ReadonlySignal<number | null>;
+  /** What there is to say; null while the memory of the time of connect is current, or nothing was selected. */
+  readonly word: ReadonlySignal<NextFlightWord | null>;
+  readonly #home = signal<number | null>(null, { name: 'home' });
+  /** The memory that the timer named last. */
+  readonly #current = signal<number | null>(null, { name: 'current' });
+  /** Others were selected since the one of the time of connect was current. */
+  readonly #left = signal(false, { name: 'left' });
+  readonly #asked = signal<number | null>(null, { name: 'asked' });
+  #kind: string | null = null;
+
+  /** @param open whether it is open which memory is current. */
+  constructor(open: ReadonlySignal<boolean>) {
+    this.home = this.#home;
+    this.word = computed(() => {
+      const home = this.#home.value;
+      const current = open.value ? null : this.#current.value;
+      if (current === home && current !== null) return null;
+      if (current !== null) return { code: 'other', memory: current, home };
+      return this.#left.value ? { code: 'unknown', asked: this.#asked.value, home } : null;
+    });
+  }
+
+  /** A timer is connected. One of the same kind that comes back to the same connection is taken for the same. */
+  met(identity: Identity, simulated: boolean): void {
+    const kind = kindKey(identity, simulated);
+    if (kind !== this.#kind) this.forget();
+    this.#kind = kind;
+  }
+
+  /** Another memory is about to be selected; null when it is not known which. */
+  leave(memory: number | null): void {
+    batch(() => {
+      this.#left.value = true;
+      this.#asked.value = memory;
+    });
+  }
+
+  /** The timer has said which memory is current; null when it does not say. */
+  found(memory: number | null): void {
+    batch(() => {
+      this.#current.value = memory;
+      if (memory === null) return;
+      if (!this.#left.value) this.#home.value ??= memory;
+      if (memory === this.#home.value) this.#left.value = false;
+    });
+  }
+
+  /** The connection has ended. */
+  forget(): void {
+    batch(() => {
+      this.#kind = null;
+      this.#home.value = null;
+      this.#current.value = null;
+      this.#left.value = false;
+      this.#asked.value = null;
+    });
+  }
+}

@@ -1,0 +1,34 @@
+import { expect, test } from 'vitest';
+import { en } from '../../src/app/messages/en.js';
+import { Pilot } from './pilot.js';
+import { Rig } from './rig.js';
+
+const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
+
+test('a look leaves the timer as it was, and what flies next is what the pilot was told', async () => {
+  const rig = await Rig.start({ timer: { identity } });
+  const { core } = rig.timer;
+  const pilot = new Pilot(await rig.open());
+  await pilot.clickConnect();
+  await pilot.isConnected();
+  const before = structuredClone(core.memories);
+  const selected = (): number[] =>
+    core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
+  const look = async (name: string): Promise<void> => {
+    await pilot.page.getByRole('radio', { name, exact: true }).check({ force: true });
+  };
+
+  await look('M3');
+  await pilot.button(en.look.look('M3')).click();
+  await pilot.page.getByRole('heading', { name: /^M3, read / }).waitFor();
+  expect([core.memory, selected(), core.memories]).toEqual([0, [2, 0], before]);
+
+  await pilot.button(en.look.fly('M3')).click();
+  await pilot.sees(`${en.nextFlight.other('M3')} ${en.nextFlight.home('M1')}`);
+  expect(core.memory).toBe(2);
+  await pilot.button(en.header.disconnect).click();
+  await pilot.sees(`${en.nextFlight.will('M3')} ${en.nextFlight.home('M1')}`);
+  await pilot.button(en.nextFlight.leaving.back('M1')).click();
+  await expect.poll(() => rig.sessions, { timeout: 10_000 }).toEqual({ opened: 1, closed: 1 });
+  expect([core.memory, selected(), core.memories]).toEqual([0, [2, 0, 2, 0], before]);
+});

@@ -1,0 +1,49 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+test('a memory is looked at and left, another made to fly next, and Disconnect repeats it', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await app.bench(({ adapter }) => {
+    const third = adapter.timer.core.memories[2];
+    if (third) third.timers[10] = 25_500;
+    adapter.timer.core.answered.length = 0;
+  });
+  const current = (): Promise<number> => app.bench(({ adapter }) => adapter.timer.core.memory);
+  /** What went over the wire, SETMEMORY with its memory. */
+  const asked = (): Promise<string[]> =>
+    app.bench(({ adapter }) =>
+      adapter.timer.core.answered.map((request) =>
+        request.name === 'SETMEMORY' ? `SETMEMORY ${request.memory}` : request.name,
+      ),
+    );
+
+  await app.lookAt('M3');
+  await app.page.getByRole('heading', { name: 'M3 has not been read' }).waitFor();
+  expect(await asked(), 'a tap sends nothing').toEqual([]);
+  await app.button('Look at M3').click();
+  await app.page.getByRole('heading', { name: /^M3, read \d\d:\d\d$/ }).waitFor();
+  const held = app.page.getByRole('table', { name: 'What was read of M3' });
+  expect(await held.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:15');
+  expect(await current(), 'M1 again').toBe(0);
+  const wire = await asked();
+  expect(wire.filter((name) => !name.startsWith('GET'))).toEqual(['SETMEMORY 2', 'SETMEMORY 0']);
+  expect(wire.slice(wire.indexOf('SETMEMORY 2'), wire.indexOf('SETMEMORY 0'))).toContain('GETTIMERS');
+  expect(wire.at(-1), 'the timer says so').toBe('GETMEMORY');
+  await app.page.getByRole('radio', { name: 'M1, flies next' }).waitFor({ state: 'attached' });
+
+  await app.fly('M2');
+  expect(await current()).toBe(1);
+  await app.says('M2 flies next. At connect it was M1.');
+  await app.button('Disconnect').click();
+  const dialog = app.page.getByRole('dialog', { name: 'Before you disconnect' });
+  await dialog.getByText('M2 will fly next. At connect it was M1.').waitFor();
+  await app.page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'hidden' });
+  expect(await current(), 'Escape changes nothing').toBe(1);
+
+  await app.button('Disconnect').click();
+  await dialog.getByRole('button', { name: 'Back to M1 and disconnect' }).click();
+  await app.button('Connect').waitFor();
+  expect(await current()).toBe(0);
+});
