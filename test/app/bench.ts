@@ -4,7 +4,16 @@ import { platformOf } from '../../src/app/platform.js';
 import { plugRecording } from '../../src/app/simulated-timer.js';
 import type { TabChannel } from '../../src/app/state/other-tabs.js';
 import { type Locks, TabNumber } from '../../src/app/state/tab-number.js';
-import type { Backup, Draft, Keeper, PortRecord, Storage, Unfinished } from '../../src/app/storage/index.js';
+import {
+  type AsideRecord,
+  type Backup,
+  type Draft,
+  type Keeper,
+  type PortRecord,
+  SHELVES,
+  type Storage,
+  type Unfinished,
+} from '../../src/app/storage/index.js';
 import { MockSerial } from '../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../serial/bench.js';
 
@@ -44,8 +53,14 @@ export class MemoryStore implements Storage {
   readonly unfinished = new MemoryShelf<Unfinished>(this);
   readonly backups = new MemoryShelf<Backup>(this);
   readonly ports = new MemoryShelf<PortRecord>(this);
+  readonly aside = new MemoryShelf<AsideRecord>(this);
   /** As in a browser whose storage is full or switched off. */
   broken = false;
+
+  async erase(): Promise<void> {
+    this.touch();
+    for (const shelf of SHELVES) this[shelf].records.clear();
+  }
 
   touch(): void {
     if (this.broken) throw new DOMException('The storage is full.', 'QuotaExceededError');

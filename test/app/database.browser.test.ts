@@ -1,6 +1,6 @@
 import { describe, expect, it, onTestFinished } from 'vitest';
 import { openStorage, Shelf } from '../../src/app/storage/database.js';
-import { browserStorage } from '../../src/app/storage/index.js';
+import { browserStorage, StorageError } from '../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../src/app/storage/records.js';
 
 describe('the storage of the browser', () => {
@@ -43,5 +43,44 @@ describe('the storage of the browser', () => {
     expect(await new Shelf(opened, 'unfinished', unfinishedSchema).all()).toEqual([]);
     expect(await new Shelf(opened, 'backups', backupSchema).all()).toEqual([]);
     database.close();
+  });
+
+  it('sets aside what cannot be read, once, and keeps it', async () => {
+    const own = name();
+    const bad = { ...PORT, key: 'a', settings: { baudRate: -1 } };
+    const database = await openStorage(own);
+    await database.put('ports', bad);
+    await database.put('ports', PORT);
+    const storage = browserStorage(own);
+    expect(await storage.ports.all()).toEqual([PORT]);
+    expect(await storage.ports.load('a')).toBeUndefined();
+    expect(await database.getAllKeys('ports')).toEqual([PORT.key]);
+    expect(await browserStorage(own).aside.all()).toMatchObject([{ shelf: 'ports', stored: bad }]);
+    database.close();
+  });
+
+  it('says by code that a newer version of the page has been here', async () => {
+    const own = name();
+    await new Promise<void>((resolve, reject) => {
+      const opening = indexedDB.open(own, 9);
+      opening.onsuccess = () => {
+        opening.result.close();
+        resolve();
+      };
+      opening.onerror = () => reject(opening.error);
+    });
+    const failed = await browserStorage(own)
+      .ports.all()
+      .catch((error) => error);
+    expect(StorageError.of(failed).code).toBe('newer');
+  });
+
+  it('is thrown away, also from under another tab', async () => {
+    const own = name();
+    const other = browserStorage(own);
+    await other.ports.save(PORT);
+    await browserStorage(own).erase();
+    expect(await browserStorage(own).ports.all()).toEqual([]);
+    await expect(other.ports.save(PORT)).rejects.toThrow();
   });
 });

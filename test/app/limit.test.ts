@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
-import { limited } from '../../src/app/storage/index.js';
+import { limited, SHELF_CALLS, SHELVES } from '../../src/app/storage/index.js';
 import { StorageError, type StorageErrorCode, within } from '../../src/app/storage/limit.js';
 import { MemoryStore } from './bench.js';
 
@@ -75,13 +75,37 @@ describe('what the storage is asked for', () => {
 it('every call of every shelf of the storage goes through it', async () => {
   const store = new MemoryStore();
   const storage = limited(store, { answered: () => {}, failed: () => {} });
-  expect(Object.keys(storage), 'all shelves').toEqual(Object.keys(store).filter((key) => key !== 'broken'));
-  for (const [name, shelf] of Object.entries(storage)) {
-    for (const call of ['save', 'remove', 'load', 'all'] as const) {
-      const spy = vi.spyOn(store[name as keyof typeof storage], call).mockReturnValue(new Promise<never>(() => {}));
-      const said = watched(shelf[call]({ key: 'a' } as never));
+  expect(Object.keys(storage), 'all shelves').toEqual([...SHELVES, 'erase']);
+  for (const shelf of SHELVES) {
+    expect(Object.keys(storage[shelf])).toEqual(Object.keys(SHELF_CALLS));
+    for (const call of Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[]) {
+      const spy = vi.spyOn(store[shelf], call).mockReturnValue(new Promise<never>(() => {}));
+      const said = watched(storage[shelf][call]({ key: 'a' } as never));
       await vi.advanceTimersByTimeAsync(5000);
-      expect([said.said, spy.mock.calls.length], `${name}.${call}`).toEqual(['slow', 1]);
+      expect([said.said, spy.mock.calls.length], `${shelf}.${call}`).toEqual(['slow', 1]);
     }
   }
+});
+
+it('one that did not answer is waited for shortly, until it does', async () => {
+  const store = new MemoryStore();
+  const told: unknown[] = [];
+  const { drafts } = limited(store, { answered: (kind) => told.push(kind), failed: (_, code) => told.push(code) });
+  const spy = vi.spyOn(store.drafts, 'all').mockReturnValue(new Promise(() => {}));
+  const first = watched(drafts.all());
+  await vi.advanceTimersByTimeAsync(2999);
+  expect(told).toEqual([]);
+  await vi.advanceTimersByTimeAsync(1);
+  expect(told, 'it is said before it is given up').toEqual(['slow']);
+  await vi.advanceTimersByTimeAsync(2000);
+  const second = watched(drafts.all());
+  await vi.advanceTimersByTimeAsync(250);
+  expect([first.said, second.said]).toEqual(['slow', 'slow']);
+  spy.mockRestore();
+  expect(await drafts.all()).toEqual([]);
+  expect(told.at(-1)).toBe('read');
+  vi.spyOn(store.drafts, 'all').mockReturnValue(new Promise(() => {}));
+  const third = watched(drafts.all());
+  await vi.advanceTimersByTimeAsync(4999);
+  expect(third.said).toBe('open');
 });

@@ -2,13 +2,12 @@ import { render, screen } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
 import { TabNumber } from '../../src/app/state/tab-number.js';
-import { StorageError } from '../../src/app/storage/index.js';
+import { SHELF_CALLS, SHELVES, StorageError } from '../../src/app/storage/index.js';
 import type { ProgramField } from '../../src/program/index.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
-const SHELVES = ['drafts', 'unfinished', 'backups', 'ports'] as const;
-const CALLS = ['save', 'remove', 'load', 'all'] as const;
+const CALLS = Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[];
 
 /** Each call of the storage ends as `how` says, until the function that comes back is called. */
 function hold(store: MemoryStore, how: () => Promise<unknown>): () => void {

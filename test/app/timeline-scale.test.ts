@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { limitsOf, snapped, stepped, timeStep } from '../../src/app/timeline/drag.js';
 import { endOf, eventsBetween, reachedAt, stagesOf } from '../../src/app/timeline/flight.js';
 import { spread } from '../../src/app/timeline/layout.js';
-import { between, evenScale, RUN_OUT, type Scale, stretchedScale } from '../../src/app/timeline/scale.js';
+import { between, evenScale, RUN_OUT, Scale, stretchedScale } from '../../src/app/timeline/scale.js';
 import { shortTime, ticks } from '../../src/app/timeline/ticks.js';
 import { TimelineModel } from '../../src/app/timeline/view-model.js';
 import type { ProgramField } from '../../src/program/index.js';
@@ -22,6 +22,54 @@ const blended = fc
   .tuple(stretched, stretched, fc.double({ min: 0, max: 1, noNaN: true }))
   .map(([a, b, share]) => between(a, b, share));
 const anyScale: fc.Arbitrary<Scale> = fc.oneof(stretched, even, blended);
+
+describe('times that no timer has', () => {
+  const hostile = fc.oneof(
+    fc.double(),
+    fc.constantFrom(1e300, Number.MAX_VALUE, Number.MAX_SAFE_INTEGER, Infinity, -Infinity, Number.NaN, -1, 0.1),
+  );
+
+  it('are drawn in a bounded number of steps', () => {
+    fc.assert(
+      fc.property(fc.array(hostile, { minLength: 1, maxLength: 20 }), fc.array(hostile), (marks, others) => {
+        for (const scale of [
+          stretchedScale(marks, { minGap: 0.05, runOut: 0.05, others }),
+          evenScale(marks[0] as number),
+        ]) {
+          let places = 0;
+          const place = scale.place.bind(scale);
+          scale.place = (at) => {
+            if (++places > 10_000) throw new Error('no end of it');
+            return place(at);
+          };
+          const shown = ticks(scale, [0], [], { from: 0, to: 1, gap: 0.02 });
+          expect(shown.every(Number.isFinite)).toBe(true);
+          expect(scale.times.every((at, i) => i === 0 || at > (scale.times[i - 1] as number))).toBe(true);
+        }
+      }),
+      { numRuns: 500 },
+    );
+  });
+
+  it('are counted in a bounded number of steps on a scale that came from elsewhere', () => {
+    const scale = new Scale([0, 1e300, 1e300], [0, 0.5, 1]);
+    let places = 0;
+    const place = scale.place.bind(scale);
+    scale.place = (at) => {
+      if (++places > 10_000) throw new Error('no end of it');
+      return place(at);
+    };
+    expect(ticks(scale, [], [], { from: 0, to: 1, gap: 0.02 }).length).toBeLessThan(100);
+  });
+
+  it('are drawn at launch or at the end', () => {
+    const program = programOf('Q', [1e300, Number.NaN, -5, Infinity]);
+    expect(stagesOf(program).every(({ from, until }) => Number.isFinite(from) && Number.isFinite(until ?? 0))).toBe(
+      true,
+    );
+    expect(endOf(program)).toBe(1e9 + RUN_OUT);
+  });
+});
 
 describe('any scale', () => {
   it('rises strictly, also past its end', () => {

@@ -1,9 +1,10 @@
-import { type DBSchema, type IDBPDatabase, openDB } from 'idb';
+import { type DBSchema, deleteDB, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
 import { StorageError } from './limit.js';
+import type { AsideRecord } from './records.js';
 
-const STORES = ['drafts', 'unfinished', 'backups', 'ports'] as const;
+const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside'] as const;
 
 /** The shelves of the browser's storage; each record stands under its own key. */
 export type StoreName = (typeof STORES)[number];
@@ -13,23 +14,27 @@ interface Schema extends DBSchema {
   unfinished: { key: string; value: unknown };
   backups: { key: string; value: unknown };
   ports: { key: string; value: unknown };
+  aside: { key: string; value: unknown };
 }
 
 /** What the models need of a shelf, so that a test can put another in its place. */
 export interface Keeper<T extends { readonly key: string }> {
   save(record: T): Promise<void>;
   remove(key: string): Promise<void>;
-  /** Undefined when there is none or what is stored cannot be read. */
+  /** Undefined when there is none; what is stored and cannot be read is set aside. */
   load(key: string): Promise<T | undefined>;
   /** All records that can be read, in the order of their keys. */
   all(): Promise<T[]>;
 }
 
+/** The arrangement of the shelves. A browser refuses it when a newer version of this page has been here. */
+const VERSION = 3;
+
 /** Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds on to it. */
 export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>> {
   // Where storage is switched off, opening may throw at once instead of failing later.
   const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
-    openDB<Schema>(name, 2, {
+    openDB<Schema>(name, VERSION, {
       upgrade(database) {
         for (const store of STORES) {
           if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
@@ -43,6 +48,16 @@ export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>>
   // Whoever asks is told; nobody has asked yet.
   opened.catch(() => {});
   return opened;
+}
+
+/** Throws the whole storage away. Other tabs let go of it when they are asked. */
+export async function deleteStorage(opened: Promise<IDBPDatabase<Schema>>, name = 'sidus-timer'): Promise<void> {
+  // One that could not be opened need not be closed.
+  await opened.then(
+    (database) => database.close(),
+    () => {},
+  );
+  await deleteDB(name);
 }
 
 /** So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in milliseconds. */
@@ -70,18 +85,24 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #name: StoreName;
   readonly #schema: BaseSchema<unknown, T, BaseIssue<unknown>>;
   readonly #durability: IDBTransactionDurability;
+  readonly #onLeft: (records: readonly AsideRecord[]) => void;
 
-  /** @param durability `strict`: saved means written to the disk, at the cost of some milliseconds. */
+  /**
+   * @param durability `strict`: saved means written to the disk, at the cost of some milliseconds.
+   * @param onLeft told of what cannot be read and cannot be set aside either.
+   */
   constructor(
     opened: Promise<IDBPDatabase<Schema>>,
     name: StoreName,
     schema: BaseSchema<unknown, T, BaseIssue<unknown>>,
     durability: IDBTransactionDurability = 'relaxed',
+    onLeft: (records: readonly AsideRecord[]) => void = () => {},
   ) {
     this.#opened = opened;
     this.#name = name;
     this.#schema = schema;
     this.#durability = durability;
+    this.#onLeft = onLeft;
   }
 
   async save(record: T): Promise<void> {
@@ -99,16 +120,42 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   }
 
   async load(key: string): Promise<T | undefined> {
-    return this.#read(await (await this.#opened).get(this.#name, key));
+    const stored: unknown = await (await this.#opened).get(this.#name, key);
+    return stored === undefined ? undefined : (await this.#read([stored]))[0];
   }
 
   async all(): Promise<T[]> {
-    const stored: unknown[] = await (await this.#opened).getAll(this.#name);
-    return stored.map((record) => this.#read(record)).filter((record) => record !== undefined);
+    return await this.#read(await (await this.#opened).getAll(this.#name));
   }
 
-  #read(stored: unknown): T | undefined {
-    const result = v.safeParse(this.#schema, stored);
-    return result.success ? result.output : undefined;
+  /** What can be read of this; the rest is set aside. */
+  async #read(stored: readonly unknown[]): Promise<T[]> {
+    const results = stored.map((record) => v.safeParse(this.#schema, record));
+    const bad = stored.filter((_, i) => !results[i]?.success);
+    if (bad.length > 0) await this.#setAside(bad);
+    return results.flatMap((result) => (result.success ? [result.output] : []));
+  }
+
+  /** Puts what cannot be read where nothing takes its place. What cannot be moved stays where it is, and is told all the same. */
+  async #setAside(bad: readonly unknown[]): Promise<void> {
+    const at = Date.now();
+    const records = bad.map((stored) => {
+      const { key } = stored as { key: IDBValidKey };
+      return { key: `${this.#name}/${at}/${String(key)}`.slice(0, 1000), shelf: this.#name, at, stored };
+    });
+    try {
+      const moving = (await this.#opened).transaction([this.#name, 'aside'], 'readwrite');
+      for (const { stored, ...record } of records) {
+        const { key } = stored as { key: string };
+        const now: unknown = await moving.objectStore(this.#name).get(key);
+        // Another tab may have put something good in its place, or have been here first.
+        if (now === undefined || v.is(this.#schema, now)) continue;
+        await moving.objectStore('aside').put({ ...record, stored: now });
+        await moving.objectStore(this.#name).delete(key);
+      }
+      await moving.done;
+    } catch {
+      this.#onLeft(records);
+    }
   }
 }

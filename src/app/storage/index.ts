@@ -1,6 +1,8 @@
-import { type Keeper, openStorage, Shelf } from './database.js';
+import { deleteStorage, type Keeper, openStorage, Shelf } from './database.js';
 import { StorageQuestions, type StorageWatch } from './limit.js';
 import {
+  type AsideRecord,
+  asideSchema,
   type Backup,
   backupSchema,
   type Draft,
@@ -13,7 +15,7 @@ import {
 
 export type { Keeper } from './database.js';
 export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, within } from './limit.js';
-export type { Backup, Draft, PortRecord, Unfinished, UnfinishedWalk, UnfinishedWrite } from './records.js';
+export type { AsideRecord, Backup, Draft, PortRecord, Unfinished, UnfinishedWalk, UnfinishedWrite } from './records.js';
 
 /** All that is kept in the browser, so that it survives a reload, a crash and a flat battery. */
 export interface Storage {
@@ -21,31 +23,61 @@ export interface Storage {
   readonly unfinished: Keeper<Unfinished>;
   readonly backups: Keeper<Backup>;
   readonly ports: Keeper<PortRecord>;
+  /** What was found on the others and cannot be read. */
+  readonly aside: Keeper<AsideRecord>;
+  /** Throws all of it away; nothing can be kept after that until the page is loaded again. */
+  erase(): Promise<void>;
 }
+
+/** The calls of a shelf, and what each does: to all of them the limits apply. */
+export const SHELF_CALLS = { save: 'change', remove: 'change', load: 'read', all: 'read' } as const satisfies Record<
+  keyof Keeper<never>,
+  'read' | 'change'
+>;
+/** The shelves, by their names in {@link Storage}. */
+export const SHELVES = ['drafts', 'unfinished', 'backups', 'ports', 'aside'] as const satisfies readonly Exclude<
+  keyof Storage,
+  'erase'
+>[];
 
 export function browserStorage(name?: string): Storage {
   const opened = openStorage(name);
+  const left = new Map<string, AsideRecord>();
+  const note = (records: readonly AsideRecord[]): void => {
+    for (const record of records)
+      left.set(`${record.shelf}/${String((record.stored as { key: unknown }).key)}`, record);
+  };
+  const aside = new Shelf(opened, 'aside', asideSchema);
   return {
-    drafts: new Shelf(opened, 'drafts', draftSchema),
-    unfinished: new Shelf(opened, 'unfinished', unfinishedSchema, 'strict'),
-    backups: new Shelf(opened, 'backups', backupSchema, 'strict'),
-    ports: new Shelf(opened, 'ports', portSchema),
+    drafts: new Shelf(opened, 'drafts', draftSchema, 'relaxed', note),
+    unfinished: new Shelf(opened, 'unfinished', unfinishedSchema, 'strict', note),
+    backups: new Shelf(opened, 'backups', backupSchema, 'strict', note),
+    ports: new Shelf(opened, 'ports', portSchema, 'relaxed', note),
+    aside: {
+      save: (record) => aside.save(record),
+      remove: (key) => aside.remove(key),
+      load: (key) => aside.load(key),
+      all: async () => [...(await aside.all()), ...left.values()],
+    },
+    erase: () => deleteStorage(opened, name),
   };
 }
 
 /** The same storage, each call of which ends in time: with what it gives, or with a StorageError. */
-export function limited({ drafts, unfinished, backups, ports }: Storage, watch: StorageWatch): Storage {
+export function limited(storage: Storage, watch: StorageWatch): Storage {
   const questions = new StorageQuestions(watch);
   const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>): Keeper<T> => ({
-    save: (record) => questions.ask('change', () => keeper.save(record)),
-    remove: (key) => questions.ask('change', () => keeper.remove(key)),
-    load: (key) => questions.ask('read', () => keeper.load(key)),
-    all: () => questions.ask('read', () => keeper.all()),
+    save: (record) => questions.ask(SHELF_CALLS.save, () => keeper.save(record)),
+    remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
+    load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
+    all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
   });
   return {
-    drafts: inTime(drafts),
-    unfinished: inTime(unfinished),
-    backups: inTime(backups),
-    ports: inTime(ports),
+    drafts: inTime(storage.drafts),
+    unfinished: inTime(storage.unfinished),
+    backups: inTime(storage.backups),
+    ports: inTime(storage.ports),
+    aside: inTime(storage.aside),
+    erase: () => questions.ask('change', () => storage.erase()),
   };
 }

@@ -1,40 +1,84 @@
 import * as v from 'valibot';
-import type { TimerProgram } from '../../program/index.js';
+import { sameLayout, type TimerProgram } from '../../program/index.js';
+import { columnCount, type Identity, MAX_TIME, requireIdentity } from '../../protocol/index.js';
 import type { Content } from '../edit/content.js';
 import { type History, MAX_STEPS, STEP_CODES } from '../edit/history.js';
 
-const finite = v.pipe(v.number(), v.finite());
-const index = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255));
-const identity = v.object({
-  timerClass: v.pipe(v.string(), v.regex(/^[!-~]$/)),
-  firmware: v.string(),
-  functions: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(125)),
-  memories: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(255)),
-  servos: v.pipe(v.number(), v.integer(), v.minValue(1), v.maxValue(126)),
-});
-const program: v.GenericSchema<unknown, TimerProgram> = v.pipe(
+/*
+ * What is stored is checked as strictly as what comes over a wire: an error of another version, of the browser or of a disk must not
+ * become a value that somebody writes to a timer.
+ */
+
+const whole = (min: number, max: number) => v.pipe(v.number(), v.safeInteger(), v.minValue(min), v.maxValue(max));
+/** Milliseconds since 1970, as far as a calendar goes. */
+const date = v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(8.64e15));
+const key = v.pipe(v.string(), v.maxLength(200));
+/** The number of a tab, see `TabNumber`. */
+const tab = v.pipe(v.number(), v.safeInteger(), v.minValue(1));
+
+const identity: v.GenericSchema<unknown, Identity> = v.pipe(
   v.object({
-    identity,
-    memory: v.nullable(finite),
-    timers: v.array(finite),
-    positions: v.array(v.array(finite)),
-    idleThrottle: v.nullable(finite),
+    timerClass: v.string(),
+    firmware: v.string(),
+    functions: v.number(),
+    memories: v.number(),
+    servos: v.number(),
   }),
-  v.check(({ identity: { functions, servos }, timers, positions }) => {
-    const columns = functions + 1;
-    return timers.length === columns && positions.length === servos && positions.every((row) => row.length === columns);
-  }, 'the lists do not have the shape of the identity'),
+  v.check((value) => {
+    try {
+      requireIdentity(value);
+      return true;
+    } catch {
+      return false;
+    }
+  }, 'no timer says this of itself'),
 );
 
-const texts = v.record(v.string(), v.string());
+interface Ranges {
+  readonly time: readonly [number, number];
+  readonly position: readonly [number, number];
+  readonly throttle: readonly [number, number];
+}
+/** What a timer can say. */
+const HELD: Ranges = { time: [0, MAX_TIME], position: [0, 255], throttle: [0, 255] };
+/** What can be typed, and is then refused for what it is: it is kept until it is put right. */
+const TYPED: Ranges = { time: [-1e9, 1e9], position: [-999_999, 999_999], throttle: [-999_999, 999_999] };
+
+const programIn = ({ time, position, throttle }: Ranges): v.GenericSchema<unknown, TimerProgram> =>
+  v.pipe(
+    v.object({
+      identity,
+      memory: v.nullable(whole(0, 254)),
+      timers: v.array(whole(...time)),
+      positions: v.array(v.array(whole(...position))),
+      idleThrottle: v.nullable(whole(...throttle)),
+    }),
+    v.check(({ identity: of, memory, timers, positions }) => {
+      const columns = columnCount(of);
+      const fits =
+        timers.length === columns && positions.length === of.servos && positions.every((row) => row.length === columns);
+      return fits && (memory === null || memory < of.memories);
+    }, 'the lists do not have the shape of the identity'),
+  );
+const held = programIn(HELD);
+const wanted = programIn(TYPED);
+
+const texts = v.pipe(
+  v.record(v.pipe(v.string(), v.maxLength(100)), v.pipe(v.string(), v.maxLength(10_000))),
+  v.check((found) => Object.keys(found).length <= 1000, 'more texts than fields'),
+);
+const params = v.pipe(
+  v.record(
+    v.pipe(v.string(), v.maxLength(100)),
+    v.union([v.pipe(v.string(), v.maxLength(100)), v.pipe(v.number(), v.safeInteger())]),
+  ),
+  v.check((found) => Object.keys(found).length <= 20, 'more than a name says'),
+);
 const steps = v.pipe(
   v.array(
     v.object({
-      name: v.object({
-        code: v.picklist(STEP_CODES),
-        params: v.record(v.string(), v.union([v.string(), finite])),
-      }),
-      state: v.object({ working: program, texts }),
+      name: v.object({ code: v.picklist(STEP_CODES), params }),
+      state: v.object({ working: wanted, texts }),
     }),
   ),
   v.maxLength(MAX_STEPS),
@@ -42,26 +86,29 @@ const steps = v.pipe(
 const history: v.GenericSchema<unknown, History<Content>> = v.object({
   past: steps,
   future: steps,
-  open: v.nullable(v.string()),
+  open: v.nullable(v.pipe(v.string(), v.maxLength(200))),
 });
 
 /** What a pilot was working on, under the kind of timer and the memory that it is for. */
-export const draftSchema = v.object({
-  key: v.string(),
-  /** What the timer held when the work began. */
-  baseline: program,
-  working: program,
-  /** Texts in fields that are no values yet, by field. */
-  texts,
-  /** What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft. */
-  history: v.optional(v.fallback(v.optional(history), undefined)),
-  /** Milliseconds since 1970. */
-  savedAt: v.number(),
-  /** Whether it came from the simulated timer. */
-  simulated: v.boolean(),
-  /** The number of the tab that it was worked on in, see `TabNumber`. */
-  tab: v.optional(v.number(), 1),
-});
+export const draftSchema = v.pipe(
+  v.object({
+    key,
+    /** What the timer held when the work began. */
+    baseline: held,
+    working: wanted,
+    /** Texts in fields that are no values yet, by field. */
+    texts,
+    /** What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft. */
+    history: v.optional(v.fallback(v.optional(history), undefined)),
+    /** Milliseconds since 1970. */
+    savedAt: date,
+    /** Whether it came from the simulated timer. */
+    simulated: v.boolean(),
+    /** The number of the tab that it was worked on in, see `TabNumber`. */
+    tab: v.optional(tab, 1),
+  }),
+  v.check(({ baseline, working }) => sameLayout(baseline.identity, working.identity), 'the two are not of one layout'),
+);
 export type Draft = v.InferOutput<typeof draftSchema>;
 
 /**
@@ -69,28 +116,31 @@ export type Draft = v.InferOutput<typeof draftSchema>;
  * the memory that it is for; or a walk through the memories, under the kind alone.
  */
 export const unfinishedSchema = v.variant('kind', [
-  v.object({
-    kind: v.literal('write'),
-    key: v.string(),
-    startedAt: v.number(),
-    /** What the timer held by the last reading before. */
-    before: program,
-    /** What it was to hold. */
-    goal: program,
-    /** When `before` was read, in milliseconds since 1970; older records do not say. */
-    readAt: v.optional(v.nullable(v.number()), null),
-    /** When a fresh reading explained what the timer holds: from then on only the offer to finish it is left. */
-    seenAt: v.optional(v.nullable(v.number()), null),
-    /** The number of the tab in which it is under way, see `TabNumber`; null when that has seen its end. */
-    tab: v.optional(v.nullable(v.number()), null),
-  }),
+  v.pipe(
+    v.object({
+      kind: v.literal('write'),
+      key,
+      startedAt: date,
+      /** What the timer held by the last reading before. */
+      before: held,
+      /** What it was to hold. */
+      goal: held,
+      /** When `before` was read, in milliseconds since 1970; older records do not say. */
+      readAt: v.optional(v.nullable(date), null),
+      /** When a fresh reading explained what the timer holds: from then on only the offer to finish it is left. */
+      seenAt: v.optional(v.nullable(date), null),
+      /** The number of the tab in which it is under way, see `TabNumber`; null when that has seen its end. */
+      tab: v.optional(v.nullable(tab), null),
+    }),
+    v.check(({ before, goal }) => sameLayout(before.identity, goal.identity), 'the two are not of one layout'),
+  ),
   v.object({
     kind: v.literal('memories'),
-    key: v.string(),
-    startedAt: v.number(),
+    key,
+    startedAt: date,
     identity,
     /** The memory that was current, and is to be current again; counted from 0. */
-    home: index,
+    home: whole(0, 254),
   }),
 ]);
 export type Unfinished = v.InferOutput<typeof unfinishedSchema>;
@@ -100,23 +150,23 @@ export type UnfinishedWalk = Extract<Unfinished, { kind: 'memories' }>;
 /** What one memory of a timer held at a time: before a write, or when the pilot asked for it. */
 export const backupSchema = v.object({
   /** Sorts by time. */
-  key: v.string(),
-  savedAt: v.number(),
+  key,
+  savedAt: date,
   reason: v.picklist(['write', 'memories']),
-  program,
+  program: held,
   simulated: v.boolean(),
 });
 export type Backup = v.InferOutput<typeof backupSchema>;
 
 /** What was tried on the bench and is neither kept nor put back yet, under the kind of timer and the memory. */
-export const trialsSchema = v.array(v.object({ key: v.string(), before: program, touched: v.array(v.string()) }));
+export const trialsSchema = v.array(v.object({ key, before: held, touched: v.array(v.string()) }));
 
 /** What is remembered of a port. Two adapters of one make share it: nothing tells them apart. */
 export const portSchema = v.object({
-  key: v.string(),
-  usedAt: v.number(),
+  key,
+  usedAt: date,
   settings: v.object({
-    baudRate: v.union([v.literal('find'), v.pipe(v.number(), v.integer(), v.minValue(1))]),
+    baudRate: v.union([v.literal('find'), whole(1, 100_000_000)]),
     dataBits: v.picklist([7, 8]),
     parity: v.picklist(['none', 'even', 'odd']),
     stopBits: v.picklist([1, 2]),
@@ -124,7 +174,7 @@ export const portSchema = v.object({
     rts: v.nullable(v.boolean()),
   }),
   /** The rate at which a timer answered last; null when none has. */
-  foundRate: v.nullable(v.pipe(v.number(), v.integer(), v.minValue(1))),
+  foundRate: v.nullable(whole(1, 100_000_000)),
   /** What was taken for true of the timers at this port, by kind of timer: a first guess for the next one. */
   quirks: v.record(
     v.string(),
@@ -138,3 +188,14 @@ export const portSchema = v.object({
   ),
 });
 export type PortRecord = v.InferOutput<typeof portSchema>;
+
+/** What was stored and cannot be read, as it was found: it may matter to somebody, and a later version may be able to read it. */
+export const asideSchema = v.object({
+  key: v.pipe(v.string(), v.maxLength(1000)),
+  /** Where it lay. */
+  shelf: v.pipe(v.string(), v.maxLength(100)),
+  /** When it was set aside, in milliseconds since 1970. */
+  at: date,
+  stored: v.unknown(),
+});
+export type AsideRecord = v.InferOutput<typeof asideSchema>;

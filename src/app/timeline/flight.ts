@@ -1,5 +1,5 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
-import { RUN_OUT } from './scale.js';
+import { drawable, RUN_OUT } from './scale.js';
 
 /**
  * How a column of a program is run through: its positions are `held` until the next one, or `passed` over because the next one
@@ -19,8 +19,9 @@ export interface Stage {
 /** Start, the functions and DT. Start is at launch: the time of column 0 means something else. */
 export function stagesOf({ timers }: TimerProgram): Stage[] {
   return timers.map((time, column) => {
-    const from = column === 0 ? 0 : time;
-    const until = timers[column + 1] ?? null;
+    const from = column === 0 ? 0 : drawable(time);
+    const next = timers[column + 1];
+    const until = next === undefined ? null : drawable(next);
     const passing = until === null || until > from ? 'held' : until === from ? 'passed' : 'back';
     return { column, from, until, passing };
   });
@@ -40,7 +41,7 @@ export function timeOf({ timers }: TimerProgram, field: ProgramField): number {
 /** Every time at which something happens, launch not among them. */
 export function marksOf(program: TimerProgram): number[] {
   const stop = motorStopOf(program);
-  return stop === null ? program.timers.slice(1) : [...program.timers];
+  return (stop === null ? program.timers.slice(1) : program.timers).map(drawable);
 }
 
 /** The time at which there is nothing more to show: a few seconds after the last event. */

@@ -1,5 +1,5 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { RUN_OUT } from './scale.js';
+import { drawable, RUN_OUT } from './scale.js';
 
 /** What turns the player's clock: the frames of the screen, or a test. */
 export interface Frames {
@@ -62,8 +62,8 @@ export class Player {
 
   /** Another program is shown. A time past its end becomes its end. */
   setEnd(end: number): void {
-    this.#end.value = end;
-    if (this.#exact > end) this.#goTo(end);
+    this.#end.value = drawable(end);
+    if (this.#exact > this.#end.value) this.#goTo(this.#end.value);
   }
 
   /** Goes on, or from the end starts again at launch. */
@@ -87,7 +87,7 @@ export class Player {
 
   /** Goes to a time, playing or not. */
   seek(time: number): void {
-    this.#goTo(Math.min(this.#end.peek(), Math.max(0, time)));
+    this.#goTo(Math.min(this.#end.peek(), drawable(time)));
   }
 
   setSpeed(speed: Speed): void {

@@ -1,6 +1,14 @@
 /** The length of run-out that is shown, and played, after the last event: hundredths of a second. */
 export const RUN_OUT = 300;
 
+/** More than anybody can type: later times are drawn here, so that nothing is counted through to a time that never comes. */
+const LAST_DRAWN = 1e9;
+
+/** A time as it can be drawn, whatever a program holds: hundredths of a second from launch, finite. */
+export function drawable(time: number): number {
+  return Number.isNaN(time) ? 0 : Math.min(LAST_DRAWN, Math.max(0, time));
+}
+
 /** Gaps shorter than this are drawn nearly in proportion, longer ones ever more compressed: hundredths of a second. */
 const BEND = 50;
 /** At most this share of the picture is dealt out evenly, however many marks there are; the rest follows the times. */
@@ -71,8 +79,8 @@ export interface StretchOptions {
  * @param marks times that must be told apart, in any order; launch is always one.
  */
 export function stretchedScale(marks: readonly number[], { minGap, runOut, others = [] }: StretchOptions): Scale {
-  const own = rising([0, ...marks]);
-  const times = rising([...own, ...others]);
+  const own = rising([0, ...marks.map(drawable)]);
+  const times = rising([...own, ...others.map(drawable)]);
   const end = times.at(-1) as number;
   const stops = rising([...own, end]);
   const gaps = stops.length - 1;
@@ -97,7 +105,7 @@ export function stretchedScale(marks: readonly number[], { minGap, runOut, other
 
 /** An axis on which every second has the same length. */
 export function evenScale(end: number): Scale {
-  return new Scale([0, end + RUN_OUT], [0, 1]);
+  return new Scale([0, drawable(end) + RUN_OUT], [0, 1]);
 }
 
 /** A scale on the way from one to another. @param share 0 is the first, 1 the second. */

@@ -33,14 +33,18 @@ export function ticks(
     if (free(place)) chosen.push({ time, place });
   }
   for (const level of LEVELS) {
-    for (let i = 1; i < scale.times.length; i++) {
-      const [first, last] = [scale.times[i - 1] as number, scale.times[i] as number];
+    for (let knot = 1; knot < scale.times.length; knot++) {
+      const [first, last] = [scale.times[knot - 1] as number, scale.times[knot] as number];
       const rate = scale.place(last) - scale.place(first);
       // In this gap they would stand too close: so would all the finer ones.
       if ((rate / (last - first)) * level < gap) continue;
       const begin = Math.max(first, scale.time(from));
       const end = Math.min(last, scale.time(to));
-      for (let time = Math.ceil(begin / level) * level; time <= end; time += level) {
+      const lowest = Math.ceil(begin / level);
+      // No more than have room, whatever the numbers are.
+      const count = Math.min(Math.floor(end / level) - lowest, Math.ceil((to - from) / gap)) + 1;
+      for (let i = 0; i < count; i++) {
+        const time = (lowest + i) * level;
         const place = scale.place(time);
         if (free(place)) chosen.push({ time, place });
       }
