@@ -1,7 +1,9 @@
+import { messages } from './messages/index.js';
 import { type AppModels, Models } from './models.js';
 import { Header } from './parts/header.js';
 import { RecoveryPanel } from './parts/recovery-panel.js';
 import { ThemeChoice } from './parts/theme-choice.js';
+import { EraseDialog } from './screens/erase-dialog.js';
 import { LeaveDialog } from './screens/leave-dialog.js';
 import { LinePanel } from './screens/line-panel.js';
 import { MemoriesDialog } from './screens/memories-dialog.js';
@@ -22,10 +24,14 @@ export function App({ models }: { models: AppModels }) {
       </main>
       <footer class="foot">
         <ThemeChoice />
+        <button type="button" class="quiet" onClick={() => void models.erase.open()}>
+          {messages.value.erase.open}
+        </button>
       </footer>
       <WriteDialog />
       <MemoriesDialog />
       <LeaveDialog />
+      <EraseDialog />
     </Models.Provider>
   );
 }

@@ -2,6 +2,7 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Platform } from './platform.js';
 import { Bench } from './state/bench.js';
+import { Erase, type Erasers } from './state/erase.js';
 import { Follow } from './state/follow.js';
 import { Keeping, type Lack } from './state/keeping.js';
 import { Leaving } from './state/leaving.js';
@@ -10,6 +11,7 @@ import type { TabChannel } from './state/other-tabs.js';
 import { Preferences } from './state/preferences.js';
 import { Recover } from './state/recover.js';
 import { Session, type SessionOptions } from './state/session.js';
+import type { SetAside } from './state/set-aside.js';
 import { Tabs } from './state/tabs.js';
 import { Theme } from './state/theme.js';
 import { UpdateOffer } from './state/update-offer.js';
@@ -20,6 +22,8 @@ import { limited } from './storage/index.js';
 export interface AppModels {
   readonly session: Session;
   readonly keeping: Keeping;
+  readonly aside: SetAside;
+  readonly erase: Erase;
   readonly write: WriteFlow;
   readonly recover: Recover;
   readonly memories: Memories;
@@ -47,14 +51,28 @@ export interface ModelOptions extends SessionOptions {
   readonly platform: Platform;
   /** Between the tabs of this program; null where there is none. */
   readonly channel: TabChannel | null;
+  /** How everything is deleted that is kept outside of the storage. Default: there is nothing. */
+  readonly erasers?: Erasers | undefined;
+  /** Begins the page afresh. */
+  readonly reload?: (() => void) | undefined;
   /** What was found missing when the page was opened. Default: nothing. */
   readonly lacks?: readonly Lack[];
 }
 
+const NOTHING_KEPT: Erasers = { settings: async () => {}, ports: async () => {}, offline: async () => {} };
+
 /** All models of the program, before anything is brought back or connected. */
-export function createModels({ platform, channel, lacks, ...options }: ModelOptions): AppModels {
+export function createModels({
+  platform,
+  channel,
+  lacks,
+  erasers = NOTHING_KEPT,
+  reload = () => {},
+  ...options
+}: ModelOptions): AppModels {
   const keeping = new Keeping(options.tab, lacks);
-  const session = new Session({ ...options, storage: limited(options.storage, keeping) });
+  const storage = limited(options.storage, keeping);
+  const session = new Session({ ...options, storage });
   keeping.onReturn(() => void session.bringBack());
   const write = new WriteFlow(session);
   const memories = new Memories(session);
@@ -65,6 +83,8 @@ export function createModels({ platform, channel, lacks, ...options }: ModelOpti
   return {
     session,
     keeping,
+    aside: session.aside,
+    erase: new Erase(session, storage, erasers, reload),
     write,
     memories,
     leaving: new Leaving(session, memories),

@@ -2,6 +2,7 @@ import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
 import { lacksOf, openDoors, tabNumberOf, tried } from './browser.js';
+import { browserErasers } from './erasers.js';
 import { type AppModels, createModels } from './models.js';
 import { registerOffline } from './offline.js';
 import { FramedPage, isFramed } from './parts/framed-page.js';
@@ -30,6 +31,8 @@ export function openPage(root: HTMLElement): AppModels | null {
     platform: platformOf(navigator),
     channel: doors.channel,
     lacks: lacksOf(doors),
+    erasers: browserErasers(doors.surroundings.serial as Serial | undefined),
+    reload: () => location.reload(),
   });
   const { session, write, memories, follow, update, keeping, theme } = models;
   tried(() => theme.follow(document, doors.dark));
@@ -45,6 +48,7 @@ export function openPage(root: HTMLElement): AppModels | null {
   });
   keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
   document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
+  addEventListener('pagehide', () => session.backups.flush());
   onWake(() => session.link.recheck());
   tried(() =>
     registerOffline({

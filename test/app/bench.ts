@@ -1,5 +1,5 @@
 import { onTestFinished, vi } from 'vitest';
-import { createModels } from '../../src/app/models.js';
+import { createModels, type ModelOptions } from '../../src/app/models.js';
 import { platformOf } from '../../src/app/platform.js';
 import { plugRecording } from '../../src/app/simulated-timer.js';
 import type { TabChannel } from '../../src/app/state/other-tabs.js';
@@ -70,7 +70,7 @@ export class MemoryStore implements Storage {
 /** The locks of a browser with one tab. */
 const ALONE: Locks = { request: async (_, __, work) => work({}) };
 
-export interface BenchOptions extends TimerOptions {
+export interface BenchOptions extends TimerOptions, Pick<ModelOptions, 'erasers' | 'reload'> {
   /** Default: a new one. The same one again stands for a reload. */
   readonly store?: MemoryStore;
   /** Whether this browser has Web Serial. Default true. */
@@ -90,6 +90,8 @@ export async function appBench({
   channel,
   tab,
   started = true,
+  erasers,
+  reload,
   ...timer
 }: BenchOptions = {}) {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
@@ -106,6 +108,8 @@ export async function appBench({
     plugRecording,
     platform: platformOf({ userAgent: '' }),
     channel: channel ?? null,
+    erasers,
+    reload,
   });
   const { session } = models;
   if (started) await session.start();

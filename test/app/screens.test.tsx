@@ -17,6 +17,7 @@ describe('the start', () => {
       'Connect',
       'Try a simulated F1Q timer',
       'Try a simulated F1B timer',
+      'Delete everything on this device…',
     ]);
     expect(screen.getByText<HTMLElement>('Line').closest('details')?.open).toBe(false);
   });

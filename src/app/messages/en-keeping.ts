@@ -1,5 +1,6 @@
+import type { Place } from '../state/erase.js';
 import type { Lack } from '../state/keeping.js';
-import type { StorageErrorCode } from '../storage/index.js';
+import type { SHELVES, StorageErrorCode } from '../storage/index.js';
 
 /** While the browser does not keep, or give back, what it should. */
 export const keeping = {
@@ -22,6 +23,52 @@ export const keeping = {
     settings: 'Colours, presets and other choices last only while this page is open.',
     offline: 'The page itself is not kept: without a network it cannot be opened.',
   } satisfies Record<Lack, string>,
+};
+
+/** What was stored and cannot be read. */
+export const aside = {
+  title: (count: number) =>
+    count === 1
+      ? '1 record could not be read and was set aside.'
+      : `${count} records could not be read and were set aside.`,
+  kept: 'Nothing of it is shown as data, and nothing of it is deleted.',
+  write: 'The note of an interrupted write is among it: read the timer before you fly.',
+  save: 'Save to a file',
+};
+
+/** Backups that were deleted a moment ago. */
+export const removed = {
+  title: (count: number) => (count === 1 ? '1 backup deleted.' : `${count} backups deleted.`),
+  undo: 'Undo',
+};
+
+const places = {
+  storage: 'drafts, backups and notes of writes',
+  settings: 'colours, presets and other choices',
+  ports: 'the right to use serial ports',
+  offline: 'the page for use without a network',
+} satisfies Record<Place | 'storage', string>;
+
+/** Everything that is kept on this device goes. */
+export const erase = {
+  open: 'Delete everything on this device…',
+  title: 'Delete everything on this device',
+  lead: 'This is deleted from this browser, in all its tabs. It cannot be undone. What timers hold stays as it is.',
+  counts: {
+    drafts: (count: string) => `Edits that are not written: ${count}`,
+    backups: (count: string) => `Backups: ${count}`,
+    unfinished: (count: string) => `Notes of interrupted writes: ${count}`,
+    ports: (count: string) => `Adapters with their settings: ${count}`,
+    aside: (count: string) => `Records that could not be read: ${count}`,
+  } satisfies Record<(typeof SHELVES)[number], (count: string) => string>,
+  unknown: 'not known',
+  rest: 'Colours, presets and other choices, the right to use serial ports, and the page for use without a network',
+  uncertain:
+    'It is not known what a timer holds since a write was cut off. Without its note nobody can say so: read that timer before you fly.',
+  start: 'Delete everything',
+  running: 'Deleting',
+  failed: (left: readonly (Place | 'storage')[]) =>
+    `This could not be deleted: ${left.map((place) => places[place]).join(', ')}. Close other tabs of this page and try again, or delete its data in the settings of the browser.`,
 };
 
 /** Inside of another page. */

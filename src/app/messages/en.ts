@@ -3,7 +3,7 @@ import type { UnreadableReason } from '../units.js';
 import { bench, overview, theme } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
-import { framed, keeping } from './en-keeping.js';
+import { aside, erase, framed, keeping, removed } from './en-keeping.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, nextFlight } from './en-memories.js';
@@ -223,6 +223,9 @@ export const en = {
   look,
   backups,
   keeping,
+  aside,
+  removed,
+  erase,
   framed,
   dateTime: { dateStyle: 'medium', timeStyle: 'short' } as const,
   locale: 'en-GB',

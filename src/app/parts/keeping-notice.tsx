@@ -1,5 +1,6 @@
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { saveFile } from '../save-file.js';
 
 /** What this browser does not keep, as long as that is so; nothing when all is well. */
 export function KeepingNotice() {
@@ -16,6 +17,44 @@ export function KeepingNotice() {
       </p>
       <button type="button" class="quiet" onClick={() => keeping.dismiss()}>
         {dismiss}
+      </button>
+    </div>
+  );
+}
+
+/** What was found in the storage and cannot be read. */
+export function AsideNotice() {
+  const { aside } = useModels();
+  const { aside: words, dismiss } = messages.value;
+  if (!aside.isNew.value) return null;
+  return (
+    <div class="notice bad">
+      <p>
+        <strong>{words.title(aside.list.value.length)}</strong> {words.kept} {aside.hasWrite && words.write}
+      </p>
+      <button type="button" onClick={() => saveFile('sidus-set-aside.json', aside.asText())}>
+        {words.save}
+      </button>
+      <button type="button" class="quiet" onClick={() => aside.dismiss()}>
+        {dismiss}
+      </button>
+    </div>
+  );
+}
+
+/** Backups that were deleted a moment ago can be put back. */
+export function RemovedNotice() {
+  const { session } = useModels();
+  const { removed: words } = messages.value;
+  const { length } = session.backups.removed.value;
+  if (length === 0) return null;
+  return (
+    <div class="notice">
+      <p>
+        <strong>{words.title(length)}</strong>
+      </p>
+      <button type="button" onClick={() => session.backups.undoRemove()}>
+        {words.undo}
       </button>
     </div>
   );

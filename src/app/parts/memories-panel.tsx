@@ -86,11 +86,7 @@ function BackupRow({ set }: { set: readonly Backup[] }) {
             {words.show}
           </button>
         )}
-        <button
-          type="button"
-          class="quiet"
-          onClick={() => set.forEach((backup) => void session.backups.remove(backup))}
-        >
+        <button type="button" class="quiet" onClick={() => session.backups.remove(set)}>
           {words.remove}
         </button>
       </div>

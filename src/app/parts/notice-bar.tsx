@@ -2,7 +2,7 @@ import { messages, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
 import type { Platform } from '../platform.js';
 import type { Notice } from '../state/notice.js';
-import { KeepingNotice } from './keeping-notice.js';
+import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
 import { OtherTabNotice } from './other-tab-notice.js';
 import { connectionSaid, TroubleHelp } from './trouble-help.js';
 
@@ -37,6 +37,8 @@ export function NoticeBar() {
         </div>
       )}
       <KeepingNotice />
+      <AsideNotice />
+      <RemovedNotice />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice />}
       {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
       {notice && (

@@ -21,6 +21,7 @@ import { NextFlight } from './next-flight.js';
 import type { NoteCode, Notice } from './notice.js';
 import { Recovery } from './recovery.js';
 import { ServoMoves } from './servo-moves.js';
+import { SetAside } from './set-aside.js';
 import type { TabNumber } from './tab-number.js';
 import { UnfinishedRecords } from './unfinished.js';
 
@@ -69,6 +70,7 @@ export class Session {
   readonly editor = new Editor();
   readonly log: LineLog = new LineLog(() => this.connection?.peek()?.client.quirksAssumed ?? {});
   readonly backups: Backups;
+  readonly aside: SetAside;
   /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
   readonly knowledge: Knowledge;
   readonly recovery: Recovery;
@@ -105,6 +107,7 @@ export class Session {
     this.#options = options;
     this.#drafts = new Drafts(options.storage.drafts, options.tab);
     this.backups = new Backups(options.storage.backups);
+    this.aside = new SetAside(options.storage.aside);
     this.link = new Link({
       surroundings: options.surroundings,
       ports: options.storage.ports,
@@ -140,6 +143,7 @@ export class Session {
     // What other tabs have under way is told by the number of this one, which comes with the edits.
     const known = this.#bringBackEdits().then(() => this.knowledge.refresh());
     await Promise.all([known, this.backups.load(), this.link.start()]);
+    await this.aside.load();
   }
 
   async #bringBackEdits(): Promise<void> {

@@ -41,3 +41,15 @@ export function keepsSettings(): boolean {
     return false;
   }
 }
+
+/**
+ * Forgets all of them.
+ * @throws what the browser says where it does not give the place out.
+ */
+export function eraseSettings(): void {
+  for (const place of ['localStorage', 'sessionStorage'] as const) {
+    for (const name of Object.keys(globalThis[place])) {
+      if (name.startsWith(PREFIX)) globalThis[place].removeItem(name);
+    }
+  }
+}
