@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { FrameForm } from '../../src/app/state/frame-form.js';
+import { possibleValues } from '../../src/app/state/knowledge.js';
 import type { ProgramField } from '../../src/program/index.js';
 import type { Request } from '../../src/protocol/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
@@ -153,6 +154,18 @@ describe('servos that follow', () => {
     app.follow.bring(6);
     await idle();
     expect(told(app)).toEqual(['S4.1=70', 'M4', 'M6', 'S6.0=7', 'M6']);
+  });
+
+  it('go nowhere when following has ended before they set out, also when it begins again', async () => {
+    const app = await following({ latency: 50 });
+    set(app, [S2, 70], [position(0, 6), 7]);
+    await vi.advanceTimersByTimeAsync(10);
+    app.follow.bring(6);
+    await run(app.follow.stop());
+    app.follow.keep();
+    await run(app.follow.start());
+    await idle();
+    expect([app.follow.on.value, told(app)]).toEqual([true, ['S4.1=70']]);
   });
 
   it('store what waited when the bench moves them there', async () => {
@@ -342,15 +355,18 @@ describe('following ends', () => {
     expect(app.bench.done.value?.certain, 'it may have moved, also after the timer is back').toBe(false);
   });
 
-  it('and what is not confirmed to be stored is found out by a reading', async () => {
+  it('and what is not confirmed to be stored is uncertain until a reading', async () => {
     const app = await following();
-    app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.timer.core.sleep();
-    set(app, [S2, 70]);
     app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.adapter.unplug();
+    set(app, [S2, 70]);
     await idle();
+    const { knowledge } = app.session;
+    expect(possibleValues(knowledge.of(0), S2)).toEqual([55, 70]);
+    expect(knowledge.of(0).state).toBe('uncertain');
     app.timer.core.onAnswer = undefined;
     app.adapter.replug();
     await idle(60_000);
+    expect(knowledge.of(0).state).toBe('read');
     expect(app.editor.baseline.value?.positions[1]?.[4]).toBe(70);
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
   });

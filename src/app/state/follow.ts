@@ -302,7 +302,7 @@ export class Follow {
     clearTimeout(this.#typing);
     const rests = pending.map(({ field }) => (this.#session.editor.isTyped(field) ? this.#restOf(field) : 0));
     const wait = Math.min(...rests.filter((rest) => rest > 0));
-    if (wait < Number.POSITIVE_INFINITY) this.#typing = setTimeout(() => this.#rested.value++, wait);
+    if (wait < Number.POSITIVE_INFINITY) this.#typing = setTimeout(() => this.#rested.value++, Math.ceil(wait));
     return pending.filter((_, i) => (rests[i] ?? 0) <= 0);
   }
 
