@@ -15,8 +15,8 @@ import type { CommandName, Identity } from '../protocol/index.js';
  *   could not be told which to come back to.
  * - `memory-left`: the memory that was current before could not be made current again. `expected` is that memory, `found` the one that
  *   was last selected, null when that is not certain either; `cause` is what stopped the job, or the way back.
- * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was identified. `identity` is what
- *   answered, where that is known.
+ * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was identified; `identity` is
+ *   what it says of itself. Nothing more was sent.
  * - `stale`: the timer holds something else than the caller believed, so nothing was written; `held` is what it holds.
  * - `changed`: after a write more values differ from what was read than the write can have changed: something else changed the
  *   timer, or it is another one. Nothing was put back.
@@ -48,7 +48,7 @@ export interface TimerErrorDetails {
   readonly sent?: number;
   readonly expected?: number | null;
   readonly found?: number | null;
-  /** What the timer that answers said of itself. */
+  /** What the timer that answers says of itself. */
   readonly identity?: Identity;
   /** What the current memory holds, by a fresh read. */
   readonly held?: TimerProgram;

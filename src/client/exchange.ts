@@ -1,4 +1,5 @@
 import type { Clock } from '../line/index.js';
+import { sameKind } from '../program/index.js';
 import {
   COMMANDS,
   type CommandName,
@@ -33,6 +34,16 @@ export interface Patience {
   readonly unanswered?: number | undefined;
   /** A late reply to the same question, asked before, will do as well: then no fence has to tell the two apart. */
   readonly anyReply?: boolean | undefined;
+  /** Whether a letter that belongs to another command may be taken only where this timer was seen to use it. Default false. */
+  readonly strict?: boolean | undefined;
+}
+
+/** How an answer is believed. */
+export interface Belief<Answer> extends Patience {
+  /** What was known before, or a reading: counts as the first of two. */
+  readonly before?: Answer | undefined;
+  /** Never believes a single answer. */
+  readonly twice?: boolean | undefined;
 }
 
 /** Harmless requests, in the order in which they are tried as a fence. */
@@ -56,6 +67,8 @@ export class Exchange {
   #silent = 0;
   /** When the first of those went out. */
   #silentSince = Number.NEGATIVE_INFINITY;
+  /** Whether the timer that answers has to be the one that was identified. */
+  #isMet = true;
   /** How often damage, and frames that nobody asked for, had been seen when the job began. */
   #damageBefore = 0;
   #straysBefore = 0;
@@ -74,6 +87,16 @@ export class Exchange {
   /** Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed. */
   get damaged(): boolean {
     return this.#wire.damage > 0 || this.#wire.strays > 0;
+  }
+
+  /** How often damage was seen. */
+  get damage(): number {
+    return this.#wire.damage;
+  }
+
+  /** How many frames came that nobody asked for. */
+  get strays(): number {
+    return this.#wire.strays;
   }
 
   /** Whether the timer is there: it has answered, and did not fall silent since. */
@@ -102,29 +125,66 @@ export class Exchange {
   }
 
   /**
-   * Asks a question and believes the answer: once damage was seen on the line, or a frame that nobody asked for, only when two in a row
-   * agree.
-   * @param before an answer got before, to count as the first of the two.
-   * @returns the answer, and whether two agreed on it.
+   * Asks a question and believes the answer: a single one only where nothing was known before, no damage was seen on the line and no frame
+   * came that nobody asked for; else when two in a row agree.
    * @throws TimerError `unstable`, `crowded`, or as {@link ask}.
    */
   async read<R extends Request>(
     request: R,
     signal?: AbortSignal,
-    { before, ...patience }: Patience & { readonly before?: ReplyOf<R['name']> | undefined } = {},
-  ): Promise<{ reply: ReplyOf<R['name']>; agreed: boolean }> {
+    { before, twice = before !== undefined, ...patience }: Belief<ReplyOf<R['name']>> = {},
+  ): Promise<ReplyOf<R['name']>> {
+    const { strays } = this;
     let previous = before === undefined ? undefined : JSON.stringify(before);
-    const { damage } = this.#wire;
+    const { damage } = this;
     for (let i = 0; i < READS; i++) {
       const reply = await this.ask(request, signal, patience);
       const text = JSON.stringify(reply);
-      if (text === previous) return { reply, agreed: true };
-      if (!this.damaged) return { reply, agreed: false };
+      if (text === previous) return reply;
+      if (!twice && !this.damaged && this.strays === strays) return reply;
       previous = text;
     }
+    throw this.unbelievable(`no two of ${READS} replies agreed`, request.name, damage);
+  }
+
+  /**
+   * What to say when no two answers agreed: too much damage, or somebody else answers too.
+   * @param damage how much had been seen before.
+   */
+  unbelievable(text: string, request: CommandName, damage: number): TimerError {
     const isCrowded = this.#wire.strays > this.#straysBefore && this.#wire.damage === damage;
-    const code = isCrowded ? 'crowded' : 'unstable';
-    throw new TimerError(code, `no two of ${READS} replies agreed`, { request: request.name });
+    return new TimerError(isCrowded ? 'crowded' : 'unstable', text, { request });
+  }
+
+  /** Asks the timer what it is, whatever it was before. */
+  async identify(signal?: AbortSignal, patience: Patience = {}): Promise<ReplyOf<'GETSWVER'>> {
+    this.#isMet = false;
+    try {
+      const reply = await this.read({ name: 'GETSWVER' }, signal, patience);
+      this.identity = reply.identity;
+      return reply;
+    } finally {
+      this.#isMet = true;
+    }
+  }
+
+  /**
+   * Makes sure that the timer which answers says of itself what it said before.
+   * @param first a reply to GETSWVER that came already. Default: it is asked for.
+   * @throws TimerError `other-timer` when two replies in a row agree on something else; as {@link ask}.
+   */
+  async requireIdentity(signal?: AbortSignal, first?: ReplyOf<'GETSWVER'>): Promise<void> {
+    const { identity } = this;
+    if (!identity || !this.#isMet) return;
+    let reply = first ?? (await this.ask({ name: 'GETSWVER' }, signal));
+    if (sameKind(reply.identity, identity)) return;
+    reply = await this.read({ name: 'GETSWVER' }, signal, { before: reply });
+    if (!sameKind(reply.identity, identity)) {
+      throw new TimerError('other-timer', 'another timer answers than the one that was identified', {
+        identity: reply.identity,
+      });
+    }
+    this.#wire.doubt();
   }
 
   /**
@@ -149,7 +209,7 @@ export class Exchange {
   async #askUntilAnswered(
     request: Request,
     signal: AbortSignal | undefined,
-    { tries = SENDS, unanswered = UNANSWERED, anyReply = false }: Patience,
+    { tries = SENDS, unanswered = UNANSWERED, anyReply = false, strict = false }: Patience,
   ): Promise<Reply> {
     const { name } = request;
     const wire = this.#wire;
@@ -169,7 +229,8 @@ export class Exchange {
       if (sent > 0) this.budget.countRepeat();
       sent++;
       const { signs } = wire;
-      const reply = await this.#once(() => wire.ask(request, this.identity, this.#wire.unanswered.size === 0));
+      const misprints = wire.unanswered.size > 0 ? 'no' : strict ? 'known' : 'yes';
+      const reply = await this.#once(() => wire.ask(request, this.identity, misprints));
       if (reply) return reply;
       if (wire.badReply !== undefined) {
         badReply = wire.badReply;
@@ -258,33 +319,10 @@ export class Exchange {
       return true;
     }
     this.budget.countRepeat();
-    const reply = await this.#askFence(name);
+    const reply = await this.#once(() => this.#wire.ask({ name }, this.identity, 'no'));
     if (!reply) return false;
     this.#wire.settle();
-    return reply.name !== 'GETSWVER' || (await this.#isSame(reply.identity));
-  }
-
-  #askFence(name: (typeof FENCES)[number]): Promise<Reply | undefined> {
-    return this.#once(() => this.#wire.ask({ name }, this.identity, false));
-  }
-
-  /**
-   * Nothing more may be sent to another timer than the one that was identified. One reply may be damaged and still have a right sum, so it is
-   * asked again before that is believed.
-   * @returns false when that brings no answer.
-   * @throws TimerError `other-timer`.
-   */
-  async #isSame(found: Identity): Promise<boolean> {
-    const { identity } = this;
-    if (!identity || isEqual(found, identity)) return true;
-    const again = await this.#askFence('GETSWVER');
-    if (again?.name !== 'GETSWVER') return false;
-    if (!isEqual(again.identity, identity)) {
-      throw new TimerError('other-timer', 'another timer answers than the one that was identified', {
-        identity: found,
-      });
-    }
-    this.#wire.doubt();
+    if (reply.name === 'GETSWVER') await this.requireIdentity(signal, reply);
     return true;
   }
 
@@ -304,8 +342,4 @@ export class Exchange {
   #canDecode(name: CommandName): boolean {
     return this.identity !== null || name !== 'GETSERVOPOS';
   }
-}
-
-function isEqual(a: Identity, b: Identity): boolean {
-  return JSON.stringify(a) === JSON.stringify(b);
 }

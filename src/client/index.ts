@@ -1,7 +1,7 @@
 export { tell } from './callback.js';
 export { TimerError, type TimerErrorCode, type TimerErrorDetails } from './errors.js';
 export type { LineEntry, LineErrorKind } from './log.js';
-export type { MemoriesHooks, MemoriesRead, MemoriesReport, MemoryReport } from './memories.js';
+export type { MemoriesHooks, MemoriesRead, MemoriesReport, MemoriesWrite, MemoryReport } from './memories.js';
 export type { BytePort } from './port.js';
 export type { Progress } from './progress.js';
 export type { AssumedQuirks, QuirkCode, QuirkParams } from './quirks.js';

@@ -1,9 +1,10 @@
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import { CodecError, type CommandName, encodeReply, encodeRequest, type Identity } from '../protocol/index.js';
+import { CodecError, type CommandName, encodeReply, encodeRequest } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import { type Job, questionsFor } from './read-program.js';
-import { SELECT, Tour } from './tour.js';
-import { type WriteReport, writeContent } from './write-program.js';
+import type { Job } from './job.js';
+import { readingPlan } from './read-program.js';
+import { requireIndex, SELECT, Tour } from './tour.js';
+import { freshPlan, isHeld, verifyPlan, type WriteReport, writeContent } from './write-program.js';
 
 /** What a job on several memories tells on the way. It waits for an answer that is a promise; when that fails, so does the job. */
 export interface MemoriesHooks {
@@ -44,23 +45,22 @@ export interface MemoriesReport {
 
 /**
  * Reads several memories one after the other, and makes the one current again that was.
+ * @param chosen counted from 0. Default: all.
  * @throws CodecError when the timer has no such memory; TimerError `memory-unknown`: both before anything is selected. `memory-left`, or
  * as Exchange with the first memory current again.
  */
 export async function readMemories(
   job: Job,
-  memories: readonly number[],
+  chosen: readonly number[] | undefined,
   idleThrottle: boolean,
   { onHome }: MemoriesHooks,
 ): Promise<MemoriesRead> {
   const { exchange, identity } = job;
-  for (const memory of memories) requireMemory(memory, identity);
-  const plan = readPlan(identity, idleThrottle);
-  const tour = await Tour.begin(
-    job,
-    memories.flatMap(() => [...SELECT, ...plan]),
-    onHome,
-  );
+  const memories = chosen ?? Array.from({ length: identity.memories }, (_, memory) => memory);
+  for (const memory of memories) requireIndex(memory, identity);
+  const plan = readingPlan(identity, { idleThrottle });
+  const way = memories.flatMap(() => [...SELECT, ...plan]);
+  const tour = await Tour.begin(job, way, chosen !== undefined, onHome);
   const programs: TimerProgram[] = [];
   const readOnce: number[] = [];
   await tour.run(async () => {
@@ -75,9 +75,17 @@ export async function readMemories(
   return { home: tour.home, programs };
 }
 
+export interface MemoriesWrite extends MemoriesHooks {
+  /**
+   * What memories were believed to hold when the pilot agreed to the write: each names its memory. One that holds something else now is not
+   * written, and the job stops with `stale`. A memory without one is written over whatever it holds.
+   */
+  readonly baselines?: readonly TimerProgram[] | undefined;
+}
+
 /**
- * Writes several memories one after the other: selects it, reads it afresh, hands that to the caller, writes what differs from the goal,
- * reads back. Then makes the one current again that was. It goes on to the next memory only when nothing stopped the write of the one
+ * Writes several memories one after the other: selects it, reads it afresh, hands that to the caller, writes what differs from the goal as
+ * `writeProgram` does, which reads it once more before, and after that reads back. Then makes the one current again that was. It goes on to the next memory only when nothing stopped the write of the one
  * before.
  * @throws before anything is selected: TimerError `memory-unknown` (also for a goal without one), `other-timer`, CodecError when a goal
  * cannot be carried. Later only what a hook throws, with the first memory current again. Of all else the report tells.
@@ -85,21 +93,23 @@ export async function readMemories(
 export async function writeMemories(
   job: Job,
   goals: readonly TimerProgram[],
-  hooks: MemoriesHooks,
+  { onHome, onMemory, baselines = [] }: MemoriesWrite,
   moveServos = false,
 ): Promise<MemoriesReport> {
   for (const goal of goals) requireGoal(job, goal);
-  const plan = goals.flatMap((goal) => [
-    ...SELECT,
-    ...readPlan(goal.identity, asksThrottle(goal)),
-    ...wholeWrite(goal, moveServos),
-  ]);
-  const tour = await Tour.begin(job, plan, hooks.onHome);
+  for (const baseline of baselines) {
+    requireShape(baseline);
+    if (!sameKind(job.identity, baseline.identity))
+      throw new TimerError('other-timer', 'a baseline is of another timer');
+  }
+  const plan = goals.flatMap((goal) => [...SELECT, ...readPlan(goal), ...wholeWrite(goal, moveServos)]);
+  const tour = await Tour.begin(job, plan, true, onHome);
   const memories: MemoryReport[] = [];
   const write = async (goal: TimerProgram): Promise<void> => {
     const memory = goal.memory as number;
-    const before = await tour.read(memory, readPlan(goal.identity, asksThrottle(goal)), asksThrottle(goal));
-    await job.exchange.budget.waitFor(() => hooks.onMemory?.(before, goal));
+    const before = await tour.read(memory, readPlan(goal), asksThrottle(goal));
+    requireBelieved(baselines, before);
+    await job.exchange.budget.waitFor(() => onMemory?.(before, goal));
     const report = await tour.part(memory, wholeWrite(goal, moveServos), (part) =>
       writeContent(part, before, goal, moveServos),
     );
@@ -118,8 +128,11 @@ export async function writeMemories(
   return { home: tour.home, isHome: stopped?.code !== 'memory-left', memories, stopped };
 }
 
-function requireMemory(memory: number, identity: Identity): void {
-  encodeRequest({ name: 'SETMEMORY', memory }, { identity });
+/** @throws TimerError `stale` when a memory holds something else than was believed of it. */
+function requireBelieved(baselines: readonly TimerProgram[], held: TimerProgram): void {
+  const believed = baselines.find(({ memory }) => memory === held.memory);
+  if (!believed || isHeld(believed, held)) return;
+  throw new TimerError('stale', `memory ${held.memory} holds something else than was believed`, { held });
 }
 
 /** All goals must fit before any is written. A position past the last step may stand where the timer holds the same. */
@@ -127,7 +140,7 @@ function requireGoal({ identity }: Job, goal: TimerProgram): void {
   requireShape(goal);
   if (!sameKind(identity, goal.identity)) throw new TimerError('other-timer', 'a goal is for another kind of timer');
   if (goal.memory === null) throw new TimerError('memory-unknown', 'a goal does not say for which memory it is');
-  requireMemory(goal.memory, identity);
+  requireIndex(goal.memory, identity);
   encodeRequest({ name: 'SETTIMERS', times: goal.timers }, { identity });
   encodeReply({ name: 'GETSERVOPOS', positions: goal.positions }, { identity });
   if (goal.idleThrottle !== null) encodeRequest({ name: 'SETLOWRPM', idleThrottle: goal.idleThrottle }, { identity });
@@ -137,8 +150,8 @@ function asksThrottle({ idleThrottle }: TimerProgram): boolean {
   return idleThrottle !== null;
 }
 
-function readPlan(identity: Identity, idleThrottle: boolean): CommandName[] {
-  return ['GETSWVER', ...questionsFor(identity, idleThrottle)];
+function readPlan(goal: TimerProgram): CommandName[] {
+  return readingPlan(goal.identity, { idleThrottle: asksThrottle(goal) });
 }
 
 /** The exchanges of writing every value of a program and reading it back. */
@@ -146,12 +159,5 @@ function wholeWrite(goal: TimerProgram, moveServos: boolean): CommandName[] {
   const positions = goal.positions.flat().map((): CommandName => 'SETSERVO');
   const moves = goal.timers.flatMap((): CommandName[] => (moveServos ? ['MOVETOFUNC'] : []));
   const throttle: CommandName[] = asksThrottle(goal) ? ['SETLOWRPM'] : [];
-  return [
-    'GETMEMORY',
-    'SETTIMERS',
-    ...moves,
-    ...positions,
-    ...throttle,
-    ...readPlan(goal.identity, asksThrottle(goal)),
-  ];
+  return [...freshPlan(goal, goal), 'SETTIMERS', ...moves, ...positions, ...throttle, ...verifyPlan(goal)];
 }

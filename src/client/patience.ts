@@ -24,8 +24,10 @@ export const LATEST_REPLY = 3000;
 /** Bytes of the longest frame. */
 export const LONGEST_FRAME = frameSize(MAX_DATA);
 
-/** How often a reading is repeated at most to find two that agree. */
+/** How often a question, or the questions for a memory, are asked at most to find two answers in a row that agree. */
 export const READS = 6;
+/** How often a reading of a memory is begun again at most, because the memory changed or frames came that nobody asked for. */
+export const ATTEMPTS = 4;
 /** How often a request goes out at most. A request and reply of 62 bytes pass one in two times when 1 % of all bytes are damaged. */
 export const SENDS = 20;
 /**

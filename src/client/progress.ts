@@ -41,18 +41,26 @@ export class StageProgress {
   readonly #stage: Progress['stage'];
   readonly #job: ProgressSource;
   readonly #total: number;
+  /** What was planned and is not done. */
+  readonly #left: CommandName[];
   #done = 0;
 
   constructor(stage: Progress['stage'], requests: readonly CommandName[], job: ProgressSource) {
     this.#stage = stage;
     this.#job = job;
     this.#total = bytesOf(requests, job.identity);
+    this.#left = [...requests];
     job.exchange.budget.onRepeat = () => this.#report();
     this.#report();
   }
 
+  /** One exchange is done. What had to be asked once more than was planned moves nothing. */
   finished(name: CommandName): void {
-    this.#done = Math.min(this.#total, this.#done + bytesOf([name], this.#job.identity));
+    const index = this.#left.indexOf(name);
+    if (index >= 0) {
+      this.#left.splice(index, 1);
+      this.#done += bytesOf([name], this.#job.identity);
+    }
     this.#report();
   }
 

@@ -1,4 +1,4 @@
-import type { LayoutQuirks, Request } from '../protocol/index.js';
+import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
 
 /**
  * In what this timer or its adapter was found to depart from the reading of the protocol that is taken for right. The rows are
@@ -7,6 +7,7 @@ import type { LayoutQuirks, Request } from '../protocol/index.js';
  * - `timers-reply-66`: GETTIMERS was answered with 66 (row 2).
  * - `unlock-reply-6a`: UNLOCK was answered with 6A (row 3).
  * - `memory-unknown`: the reply to GETMEMORY has no index, or none came (row 4).
+ * - `memory-impossible` (index): GETMEMORY is answered with an index that this timer cannot have (row 4).
  * - `bare-checksum`: the reply to GETLOWRPM carries its command byte as checksum (row 5).
  * - `times-big-endian`: the times fall, and with their bytes exchanged they rise (row 7). A hint, not a proof: times are not
  *   written before the pilot has chosen.
@@ -18,11 +19,16 @@ import type { LayoutQuirks, Request } from '../protocol/index.js';
  * - `positions-unchanged`: SETSERVO was acknowledged and nothing changed (row 15).
  * - `echo`: the adapter returns the bytes that are sent (row 16).
  * - `idle-throttle-unanswered`: GETLOWRPM got no answer (row 19).
+ * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
+ *
+ * What changes how values are read or where they go to is found only when two replies agree, and is no longer found when the timer
+ * contradicts it: `timers-reply-66`, `times-big-endian`, `memories-from-one`, `positions-unchanged`.
  */
 export type QuirkCode =
   | 'timers-reply-66'
   | 'unlock-reply-6a'
   | 'memory-unknown'
+  | 'memory-impossible'
   | 'bare-checksum'
   | 'times-big-endian'
   | 'servo-first'
@@ -31,7 +37,8 @@ export type QuirkCode =
   | 'memories-from-one'
   | 'positions-unchanged'
   | 'echo'
-  | 'idle-throttle-unanswered';
+  | 'idle-throttle-unanswered'
+  | 'idle-throttle-malformed';
 
 export type QuirkParams = Readonly<Record<string, number>>;
 
@@ -49,13 +56,30 @@ export interface AssumedQuirks extends LayoutQuirks {
   readonly positionsNeedMove?: boolean;
 }
 
+/** The requests that the source prints with another reply's letter in one place. */
+const MISPRINTS: Partial<Record<CommandName, QuirkCode>> = {
+  GETTIMERS: 'timers-reply-66',
+  UNLOCK: 'unlock-reply-6a',
+};
+
 /** What is known of one timer's ways: found on the line, or assumed. */
 export class Quirks {
   readonly found = new Map<QuirkCode, QuirkParams>();
   assumed: AssumedQuirks;
+  /** How many replies came with a letter of another command; less than none once one came with its own. */
+  readonly #misprints = new Map<CommandName, number>();
+  readonly #first: AssumedQuirks;
 
   constructor(assumed: AssumedQuirks) {
     this.assumed = assumed;
+    this.#first = assumed;
+  }
+
+  /** Another timer is there: nothing is known of it but what was said beforehand. */
+  reset(): void {
+    this.found.clear();
+    this.#misprints.clear();
+    this.assumed = this.#first;
   }
 
   /** Keeps the first finding of each kind. */
@@ -65,6 +89,44 @@ export class Quirks {
 
   assume(quirks: AssumedQuirks): void {
     this.assumed = { ...this.assumed, ...quirks };
+  }
+
+  /** Takes back what the timer has contradicted. */
+  drop(code: QuirkCode, assumption?: keyof AssumedQuirks): void {
+    this.found.delete(code);
+    if (!assumption || this.assumed[assumption] === undefined) return;
+    const { [assumption]: _, ...others } = this.assumed;
+    this.assumed = others;
+  }
+
+  /** A reply came, with its own letter or with one that belongs to another command. */
+  noteLetter(name: CommandName, match: 'exact' | 'misprint'): void {
+    const code = MISPRINTS[name];
+    if (!code) return;
+    if (match === 'exact') {
+      // Who uses the right letter does not use the wrong one: that was a late reply to something else.
+      this.drop(code);
+      this.#misprints.set(name, Number.NEGATIVE_INFINITY);
+      return;
+    }
+    const count = (this.#misprints.get(name) ?? 0) + 1;
+    this.#misprints.set(name, count);
+    // UNLOCK is not sent again to see.
+    if (name === 'UNLOCK' || count > 1) this.note(code);
+  }
+
+  /**
+   * Whether this timer may answer with a letter that belongs to another command.
+   * @param how `known`: it was seen to do so; `yes`: it may be, too, that it does and was not seen to.
+   */
+  mayMisprint(name: CommandName, how: 'known' | 'yes'): boolean {
+    const count = this.#misprints.get(name) ?? 0;
+    return how === 'known' ? count > 1 : count >= 0;
+  }
+
+  /** Whether the last reply came with a wrong letter for the first time. */
+  isMisprintNew(name: CommandName): boolean {
+    return this.#misprints.get(name) === 1;
   }
 
   /** Whether this request goes out with a bare checksum. */

@@ -1,84 +1,182 @@
 import type { TimerProgram } from '../program/index.js';
-import type { Identity, ReplyOf } from '../protocol/index.js';
-import { TimerError } from './errors.js';
-import type { Exchange, Patience } from './exchange.js';
-import { TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './patience.js';
-import { type OnProgress, StageProgress } from './progress.js';
-import type { QuirkCode, Quirks } from './quirks.js';
+import type { CommandName, Identity, ReplyOf } from '../protocol/index.js';
+import { askMemory, isNoAnswer, patienceFor, requireMemory } from './current-memory.js';
+import type { Job } from './job.js';
+import { ATTEMPTS, READS } from './patience.js';
+import { type Progress, StageProgress } from './progress.js';
 
-/** What a job of the client works with. */
-export interface Job {
-  readonly exchange: Exchange;
-  readonly identity: Identity;
-  readonly signal: AbortSignal | undefined;
-  readonly onProgress: OnProgress;
-  readonly quirks: Quirks;
-  /** The index of the reply as a memory counted from 0. */
-  readonly memoryOf: (reply: ReplyOf<'GETMEMORY'>) => number | null;
+/** The questions for what a memory holds: only Q is known to have a motor. */
+function contentQuestions({ timerClass }: Identity, idleThrottle: boolean): CommandName[] {
+  return timerClass === 'Q' || idleThrottle ? ['GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'] : ['GETTIMERS', 'GETSERVOPOS'];
 }
 
-const ALWAYS = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
-type Question = (typeof ALWAYS)[number] | 'GETLOWRPM' | 'GETSWVER';
-
-/** The questions that a timer is asked for its program: only Q is known to have a motor. */
-export function questionsFor({ timerClass }: Identity, idleThrottle: boolean): Question[] {
-  return timerClass === 'Q' || idleThrottle ? [...ALWAYS, 'GETLOWRPM'] : [...ALWAYS];
+/** How a program is read. */
+export interface Reading {
+  /** Asks for the idle throttle on a timer of another class than Q too. */
+  readonly idleThrottle?: boolean | undefined;
+  /** The memory that has to be current, at the beginning and at the end; null: the timer does not say. Default: any, all the time. */
+  readonly memory?: number | null | undefined;
+  /** Believes nothing that a timer exchanged on the way, a late reply or a misprinted letter could have brought about. */
+  readonly strict?: boolean | undefined;
+  /** What the memory is believed to hold: counts as the first of two readings. */
+  readonly known?: TimerProgram | undefined;
 }
+
+/** The exchanges of {@link readContent} when nothing goes wrong. */
+export function readingPlan(identity: Identity, { idleThrottle = false, strict, known }: Reading = {}): CommandName[] {
+  const content = contentQuestions(identity, idleThrottle);
+  const ends: CommandName[] = ['GETMEMORY', 'GETSWVER'];
+  if (!strict) return ['GETMEMORY', ...content, ...ends];
+  return ['GETSWVER', 'GETMEMORY', ...content, ...(known ? [] : content), ...ends];
+}
+
+type Content = Pick<TimerProgram, 'timers' | 'positions' | 'idleThrottle'>;
 
 /**
- * Reads what the current memory holds. When damage is first seen on the way, all that was believed on a single reading, the identity
- * included, is read again until two agree.
- * @throws TimerError `other-timer` when that shows another identity; as Exchange.
+ * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that another timer, or
+ * another memory, does not pass unnoticed. The content is believed on one reading only where nothing speaks against it: no damage was
+ * ever seen on the line, nothing had to be asked twice and no frame came that nobody asked for. Else, and always when it is strict, two
+ * readings in a row have to agree. A strict one is begun again when such a frame came.
+ * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when another memory is current than has to be; `unstable` or `crowded` when no
+ * two readings agree or the memory changes all the time; as Exchange.
  */
-export async function readContent(job: Job, stage: 'read' | 'verify', idleThrottle = false): Promise<TimerProgram> {
+export async function readContent(job: Job, stage: Progress['stage'], how: Reading = {}): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
-  const questions = questionsFor(identity, idleThrottle);
-  const progress = new StageProgress(stage, questions, job);
-  const replies = new Map<Question, ReplyOf<Question> | null>();
-  const single = new Map<Question, ReplyOf<Question>>([['GETSWVER', { name: 'GETSWVER', identity }]]);
-
-  const ask = async (name: Question, how: Patience & { before?: ReplyOf<Question> } = {}): Promise<void> => {
-    const { reply, agreed } = await exchange.read({ name }, signal, how);
-    replies.set(name, reply);
-    if (!agreed) single.set(name, reply);
-  };
-  const askOptional = async (name: Question, quirk: QuirkCode): Promise<void> => {
-    const isKnown = job.quirks.found.has(quirk);
-    try {
-      await ask(name, isKnown ? { tries: TRIES_OF_UNANSWERED } : { unanswered: UNANSWERED_OPTIONAL });
-    } catch (error) {
-      // Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either sleeps.
-      const isUnanswered =
-        error instanceof TimerError && (error.code === 'no-answer' || (isKnown && error.code === 'unstable'));
-      if (!isUnanswered || !exchange.awake) throw error;
-      replies.set(name, null);
-      job.quirks.note(quirk);
+  const { strict = false, known } = how;
+  const progress = new StageProgress(stage, readingPlan(identity, how), job);
+  let previous: Content | undefined = known;
+  const { damage } = exchange;
+  for (let i = 0; i < ATTEMPTS; i++) {
+    const { strays } = exchange;
+    if (strict) {
+      await exchange.requireIdentity(signal);
+      progress.finished('GETSWVER');
     }
-  };
+    const current =
+      how.memory === undefined ? await askMemory(job, { optional: true }) : await required(job, how.memory);
+    progress.finished('GETMEMORY');
 
-  for (const name of questions) {
-    if (name === 'GETMEMORY') await askOptional(name, 'memory-unknown');
-    else if (name === 'GETLOWRPM') await askOptional(name, 'idle-throttle-unanswered');
-    else await ask(name);
+    const content = await agreedContent(job, how, previous, progress);
+
+    const isSameMemory = !current.answered || (await isStillCurrent(job, current.memory, how));
+    progress.finished('GETMEMORY');
+    await exchange.requireIdentity(signal);
+    progress.finished('GETSWVER');
+    const isClean = exchange.strays === strays;
+    const isBelieved = strict ? isClean : content.agreed || (isClean && !exchange.damaged);
+    if (isSameMemory && isBelieved) {
+      return { identity, memory: current.memory, ...content.content };
+    }
+    previous = strict || !isSameMemory ? known : content.content;
+  }
+  throw exchange.unbelievable(`not one of ${ATTEMPTS} readings was undisturbed`, 'GETMEMORY', damage);
+}
+
+function required(job: Job, memory: number | null): ReturnType<typeof requireMemory> {
+  return requireMemory(job, memory, { optional: true });
+}
+
+async function isStillCurrent(job: Job, memory: number | null, how: Reading): Promise<boolean> {
+  if (how.memory !== undefined) return (await required(job, how.memory)).memory === memory;
+  const now = await askMemory(job, { expected: memory, optional: true });
+  return now.memory === memory && !now.renumbered;
+}
+
+/** Reads the content until it is believed. */
+async function agreedContent(
+  job: Job,
+  { strict = false, idleThrottle = false }: Reading,
+  before: Content | undefined,
+  progress: StageProgress,
+): Promise<{ content: Content; agreed: boolean }> {
+  let previous = before;
+  let request: CommandName = 'GETTIMERS';
+  const { damage } = job.exchange;
+  for (let i = 0; i < READS; i++) {
+    const { content, doubtful } = await readOnce(job, strict, idleThrottle, progress);
+    if (previous && textOf(content) === textOf(previous)) {
+      noteByteOrder(job, content.timers);
+      return { content, agreed: true };
+    }
+    if (!strict && !doubtful && !previous) return { content, agreed: false };
+    if (previous) request = differing(previous, content);
+    previous = content;
+  }
+  throw job.exchange.unbelievable(`no two of ${READS} readings agreed`, request, damage);
+}
+
+/** @returns what was read, and whether anything speaks against believing it alone. */
+async function readOnce(
+  job: Job,
+  strict: boolean,
+  idleThrottle: boolean,
+  progress: StageProgress,
+): Promise<{ content: Content; doubtful: boolean }> {
+  const { exchange, identity, signal, quirks } = job;
+  const { strays } = exchange;
+  const { repeats } = exchange.budget;
+  const ask = async <Name extends 'GETTIMERS' | 'GETSERVOPOS'>(name: Name): Promise<ReplyOf<Name>> => {
+    const reply = await exchange.ask({ name }, signal, { strict });
     progress.finished(name);
-  }
-  if (exchange.damaged) {
-    for (const [name, reply] of [...single]) await ask(name, { before: reply });
-  }
-  const again = replies.get('GETSWVER') as ReplyOf<'GETSWVER'> | undefined;
-  if (again && JSON.stringify(again.identity) !== JSON.stringify(identity)) {
-    throw new TimerError('other-timer', 'another timer answers than the one that was identified');
-  }
-  const { times } = replies.get('GETTIMERS') as ReplyOf<'GETTIMERS'>;
-  if (rises(times.map(swapBytes)) && !rises(times)) job.quirks.note('times-big-endian');
-  const memory = replies.get('GETMEMORY') as ReplyOf<'GETMEMORY'> | null;
-  return {
-    identity,
-    memory: memory && job.memoryOf(memory),
-    timers: times,
-    positions: (replies.get('GETSERVOPOS') as ReplyOf<'GETSERVOPOS'>).positions,
-    idleThrottle: (replies.get('GETLOWRPM') as ReplyOf<'GETLOWRPM'> | null | undefined)?.idleThrottle ?? null,
+    return reply as ReplyOf<Name>;
   };
+  const { times } = await ask('GETTIMERS');
+  const isMisprint = quirks.isMisprintNew('GETTIMERS');
+  const { positions } = await ask('GETSERVOPOS');
+  const wasRepeated = exchange.budget.repeats > repeats;
+  const wasMalformed = quirks.found.has('idle-throttle-malformed');
+  let throttle: number | null = null;
+  if (contentQuestions(identity, idleThrottle).includes('GETLOWRPM')) {
+    throttle = await askIdleThrottle(job);
+    progress.finished('GETLOWRPM');
+  }
+  const content = { timers: times, positions, idleThrottle: throttle };
+  const isOdd =
+    isMisprint || !isByteOrderKnown(job, times) || quirks.found.has('idle-throttle-malformed') !== wasMalformed;
+  return { content, doubtful: exchange.damaged || exchange.strays > strays || wasRepeated || isOdd };
+}
+
+/** Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either sleeps. */
+async function askIdleThrottle({ exchange, signal, quirks }: Job): Promise<number | null> {
+  const isKnown = quirks.found.has('idle-throttle-unanswered');
+  try {
+    const { idleThrottle } = await exchange.ask({ name: 'GETLOWRPM' }, signal, patienceFor(isKnown));
+    if (idleThrottle === null) quirks.note('idle-throttle-malformed');
+    return idleThrottle;
+  } catch (error) {
+    if (!isNoAnswer(error, isKnown) || !exchange.awake) throw error;
+    quirks.note(error.code === 'bad-reply' ? 'idle-throttle-malformed' : 'idle-throttle-unanswered');
+    return null;
+  }
+}
+
+/** The first question on which two readings did not agree. */
+function differing(a: Content, b: Content): CommandName {
+  if (JSON.stringify(a.timers) !== JSON.stringify(b.timers)) return 'GETTIMERS';
+  return JSON.stringify(a.positions) === JSON.stringify(b.positions) ? 'GETLOWRPM' : 'GETSERVOPOS';
+}
+
+function textOf({ timers, positions, idleThrottle }: Content): string {
+  return JSON.stringify([timers, positions, idleThrottle]);
+}
+
+/** What the times say of their byte order: `other` when they rise only with their bytes exchanged. */
+function byteOrderOf(times: readonly number[]): 'this' | 'other' | 'open' {
+  const isThis = rises(times);
+  const isOther = rises(times.map(swapBytes));
+  return isThis === isOther ? 'open' : isThis ? 'this' : 'other';
+}
+
+/** Whether these times say nothing new of their byte order. */
+function isByteOrderKnown({ quirks }: Job, times: readonly number[]): boolean {
+  const isSuspected = quirks.found.has('times-big-endian');
+  return byteOrderOf(times) !== (isSuspected ? 'this' : 'other') || quirks.assumed.bigEndianTimes === true;
+}
+
+function noteByteOrder(job: Job, times: readonly number[]): void {
+  if (isByteOrderKnown(job, times)) return;
+  if (byteOrderOf(times) === 'other') job.quirks.note('times-big-endian');
+  else job.quirks.drop('times-big-endian');
 }
 
 /** Whether the functions follow one another. Column 0 takes no part: it is the motor stop, or reserved. */

@@ -1,15 +1,23 @@
 import { type Clock, realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import type { CommandName, Frame, Identity, ReplyOf, Request } from '../protocol/index.js';
+import { type CommandName, encodeRequest, type Frame, type Identity, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange, type Patience } from './exchange.js';
+import type { Job } from './job.js';
 import { LinePace } from './line-pace.js';
 import type { LineEntry, LineErrorKind } from './log.js';
-import { type MemoriesHooks, type MemoriesRead, type MemoriesReport, readMemories, writeMemories } from './memories.js';
+import {
+  type MemoriesHooks,
+  type MemoriesRead,
+  type MemoriesReport,
+  type MemoriesWrite,
+  readMemories,
+  writeMemories,
+} from './memories.js';
 import type { BytePort } from './port.js';
 import type { Progress } from './progress.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
-import { type Job, questionsFor, readContent } from './read-program.js';
+import { readContent, readingPlan } from './read-program.js';
 import { SELECT, select } from './tour.js';
 import { Wire } from './wire.js';
 import { type WriteReport, writeContent, writePlan } from './write-program.js';
@@ -72,7 +80,7 @@ export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'o
   readonly memories?: readonly number[] | undefined;
 }
 
-export interface WriteMemoriesOptions extends JobOptions, MoveOptions, MemoriesHooks {}
+export interface WriteMemoriesOptions extends JobOptions, MoveOptions, MemoriesWrite {}
 
 /**
  * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time; each
@@ -176,12 +184,17 @@ export class TimerClient {
     });
   }
 
-  /** Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, and on class Q GETLOWRPM. */
+  /**
+   * Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, on class Q GETLOWRPM, then GETMEMORY again and GETSWVER, so that
+   * another memory or another timer does not pass unnoticed on the way. The content is read until two readings agree when anything speaks
+   * against believing one.
+   * @throws TimerError `other-timer` when another timer answers than the one that was identified.
+   */
   readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
     const { idleThrottle = false } = options;
     return this.#inTurn(async () => {
-      const job = await this.#job(options, (identity) => ['GETSWVER', ...questionsFor(identity, idleThrottle)]);
-      return readContent(job, 'read', idleThrottle);
+      const job = await this.#job(options, (identity) => readingPlan(identity, { idleThrottle }));
+      return readContent(job, 'read', { idleThrottle });
     });
   }
 
@@ -189,13 +202,12 @@ export class TimerClient {
    * Reads what several memories hold, one after the other. Selects them for that, and makes the first one current again at the end, also
    * after an abort or an error; an abort takes that much longer.
    * @throws CodecError when the timer has no such memory; TimerError `memory-unknown` before anything is selected, `memory-left` when
-   * the first memory could not be made current again.
+   * the first memory could not be made current again; `other-timer`, after which nothing more is sent.
    */
   readMemories(options: ReadMemoriesOptions = {}): Promise<MemoriesRead> {
     return this.#inTurn(async () => {
-      const job = await this.#job(options);
-      const memories = options.memories ?? Array.from({ length: job.identity.memories }, (_, memory) => memory);
-      return readMemories(job, memories, options.idleThrottle ?? false, options);
+      const { memories, idleThrottle = false } = options;
+      return readMemories(await this.#job(options), memories, idleThrottle, options);
     });
   }
 
@@ -211,10 +223,11 @@ export class TimerClient {
   }
 
   /**
-   * Writes what differs from the baseline, reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing
-   * it again with what the timer holds as baseline finishes a write that was stopped.
-   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `undecided` or `aborted`: all before anything
-   * is written. Once something was sent, the report says what stopped it.
+   * Reads everything afresh and compares it with the baseline. Only when timer, memory and every value are the same it writes what differs,
+   * reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing it again with what the timer holds as
+   * baseline finishes a write that was stopped.
+   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `memory-unknown`, `stale` (details.held),
+   * `undecided` or `aborted`: all before anything is written. Once something was sent, the report says what stopped it.
    */
   writeProgram(edited: TimerProgram, options: WriteOptions): Promise<WriteReport> {
     const { baseline } = options;
@@ -222,8 +235,9 @@ export class TimerClient {
       requireShape(baseline);
       requireShape(edited);
       const job = await this.#job(options);
-      if (!sameKind(job.identity, baseline.identity) || !sameKind(job.identity, edited.identity)) {
-        throw new TimerError('other-timer', 'the program is for another kind of timer');
+      const { identity } = job;
+      if (!sameKind(identity, baseline.identity) || !sameKind(identity, edited.identity)) {
+        throw new TimerError('other-timer', 'the program is for another kind of timer', { identity });
       }
       job.exchange.begin(writePlan(baseline, edited, options.moveServos));
       return writeContent(job, baseline, edited, options.moveServos);
@@ -231,9 +245,11 @@ export class TimerClient {
   }
 
   /**
-   * Makes another memory current (SETMEMORY) and asks whether it is (GETMEMORY). It is what flies next.
+   * Makes another memory current (SETMEMORY) and asks whether it is (GETMEMORY). It is what flies next. Without a word where the timer does
+   * not say which one is current.
    * @param memory counted from 0.
-   * @throws CodecError when the timer has no such memory; TimerError `other-memory` when another one is current afterwards.
+   * @throws CodecError when the timer has no such memory; TimerError `other-memory` when another one is current afterwards; `no-answer` with
+   * `request` SETMEMORY when the timer did not answer that.
    */
   selectMemory(memory: number, options: JobOptions = {}): Promise<void> {
     return this.#inTurn(async () => {
@@ -271,16 +287,24 @@ export class TimerClient {
   }
 
   /**
-   * Sets the idle throttle (SETLOWRPM) and reads it back (GETLOWRPM).
+   * Sets the idle throttle (SETLOWRPM) and reads it back (GETLOWRPM) until two answers agree.
    * @param idleThrottle 0..255, unit unknown.
    * @returns what the timer holds now.
+   * @throws CodecError before anything is sent when the value cannot be carried; TimerError `other-timer`: nothing more was sent. After any
+   * other it may have been set.
    */
   setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
     return this.#inTurn(async () => {
-      const { exchange, signal } = await this.#job(options, () => ['SETLOWRPM', 'GETLOWRPM']);
+      const plan = ['GETSWVER', 'SETLOWRPM', 'GETSWVER', 'GETLOWRPM', 'GETLOWRPM', 'GETSWVER'] as const;
+      const { exchange, signal } = await this.#job(options, () => plan);
+      encodeRequest({ name: 'SETLOWRPM', idleThrottle });
+      await exchange.requireIdentity(signal);
       await exchange.ask({ name: 'SETLOWRPM', idleThrottle }, signal);
-      const { reply } = await exchange.read({ name: 'GETLOWRPM' }, signal);
-      return reply.idleThrottle;
+      await exchange.requireIdentity(signal);
+      const reply = await exchange.read({ name: 'GETLOWRPM' }, signal, { twice: true });
+      await exchange.requireIdentity(signal);
+      if (reply.idleThrottle !== null) return reply.idleThrottle;
+      throw new TimerError('bad-reply', 'the reply to GETLOWRPM has no value', { request: 'GETLOWRPM' });
     });
   }
 
@@ -310,9 +334,11 @@ export class TimerClient {
 
   async #identify(signal: AbortSignal | undefined, patience: Patience = {}): Promise<Identity> {
     this.#exchange.begin(['GETSWVER']);
-    const { reply } = await this.#exchange.read({ name: 'GETSWVER' }, signal, patience);
-    this.#exchange.identity = reply.identity;
-    return reply.identity;
+    const before = this.identity;
+    const { identity } = await this.#exchange.identify(signal, patience);
+    // What was found of another timer says nothing of this one.
+    if (before && !sameKind(before, identity)) this.#quirks.reset();
+    return identity;
   }
 
   /** @param plan the exchanges that the job will need; nothing for one that says so itself. */
@@ -326,16 +352,6 @@ export class TimerClient {
       signal,
       onProgress,
       quirks: this.#quirks,
-      memoryOf: (reply) => this.#memoryOf(reply, identity),
     };
-  }
-
-  #memoryOf({ memory }: ReplyOf<'GETMEMORY'>, identity: Identity): number | null {
-    if (memory === null) this.#quirks.note('memory-unknown');
-    if (memory !== identity.memories) return memory;
-    // One more than the last that is counted from 0: this timer counts from 1.
-    this.#quirks.note('memories-from-one');
-    this.#quirks.assume({ memoriesFromOne: true });
-    return memory - 1;
   }
 }

@@ -1,27 +1,41 @@
 import type { TimerProgram } from '../program/index.js';
-import type { CommandName } from '../protocol/index.js';
-import { TimerError, throwIfAborted } from './errors.js';
+import { type CommandName, encodeRequest, type Identity } from '../protocol/index.js';
+import { askMemory } from './current-memory.js';
+import { TimerError, type TimerErrorCode, throwIfAborted } from './errors.js';
+import type { Job } from './job.js';
 import { bytesOf, type Progress } from './progress.js';
-import { type Job, readContent } from './read-program.js';
+import { readContent } from './read-program.js';
 
 /** The exchanges of {@link select}. */
-export const SELECT: readonly CommandName[] = ['SETMEMORY', 'GETMEMORY'];
+export const SELECT: readonly CommandName[] = ['GETSWVER', 'SETMEMORY', 'GETSWVER', 'GETMEMORY', 'GETMEMORY'];
+/** The exchanges of {@link Tour.begin}. */
+const BEGIN: readonly CommandName[] = ['GETSWVER', 'GETMEMORY', 'GETMEMORY'];
 
 /**
- * Makes a memory current (SETMEMORY) and asks whether it is (GETMEMORY).
- * @returns false when the timer does not say which memory is current.
- * @throws TimerError `other-memory`, or as Exchange; CodecError when the timer has no such memory.
+ * Makes a memory current (SETMEMORY) on the timer that was identified, and asks until it has said twice that it is (GETMEMORY). It is what
+ * flies next, so one answer is not enough.
+ * @throws TimerError `other-timer`, `other-memory`, or as Exchange; CodecError when the timer has no such memory.
  */
-export async function select(job: Job, memory: number): Promise<boolean> {
-  await job.exchange.ask({ name: 'SETMEMORY', memory }, job.signal);
-  const found = await currentMemory(job);
-  if (found === null || found === memory) return found !== null;
-  throw new TimerError('other-memory', `memory ${found} is current, not ${memory}`, { expected: memory, found });
+export async function select(job: Job, memory: number): Promise<void> {
+  requireIndex(memory, job.identity);
+  await job.exchange.requireIdentity(job.signal);
+  await makeCurrent(job, memory);
 }
 
-async function currentMemory({ exchange, signal, memoryOf }: Job): Promise<number | null> {
-  const { reply } = await exchange.read({ name: 'GETMEMORY' }, signal);
-  return memoryOf(reply);
+/** @throws CodecError `out-of-range` when a timer has no such memory. */
+export function requireIndex(memory: number, identity: Identity): void {
+  encodeRequest({ name: 'SETMEMORY', memory }, { identity });
+}
+
+/** @returns false when the timer does not say which memory is current. */
+async function makeCurrent(job: Job, memory: number): Promise<boolean> {
+  const { exchange, signal } = job;
+  await exchange.ask({ name: 'SETMEMORY', memory }, signal);
+  await exchange.requireIdentity(signal);
+  const now = await askMemory(job, { expected: memory, twice: true });
+  if (now.memory === null || (now.memory === memory && !now.renumbered)) return now.memory !== null;
+  const details = { expected: now.renumbered ? null : memory, found: now.memory };
+  throw new TimerError('other-memory', `memory ${now.memory} is current, not ${memory}`, details);
 }
 
 /** A way through several memories that begins and ends at the one that is current. Its progress is that of the whole way. */
@@ -42,20 +56,30 @@ export class Tour {
     this.#job = job;
     this.#onHome = onHome;
     this.#total = total;
-    this.#done = bytesOf(['GETMEMORY'], job.identity);
+    this.#done = bytesOf(BEGIN, job.identity);
   }
 
   /**
    * Asks which memory is current.
    * @param plan all that will be asked between here and the way back.
+   * @param numbered whether the caller has named memories by their numbers.
    * @param onHome told of that memory before the first other one is selected.
-   * @throws TimerError `memory-unknown`, or as Exchange.
+   * @throws TimerError `memory-unknown`, also when the answer shows that the numbers were wrong; `other-timer`; as Exchange.
    */
-  static async begin(job: Job, plan: readonly CommandName[], onHome?: (home: number) => unknown): Promise<Tour> {
-    const all: CommandName[] = ['GETMEMORY', ...plan, ...SELECT];
+  static async begin(
+    job: Job,
+    plan: readonly CommandName[],
+    numbered: boolean,
+    onHome?: (home: number) => unknown,
+  ): Promise<Tour> {
+    const all: CommandName[] = [...BEGIN, ...plan, ...SELECT];
     job.exchange.begin(all);
-    const home = await currentMemory(job);
+    await job.exchange.requireIdentity(job.signal);
+    const { memory: home, renumbered } = await askMemory(job, { twice: true });
     if (home === null) throw new TimerError('memory-unknown', 'the timer does not say which memory is current');
+    if (renumbered && numbered) {
+      throw new TimerError('memory-unknown', 'the timer counts its memories otherwise than was assumed');
+    }
     return new Tour(home, job, bytesOf(all, job.identity), onHome);
   }
 
@@ -71,7 +95,7 @@ export class Tour {
     } catch (error) {
       failure = { error };
       // Something else has selected one.
-      if (error instanceof TimerError && error.code === 'other-memory') this.#at = null;
+      if (codeOf(error) === 'other-memory') this.#at = null;
     }
     await this.#goHome(failure?.error);
     if (failure) throw failure.error;
@@ -82,17 +106,10 @@ export class Tour {
    * @throws TimerError `memory-unknown`, `other-memory`; as Exchange.
    */
   async read(memory: number, plan: readonly CommandName[], idleThrottle: boolean): Promise<TimerProgram> {
-    const read = await this.part(memory, [...SELECT, ...plan], async (job) => {
+    return this.part(memory, [...SELECT, ...plan], async (job) => {
       if (memory !== this.#at) await this.#select(job, memory);
-      return readContent(job, 'read', idleThrottle);
+      return readContent(job, 'read', { idleThrottle, memory });
     });
-    if (read.memory === memory) return read;
-    const details = { expected: memory, found: read.memory };
-    throw new TimerError(
-      read.memory === null ? 'memory-unknown' : 'other-memory',
-      'another memory is current',
-      details,
-    );
   }
 
   /** Does one part of the way. Its own stages are reported as parts of the whole. */
@@ -118,11 +135,12 @@ export class Tour {
     const tell = this.#onHome;
     this.#onHome = undefined;
     if (tell) await job.exchange.budget.waitFor(() => tell(this.home));
+    await job.exchange.requireIdentity(job.signal);
     throwIfAborted(job.signal);
     const before = this.#at;
     this.#at = null;
     try {
-      if (await select(job, memory)) this.#at = memory;
+      if (await makeCurrent(job, memory)) this.#at = memory;
     } catch (error) {
       const { request, sent } = error instanceof TimerError ? error.details : {};
       // It never went out, so nothing has changed.
@@ -138,12 +156,28 @@ export class Tour {
     if (this.#at === this.home) return;
     let failure: unknown;
     try {
-      // Whoever asked to stop asked for this too.
-      if (this.#job.exchange.usable) return await this.#select({ ...this.#job, signal: undefined }, this.home);
+      // Nothing is sent to a timer that is not the one that was left. Whoever asked to stop asked for this too.
+      if (this.#job.exchange.usable && codeOf(cause) !== 'other-timer') {
+        return await this.#select({ ...this.#job, signal: undefined }, this.home);
+      }
     } catch (error) {
       failure = error;
     }
     const details = { expected: this.home, found: this.#at };
-    throw new TimerError('memory-left', 'the first memory is not current again', details, cause ?? failure);
+    const request = isSelectUnanswered(cause) || isSelectUnanswered(failure) ? { request: 'SETMEMORY' as const } : {};
+    throw new TimerError(
+      'memory-left',
+      'the first memory is not current again',
+      { ...details, ...request },
+      cause ?? failure,
+    );
   }
+}
+
+function codeOf(error: unknown): TimerErrorCode | undefined {
+  return error instanceof TimerError ? error.code : undefined;
+}
+
+function isSelectUnanswered(error: unknown): boolean {
+  return error instanceof TimerError && error.code === 'no-answer' && error.details.request === 'SETMEMORY';
 }

@@ -142,18 +142,23 @@ export class Wire {
 
   /**
    * Sends a request once and waits for its reply.
-   * @param misprints whether a letter that belongs to another command may be taken for the reply's.
+   * @param misprints whether a letter that belongs to another command may be taken for the reply's: `known` where this timer was seen
+   * to use it.
    * @returns undefined when no reply came in time.
    * @throws TimerError `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
-  async ask(request: Request, identity: Identity | null, misprints: boolean): Promise<Reply | undefined> {
+  async ask(
+    request: Request,
+    identity: Identity | null,
+    misprints: 'no' | 'known' | 'yes',
+  ): Promise<Reply | undefined> {
     const bytes = encodeRequest(request, {
       identity: identity ?? undefined,
       quirks: this.#quirks.assumed,
       bareChecksum: this.#quirks.isBare(request),
     });
     return this.#exchange(bytes, replySize(request.name, identity), (frame) =>
-      this.#match(frame, request, identity, misprints),
+      this.#match(frame, request, identity, misprints !== 'no' && this.#quirks.mayMisprint(request.name, misprints)),
     );
   }
 
@@ -335,7 +340,7 @@ export class Wire {
       this.#noteDamage();
       return undefined;
     }
-    if (match === 'misprint') this.#quirks.note(reply.name === 'UNLOCK' ? 'unlock-reply-6a' : 'timers-reply-66');
+    this.#quirks.noteLetter(request.name, match);
     return reply;
   }
 

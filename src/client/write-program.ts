@@ -16,8 +16,9 @@ import {
   type Request,
 } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
+import type { Job } from './job.js';
 import { StageProgress } from './progress.js';
-import { type Job, questionsFor, readContent } from './read-program.js';
+import { type Reading, readContent, readingPlan } from './read-program.js';
 
 /** What became of one value. */
 export interface ValueReport {
@@ -52,13 +53,34 @@ export function writePlan(baseline: TimerProgram, goal: TimerProgram, moveServos
   const requests = changeRequests(baseline, goal).flatMap(({ name }): CommandName[] =>
     moveServos && name === 'SETSERVO' ? ['MOVETOFUNC', name] : [name],
   );
-  return ['GETMEMORY', ...requests, 'GETSWVER', ...questionsFor(goal.identity, goal.idleThrottle !== null)];
+  return [...freshPlan(baseline, goal), ...requests, ...verifyPlan(goal)];
+}
+
+/** The exchanges that come before the first SET request. */
+export function freshPlan(baseline: TimerProgram, goal: TimerProgram): CommandName[] {
+  return readingPlan(goal.identity, freshReading(baseline, goal));
+}
+
+/** The exchanges that come behind the last one. */
+export function verifyPlan(goal: TimerProgram): CommandName[] {
+  return readingPlan(goal.identity, verification(goal));
+}
+
+function freshReading(baseline: TimerProgram, goal: TimerProgram): Reading {
+  const idleThrottle = baseline.idleThrottle !== null || goal.idleThrottle !== null;
+  return { strict: true, memory: baseline.memory, known: baseline, idleThrottle };
+}
+
+function verification({ memory, idleThrottle }: TimerProgram): Reading {
+  return { strict: true, memory, idleThrottle: idleThrottle !== null };
 }
 
 /**
- * Sends what differs, reads everything back and compares. What changed without being asked is put back once.
- * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-memory`, `undecided`,
- * `aborted`, or as Exchange. Afterwards it never throws a TimerError: the report says what stopped it and what is known of each value.
+ * Reads everything afresh and compares it with the baseline; only when all is the same sends what differs, reads everything back and
+ * compares. What changed without being asked is put back once.
+ * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-timer`, `other-memory`,
+ * `memory-unknown`, `stale`, `undecided`, `aborted`, or as Exchange. Afterwards it never throws a TimerError: the report says what stopped
+ * it and what is known of each value.
  */
 export async function writeContent(
   job: Job,
@@ -73,14 +95,17 @@ export async function writeContent(
   const requests = changeRequests(baseline, goal);
   // All of it must fit before any of it is sent.
   for (const request of requests) encodeRequest(request, { identity, quirks: quirks.assumed });
+  await requireHeld(job, baseline, goal);
   if (quirks.byteOrderOpen && requests.some(({ name }) => name === 'SETTIMERS')) {
     throw new TimerError('undecided', 'the byte order of the times is in doubt', { request: 'SETTIMERS' });
   }
-  await requireMemory(job, baseline);
   throwIfAborted(signal);
 
-  const questions = questionsFor(identity, goal.idleThrottle !== null);
+  // Where the baseline was read, not where the goal says it comes from.
+  const reading = verification({ ...goal, memory: baseline.memory });
+  const questions = readingPlan(identity, reading);
   const strays = new Map<string, ProgramField>();
+  let timesSaid: readonly number[] | null = null;
   const known: { acknowledged: number; held: TimerProgram | null } = { acknowledged: 0, held: null };
 
   const send = async (stage: 'write' | 'repair', batch: readonly Request[]): Promise<void> => {
@@ -93,16 +118,18 @@ export async function writeContent(
         standsAt = request.function;
         await exchange.ask({ name: 'MOVETOFUNC', function: standsAt }, signal);
       }
-      noteRounding(job, request, await askNoting(job, request));
+      const reply = await askNoting(job, request);
+      if (reply.name === 'SETTIMERS') timesSaid = reply.times;
       known.acknowledged++;
       progress.finished(request.name);
     }
   };
   const readBack = async (): Promise<void> => {
-    const read = await readContent(job, 'verify', goal.idleThrottle !== null);
-    requireSameMemory(read.memory, baseline.memory);
+    const read = await readContent(job, 'verify', reading);
     for (const { field } of unasked(read, goal, asked)) strays.set(fieldKey(field), field);
     known.held = read;
+    noteRounding(job, goal, timesSaid, read);
+    if (!moveServos) noteKept(job, asked, read);
   };
 
   // Whatever the line does to the requests, there is time left to see what came of them.
@@ -158,27 +185,39 @@ async function askNoting({ exchange, identity, signal, quirks }: Job, request: R
   }
 }
 
-function noteRounding({ quirks }: Job, request: Request, reply: Reply): void {
-  if (request.name !== 'SETTIMERS' || reply.name !== 'SETTIMERS') return;
-  const column = request.times.findIndex((time, index) => time !== reply.times[index]);
+/** The timer rounds when its acknowledgement and the reading back say the same other time than was sent. */
+function noteRounding(
+  { quirks }: Job,
+  { timers }: TimerProgram,
+  said: readonly number[] | null,
+  held: TimerProgram,
+): void {
+  const column = timers.findIndex((time, index) => time !== said?.[index] && said?.[index] === held.timers[index]);
   if (column < 0) return;
-  quirks.note('times-rounded', {
-    column,
-    sent: request.times[column] as number,
-    held: reply.times[column] as number,
-  });
+  quirks.note('times-rounded', { column, sent: timers[column] as number, held: held.timers[column] as number });
 }
 
-/** Nothing may be written into another memory than the one that was read. */
-async function requireMemory(job: Job, { memory }: TimerProgram): Promise<void> {
-  if (memory === null) return;
-  const { reply } = await job.exchange.read({ name: 'GETMEMORY' }, job.signal);
-  requireSameMemory(job.memoryOf(reply), memory);
+/** Whoever keeps positions of two functions although nothing moved does not need the servos to stand there. */
+function noteKept({ quirks }: Job, asked: readonly Change[], held: TimerProgram): void {
+  const columns = asked.flatMap(({ field, to }) =>
+    field.kind === 'position' && valueAt(held, field) === to ? [field.column] : [],
+  );
+  if (new Set(columns).size > 1) quirks.drop('positions-unchanged', 'positionsNeedMove');
 }
 
-function requireSameMemory(found: number | null, expected: number | null): void {
-  if (found === null || expected === null || found === expected) return;
-  throw new TimerError('other-memory', `memory ${found} is current, not ${expected}`, { expected, found });
+/**
+ * Nothing may be written into another timer, another memory or over other values than the pilot saw.
+ * @throws TimerError `other-timer`, `other-memory`, `memory-unknown`, `stale`.
+ */
+async function requireHeld(job: Job, baseline: TimerProgram, goal: TimerProgram): Promise<void> {
+  const held = await readContent(job, 'read', freshReading(baseline, goal));
+  if (isHeld(baseline, held)) return;
+  throw new TimerError('stale', 'the timer holds something else than the baseline', { held });
+}
+
+/** Whether a memory holds what was believed of it. An idle throttle that was not known may be anything. */
+export function isHeld(believed: TimerProgram, held: TimerProgram): boolean {
+  return differences(believed, held).every(({ from }) => from === null);
 }
 
 async function attempt(work: () => Promise<void>): Promise<TimerError | null> {
@@ -228,8 +267,13 @@ function repairs(
     return { requests: requestsFor(held, goal, cells), quirks: { servoFirst: !job.quirks.assumed.servoFirst } };
   }
   const positions = asked.filter(({ field }) => field.kind === 'position');
-  // What the timer never took up says nothing of what it does.
-  if (acknowledged && positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from)) {
+  // What the timer never took up says nothing of what it does, and on a line that damages an acknowledgement may be another one's.
+  if (
+    acknowledged &&
+    !job.exchange.damaged &&
+    positions.length > 0 &&
+    positions.every(({ field, from }) => valueAt(held, field) === from)
+  ) {
     job.quirks.note('positions-unchanged');
     job.quirks.assume({ positionsNeedMove: true });
   }

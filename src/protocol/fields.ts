@@ -73,23 +73,38 @@ export const memoryField: Field<'memory', number> = {
 };
 
 /**
- * The memory that is current, or null: the source prints this reply once with an index and once without. A timer that counts from
- * 1 gives itself away by answering the number of its memories, so that value is let through for the caller to judge.
+ * The memory that is current, or null: the source prints this reply once with an index and once without. The index is let through for
+ * the caller to judge, also one that the timer cannot have: the number of its memories tells that it counts from 1, and -1 that it
+ * does not although that was assumed.
  */
 export const currentMemoryField: Field<'memory', number | null> = {
   name: 'memory',
   size: () => 1,
   encode(memory, { quirks }) {
     if (memory === null) return [];
-    requireInteger(memory, 'memory', 0, 255 - firstMemory(quirks));
+    requireInteger(memory, 'memory', -firstMemory(quirks), 255 - firstMemory(quirks));
     return [memory + firstMemory(quirks)];
   },
-  decode(data, { identity, quirks }) {
+  decode(data, { quirks }) {
     if (data.length === 0) return null;
     requireLength(data, 1, 1);
-    const memory = (data[0] as number) - firstMemory(quirks);
-    requireInteger(memory, 'memory', 0, identity ? identity.memories - firstMemory(quirks) : 255);
-    return memory;
+    return (data[0] as number) - firstMemory(quirks);
+  },
+};
+
+/** The idle throttle that the timer holds, unit unknown, or null: the source prints this reply once with a value and once without. */
+export const currentIdleThrottleField: Field<'idleThrottle', number | null> = {
+  name: 'idleThrottle',
+  size: () => 1,
+  encode(value) {
+    if (value === null) return [];
+    requireInteger(value, 'idleThrottle', 0, 255);
+    return [value];
+  },
+  decode(data) {
+    if (data.length === 0) return null;
+    requireLength(data, 1, 1);
+    return data[0] as number;
   },
 };
 
@@ -118,6 +133,14 @@ export const timesField: Field<'times', readonly number[]> = {
     const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
     return Array.from({ length: data.length / 2 }, (_, column) => view.getUint16(2 * column, !quirks?.bigEndianTimes));
   },
+};
+
+/** The times that the timer holds now, or null: an acknowledgement without them. */
+export const acknowledgedTimesField: Field<'times', readonly number[] | null> = {
+  name: 'times',
+  size: (identity) => timesField.size(identity),
+  encode: (times, layout) => (times === null ? [] : timesField.encode(times, layout)),
+  decode: (data, layout) => (data.length === 0 ? null : timesField.decode(data, layout)),
 };
 
 /** Every servo's position in every column, servo by servo: S1 start .. DT, then S2, and so on. */

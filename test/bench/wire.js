@@ -11,7 +11,15 @@ import { VirtualTimer } from '../../dist/lib/simulator/index.js';
  */
 
 /** @type {readonly CommandName[]} */
-const READ = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'];
+const CONTENT = ['GETTIMERS', 'GETSERVOPOS'];
+/** Behind what a memory holds: is it still this one, and still this timer? @type {readonly CommandName[]} */
+const END = ['GETMEMORY', 'GETSWVER'];
+/** Identifying, and the reading. @type {readonly CommandName[]} */
+const READ = ['GETSWVER', 'GETMEMORY', ...CONTENT, ...END];
+/** What the timer holds before the first value is written. @type {readonly CommandName[]} */
+const FRESH = ['GETSWVER', 'GETMEMORY', ...CONTENT, ...END];
+/** Two readings that agree, between two questions each for timer and memory. @type {readonly CommandName[]} */
+const VERIFY = ['GETSWVER', 'GETMEMORY', ...CONTENT, ...CONTENT, ...END];
 
 /**
  * @param {number} baud
@@ -38,7 +46,7 @@ export async function wire(baud, latencyMs) {
     return { result, row: { job, baud, latencyMs, ratio: Number(ratio.toFixed(4)) } };
   };
 
-  const read = await measure('read-all', ['GETSWVER', ...READ], () => client.readProgram());
+  const read = await measure('read-all', READ, () => client.readProgram());
   const baseline = read.result;
   const goal = {
     ...baseline,
@@ -46,7 +54,7 @@ export async function wire(baud, latencyMs) {
     positions: baseline.positions.map((row) => row.map((position) => position + 1)),
   };
   const servos = goal.positions.flatMap((row) => row.map(() => /** @type {const} */ ('SETSERVO')));
-  const write = await measure('write-and-verify', ['GETMEMORY', 'SETTIMERS', ...servos, ...READ], () =>
+  const write = await measure('write-and-verify', [...FRESH, 'SETTIMERS', ...servos, ...VERIFY], () =>
     client.writeProgram(goal, { baseline }),
   );
   if (write.result.result !== 'verified') throw new Error(`the write was not verified but ${write.result.result}`);

@@ -100,12 +100,14 @@ describe('the time that is told', () => {
   const jobs = {
     read: (client: TimerClient, _: TimerProgram, onProgress: (progress: Progress) => void) =>
       client.readProgram({ onProgress }),
-    write: (client: TimerClient, goal: TimerProgram, onProgress: (progress: Progress) => void) =>
-      client.writeProgram(goal, { baseline: { ...goal, timers: goal.timers.map(() => 0) }, onProgress }),
+    write: (client: TimerClient, baseline: TimerProgram, onProgress: (progress: Progress) => void) =>
+      client.writeProgram(everyValueChanged(baseline), { baseline, onProgress }),
     readMemories: (client: TimerClient, _: TimerProgram, onProgress: (progress: Progress) => void) =>
       client.readMemories({ onProgress }),
-    writeMemories: (client: TimerClient, goal: TimerProgram, onProgress: (progress: Progress) => void) =>
-      client.writeMemories([goal, { ...goal, memory: 1 }], { onProgress }),
+    writeMemories: (client: TimerClient, baseline: TimerProgram, onProgress: (progress: Progress) => void) =>
+      client.writeMemories([everyValueChanged(baseline), { ...everyValueChanged(baseline), memory: 1 }], {
+        onProgress,
+      }),
   };
 
   it('is never passed, whatever the line does, and does not change on the way', async () => {
@@ -149,8 +151,8 @@ describe('the time that is told', () => {
         if (sleeps !== null) line.arm('in', sleeps, { event: 'asleep' });
 
         const told: Progress[] = [];
-        const goal = everyValueChanged(structuredClone(contentOf(timer)));
-        await clock.run(jobs[job](client, goal, (progress) => told.push(progress)).then(String, String));
+        const held = structuredClone(contentOf(timer));
+        await clock.run(jobs[job](client, held, (progress) => told.push(progress)).then(String, String));
         if (!told[0]) return;
         expect(clock.now()).toBeLessThanOrEqual(told[0].endsBy);
         expect(new Set(told.map(({ endsBy }) => endsBy)).size).toBe(1);

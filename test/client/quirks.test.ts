@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { type AssumedQuirks, type QuirkCode, TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import { commandOf, encodeReply, type Identity } from '../../src/protocol/index.js';
+import { type CommandName, commandOf, encodeReply, type Identity, type Reply } from '../../src/protocol/index.js';
 import type { TimerQuirks } from '../../src/simulator/index.js';
 import { bench, contentOf, edited, names } from './bench.js';
 
@@ -59,6 +59,19 @@ describe('a timer that departs from the usual reading', () => {
   it('a late reply to SETTIMERS, 66, is not taken for one to the GETTIMERS that serves as a fence', async () => {
     const clock = new VirtualClock();
     const identity: Identity = { timerClass: 'B', firmware: '536', functions: 1, memories: 1, servos: 1 };
+    const baseline: TimerProgram = {
+      identity,
+      memory: 0,
+      timers: [0, 6000],
+      positions: [[0, 0]],
+      idleThrottle: null,
+    };
+    const replies: Partial<Record<CommandName, Reply>> = {
+      GETSWVER: { name: 'GETSWVER', identity },
+      GETMEMORY: { name: 'GETMEMORY', memory: 0 },
+      GETTIMERS: { name: 'GETTIMERS', times: baseline.timers },
+      GETSERVOPOS: { name: 'GETSERVOPOS', positions: baseline.positions },
+    };
     const sent: string[] = [];
     let late = true;
     let line: ReadableStreamDefaultController<Uint8Array> | undefined;
@@ -69,26 +82,20 @@ describe('a timer that departs from the usual reading', () => {
     });
     const writable = new WritableStream<Uint8Array>({
       write: (bytes) => {
-        const name = commandOf(bytes[6] as number)?.name ?? '';
+        const name = commandOf(bytes[6] as number)?.name as CommandName;
         sent.push(name);
-        if (sent.length === 1) line?.enqueue(encodeReply({ name: 'GETSWVER', identity }));
-        // Nothing is answered in time; what comes while GETTIMERS waits belongs to the SETTIMERS of before.
-        if (name !== 'GETTIMERS' || !late) return;
+        const reply = sent.includes('SETTIMERS') ? undefined : replies[name];
+        if (reply) line?.enqueue(encodeReply(reply, { identity }));
+        // From then on nothing is answered in time; what comes while GETTIMERS waits belongs to the SETTIMERS of before.
+        if (name !== 'GETTIMERS' || !sent.includes('SETTIMERS') || !late) return;
         late = false;
         line?.enqueue(encodeReply({ name: 'SETTIMERS', times: [0, 7000] }, { identity }));
       },
     });
     const client = new TimerClient({ readable, writable }, { clock });
     await clock.run(client.identify());
-    const baseline: TimerProgram = {
-      identity,
-      memory: null,
-      timers: [0, 6000],
-      positions: [[0, 0]],
-      idleThrottle: null,
-    };
     const report = await clock.run(client.writeProgram({ ...baseline, timers: [0, 7000] }, { baseline }));
-    expect(sent).toContain('GETTIMERS');
+    expect(sent.slice(sent.indexOf('SETTIMERS'))).toContain('GETTIMERS');
     expect(report.result).toBe('unknown');
     expect(found(client)).not.toContain('timers-reply-66');
   });
@@ -235,7 +242,7 @@ describe('positions that are kept only where the servos stand', () => {
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline, moveServos: true }));
     expect(report.result).toBe('verified');
-    expect(names(timer.core.answered).slice(1, 6)).toEqual([
+    expect(names(timer.core.answered).slice(6, 11)).toEqual([
       'MOVETOFUNC',
       'SETSERVO',
       'SETSERVO',

@@ -1,11 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import { wireTime } from '../../src/line/index.js';
 import { exchangeSize, type Request } from '../../src/protocol/index.js';
-import { bench, contentOf, edited, names } from './bench.js';
+import { type Bench, bench, contentOf, edited, names } from './bench.js';
 
 function sets(requests: readonly Request[]): Request[] {
   return requests.filter(({ name }) => name.startsWith('SET'));
 }
+
+const CONTENT = ['GETTIMERS', 'GETSERVOPOS'] as const;
+/** What is asked before the first SET and behind the last one. */
+const FRESH = ['GETSWVER', 'GETMEMORY', ...CONTENT, 'GETMEMORY', 'GETSWVER'] as const;
+const VERIFY = ['GETSWVER', 'GETMEMORY', ...CONTENT, ...CONTENT, 'GETMEMORY', 'GETSWVER'] as const;
 
 describe('write program', () => {
   it('sends one SETTIMERS and one SETSERVO for each position, reads back, and says verified', async () => {
@@ -26,7 +31,10 @@ describe('write program', () => {
       { name: 'SETSERVO', function: 3, servo: 0, position: 70 },
       { name: 'SETSERVO', function: 10, servo: 2, position: 0 },
     ]);
-    expect(names(timer.core.answered).slice(-3)).toEqual(['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS']);
+    const isSet = (name: string): boolean => name.startsWith('SET');
+    const asked = names(timer.core.answered);
+    expect(asked.slice(0, asked.findIndex(isSet))).toEqual(FRESH);
+    expect(asked.slice(asked.findLastIndex(isSet) + 1)).toEqual(VERIFY);
     expect(report).toMatchObject({ result: 'verified', held: goal, acknowledged: 3, repeats: 0, stopped: null });
     expect(report.values).toEqual([
       { field: { kind: 'time', column: 10 }, wanted: 30000, held: 30000, status: 'verified', asked: true },
@@ -142,11 +150,31 @@ describe('write program', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const foreign = timer.core.content.positions.map((row) => row.map((position) => position + 1));
-    timer.core.content.positions = structuredClone(foreign);
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') timer.core.content.positions = structuredClone(foreign);
+    };
     const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
     expect(report).toMatchObject({ result: 'differs', acknowledged: 1, stopped: { code: 'changed' } });
     expect(report.values.filter(({ asked }) => !asked)).toHaveLength(33);
     expect(timer.core.content.positions).toEqual(foreign);
+  });
+
+  it.each<[string, (core: Bench['timer']['core']) => void]>([
+    ['a time', ({ content }) => void content.timers.splice(10, 1, 20000)],
+    ['a position', ({ content }) => void content.positions[2]?.splice(4, 1, 1)],
+    ['the idle throttle', (core) => void Object.assign(core, { idleThrottle: 31 })],
+  ])('writes nothing when %s is not as it was read, and gives what the timer holds', async (_, change) => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    const baseline = await run(client.readProgram());
+    change(timer.core);
+    const held = structuredClone(contentOf(timer));
+    const goal = { ...edited(baseline, [[10, 30000]], [[2, 4, 99]]), idleThrottle: 40 };
+    await expect(run(client.writeProgram(goal, { baseline }))).rejects.toMatchObject({
+      code: 'stale',
+      details: { held },
+    });
+    expect(sets(timer.core.answered)).toEqual([]);
+    expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
   });
 
   it('cannot put back a position that nobody can set, and says that it differs', async () => {
@@ -266,13 +294,25 @@ describe('write program', () => {
     };
     await run(client.writeProgram(edited(baseline, [[10, 30000]], [[0, 0, 1]]), { baseline, onProgress }));
     expect(seen).toEqual([
+      'read 0/183',
+      'read 27/183',
+      'read 46/183',
+      'read 86/183',
+      'read 137/183',
+      'read 156/183',
+      'read 183/183',
       'write 0/83',
       'write 62/83',
       'write 83/83',
-      'verify 0/110',
-      'verify 19/110',
-      'verify 59/110',
-      'verify 110/110',
+      'verify 0/274',
+      'verify 27/274',
+      'verify 46/274',
+      'verify 86/274',
+      'verify 137/274',
+      'verify 177/274',
+      'verify 228/274',
+      'verify 247/274',
+      'verify 274/274',
     ]);
   });
 
@@ -285,14 +325,7 @@ describe('write program', () => {
     const goal = edited(baseline, [[10, 30000]], positions);
     const begin = clock.now();
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
-    const requests = [
-      'GETMEMORY',
-      'SETTIMERS',
-      ...positions.map(() => 'SETSERVO'),
-      'GETMEMORY',
-      'GETTIMERS',
-      'GETSERVOPOS',
-    ] as const;
+    const requests = [...FRESH, 'SETTIMERS', ...positions.map(() => 'SETSERVO'), ...VERIFY];
     const bytes = requests
       .map((name) => exchangeSize(name as 'SETSERVO', baseline.identity))
       .reduce((sum, { request, reply }) => sum + request + reply, 0);

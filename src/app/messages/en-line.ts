@@ -126,6 +126,7 @@ export const line = {
     `${name}, firmware ${firmware}, ${count(functions, 'function', 'functions')}, ${count(memories, 'memory', 'memories')}, ${count(servos, 'servo', 'servos')}`,
   memoryUnsaid: 'It does not say which.',
   idleThrottle: (value: number) => `${value}, unit unknown`,
+  idleThrottleUnsaid: 'It says no value.',
   acknowledged: 'Acknowledged.',
   unreadable: (code: CodecErrorCode) => `Cannot be read: ${unreadable[code]}.`,
 

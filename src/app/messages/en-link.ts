@@ -76,6 +76,7 @@ const quirkNames: Record<QuirkCode, string> = {
   'timers-reply-66': 'It answers “read times” with the letter of “write times”.',
   'unlock-reply-6a': 'It answers “unlock motor” with the letter of “move servos”.',
   'memory-unknown': 'It does not say which memory is current.',
+  'memory-impossible': 'It names a current memory that it cannot have.',
   'bare-checksum': 'Its reply about the idle throttle has no true checksum.',
   'times-big-endian': 'Its times fall, and would rise with their bytes exchanged.',
   'servo-first': 'It takes the servo before the function when a position is written.',
@@ -85,6 +86,7 @@ const quirkNames: Record<QuirkCode, string> = {
   'positions-unchanged': 'It acknowledged positions and did not keep them.',
   echo: 'The adapter returns what is sent.',
   'idle-throttle-unanswered': 'It did not answer when asked for its idle throttle.',
+  'idle-throttle-malformed': 'Its reply about the idle throttle has no value.',
 };
 
 /** What is known of the timer at hand. */

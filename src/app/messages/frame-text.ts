@@ -89,8 +89,9 @@ function replyText(reply: Reply, { identity }: Layout): string {
   const { line, servoName, memoryName } = messages.value;
   switch (reply.name) {
     case 'GETTIMERS':
-    case 'SETTIMERS':
       return timesText(known(identity), reply.times);
+    case 'SETTIMERS':
+      return reply.times === null ? line.acknowledged : timesText(known(identity), reply.times);
     case 'GETSERVOPOS':
       return reply.positions.map((steps, servo) => line.positions(servoName(servo), steps)).join('; ');
     case 'GETSWVER':
@@ -98,7 +99,7 @@ function replyText(reply: Reply, { identity }: Layout): string {
     case 'GETMEMORY':
       return reply.memory === null ? line.memoryUnsaid : memoryName(reply.memory);
     case 'GETLOWRPM':
-      return line.idleThrottle(reply.idleThrottle);
+      return reply.idleThrottle === null ? line.idleThrottleUnsaid : line.idleThrottle(reply.idleThrottle);
     default:
       return line.acknowledged;
   }
