@@ -237,6 +237,8 @@ describe('following', () => {
       'GETTIMERS',
       'GETSERVOPOS',
       'GETLOWRPM',
+      'GETMEMORY',
+      'GETSWVER',
     ]);
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
   });

@@ -11,7 +11,7 @@ async function atForm(options: BenchOptions = {}) {
   return { ...bench, form: new FrameForm(bench.session), asked: () => answered.map(({ name }) => name) };
 }
 
-const READ_ALL = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'];
+const READ_ALL = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM', 'GETMEMORY', 'GETSWVER'];
 
 describe('a frame by hand', () => {
   it('has its length, checksum and end filled in', async () => {

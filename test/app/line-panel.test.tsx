@@ -88,9 +88,10 @@ describe('the rows', () => {
     expect(newest?.[0]).toMatch(/^\d\d:\d\d:\d\d\.\d{3}$/);
     expect(newest?.slice(1)).toEqual([
       'from the timer',
-      'Read idle throttle, reply · GETLOWRPM 30, unit unknown',
-      '00 00 00 00 00 04 76 1e 94 45',
+      'Identify, reply · GETSWVER F1Q, firmware 536, 10 functions, 4 memories, 3 servos',
+      '00 00 00 00 00 0c 6c 51 35 33 36 20 0a 04 03 20 ac 45',
     ]);
+    expect(messagesShown()).toContain('Read idle throttle, reply · GETLOWRPM 30, unit unknown');
     expect(messagesShown().at(-2)).toBe(
       'Identify, reply · GETSWVER F1Q, firmware 536, 10 functions, 4 memories, 3 servos',
     );
@@ -108,7 +109,7 @@ describe('the rows', () => {
     ]);
     expect(messagesShown()[1]).toMatch(/^Damaged: checksum/);
     expect(screen.getAllByRole('row')[1]?.className).toBe('damaged');
-    expect(screen.getByText('5 to the timer, 5 from the timer, 1 damaged, 1 line error')).toBeTruthy();
+    expect(screen.getByText('7 to the timer, 7 from the timer, 1 damaged, 1 line error')).toBeTruthy();
   });
 
   it('are not drawn while the panel is shut', async () => {
@@ -127,8 +128,8 @@ describe('the rows', () => {
     await run(session.read());
     await idle();
     const after = screen.getAllByRole('row').slice(1);
-    expect(after).toHaveLength(before.length + 8);
-    expect(after.slice(8)).toEqual(before);
+    expect(after).toHaveLength(before.length + 12);
+    expect(after.slice(12)).toEqual(before);
   });
 });
 
@@ -163,7 +164,7 @@ describe('on a fresh page', () => {
     const { session } = await panelOf(await appBench());
     await run(session.connect());
     await idle();
-    expect(rows()).toHaveLength(10);
+    expect(rows()).toHaveLength(14);
     expect(button('Pause')).toBeTruthy();
   });
 });
@@ -176,9 +177,9 @@ describe('the tools', () => {
     await run(session.read());
     await idle();
     expect(rows()).toEqual(before);
-    expect(screen.getByText('Paused. 8 entries since.')).toBeTruthy();
+    expect(screen.getByText('Paused. 12 entries since.')).toBeTruthy();
     await press('Go on');
-    expect(rows()).toHaveLength(before.length + 8);
+    expect(rows()).toHaveLength(before.length + 12);
     expect(screen.queryByText(/^Paused/)).toBeNull();
   });
 
@@ -197,7 +198,7 @@ describe('the tools', () => {
     change('Show', 'all');
     type('Search', '6b 6b');
     await idle();
-    expect(messagesShown()).toEqual(['Identify · GETSWVER']);
+    expect(messagesShown()).toEqual(['Identify · GETSWVER', 'Identify · GETSWVER']);
   });
 
   it('copy what is shown as a capture', async () => {
@@ -213,6 +214,10 @@ describe('the tools', () => {
       '',
       '# Which memory · GETMEMORY',
       expect.stringMatching(/^0\.000 > 00 00 00 00 00 03 71 71 45$/),
+      '# Which memory, reply · GETMEMORY: M1',
+      expect.stringMatching(/^0\.\d{3} < 00 00 00 00 00 04 72 00 72 45$/),
+      '# Which memory · GETMEMORY',
+      expect.stringMatching(/^0\.\d{3} > 00 00 00 00 00 03 71 71 45$/),
       '# Which memory, reply · GETMEMORY: M1',
       expect.stringMatching(/^0\.\d{3} < 00 00 00 00 00 04 72 00 72 45$/),
       '',
@@ -246,7 +251,7 @@ describe('the tools', () => {
     expect(clicked).toEqual(['sidus-line-Q536.txt']);
     vi.useRealTimers();
     const text = await made[0]?.text();
-    expect(text?.split('\n').filter((line) => /^\d/.test(line))).toHaveLength(10);
+    expect(text?.split('\n').filter((line) => /^\d/.test(line))).toHaveLength(14);
   });
 });
 

@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { parseRecording } from '../../src/app/state/recording.js';
 import { gatherFacts, type ReportFacts, reportText } from '../../src/app/state/report.js';
+import type { TimerClient } from '../../src/client/index.js';
 import { parseCapture } from '../../src/protocol/index.js';
 import { DEFAULT_SETTINGS } from '../../src/serial/index.js';
 import { B536 } from '../protocol/vectors.js';
@@ -76,8 +77,13 @@ describe('a report', () => {
     expect(text).toContain('# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos\n');
     expect(text).toContain('# Found: memory-unknown\n');
     const { entries, replayable } = parseRecording('report', text);
-    expect(entries).toHaveLength(62);
+    expect(entries).toHaveLength(60);
     expect(replayable).toBe(true);
+    const client = session.connection.value?.client as TimerClient;
+    for (let i = 0; i < 30; i++) await run(client.send(0x71));
+    const later = parseRecording('report', reportText(gatherFacts(session)));
+    expect(later.entries, 'asked 30 times, and what the timer is').toHaveLength(62);
+    expect(later.replayable).toBe(true);
     await run(session.disconnect());
 
     const again = await appBench();
@@ -89,7 +95,7 @@ describe('a report', () => {
     const { session } = await connectedBench({ info: { usbVendorId: 0x0403, usbProductId: 0x6001 } });
     const text = reportText(gatherFacts(session));
     expect(text).toContain('# Port: ftdi, usb:0403:6001, 9600 8N1\n');
-    expect(text).toMatch(/^# Line: 5 to the timer, 5 from the timer, 0 damaged, 0 line errors, 0 repeats$/m);
+    expect(text).toMatch(/^# Line: 7 to the timer, 7 from the timer, 0 damaged, 0 line errors, 0 repeats$/m);
     expect(text).toContain('# Line errors: none\n');
   });
 

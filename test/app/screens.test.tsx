@@ -363,9 +363,9 @@ describe('the line', () => {
     await idle();
     const log = within(screen.getByRole('region', { name: 'Line' }));
     const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
-    expect(rows).toHaveLength(11);
+    expect(rows).toHaveLength(15);
     expect(rows.at(-1)?.slice(1)).toEqual(['to the timer', 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);
-    expect(rows[1]?.slice(1)).toEqual([
+    expect(rows[5]?.slice(1)).toEqual([
       'from the timer',
       'Read idle throttle, reply · GETLOWRPM 30, unit unknown',
       '00 00 00 00 00 04 76 1e 94 45',
