@@ -19,9 +19,15 @@ async function bench(options: BenchOptions = {}): Promise<AppBench> {
 
 async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
   session.safe.value = true;
-  memories.open(plan);
-  expect(memories.current.value).toEqual({ step: 'review', plan });
+  await run(memories.open(plan));
+  expect(memories.current.value).toMatchObject({ step: 'review', plan });
   await run(memories.start());
+}
+
+/** What became of each memory that was to be written. */
+function ends({ memories }: AppBench): unknown {
+  const { value } = memories.current;
+  return value?.step === 'done' ? value.outcome.ends.map(({ memory, state }) => [memory, state]) : value?.step;
 }
 
 /** The memories that were selected, in order. */
@@ -156,10 +162,13 @@ describe('copying a memory', () => {
     await job(made, { kind: 'copy', from: 1, to: 3 });
     expect(made.memories.current.value).toMatchObject({
       step: 'done',
-      outcome: { stopped: null, written: [{ memory: 3, report: { result: 'verified' } }] },
+      outcome: { stopped: null, ends: [{ memory: 3, state: 'verified' }] },
     });
     expect(contents(made)).toEqual([before[0], before[1], before[2], before[1]]);
-    expect([made.timer.core.memory, selected(made)]).toEqual([1, [3, 1]]);
+    expect([made.timer.core.memory, selected(made)], 'read for the difference, then written').toEqual([
+      1,
+      [3, 1, 3, 1],
+    ]);
     expect(kept(made)).toEqual([{ reason: 'write', memory: 3, ...before[3] }]);
     expect(made.store.unfinished.records.size).toBe(0);
     expect(made.timer.core.idleThrottle).toBe(30);
@@ -172,7 +181,7 @@ describe('copying a memory', () => {
       if (request.name === 'SETMEMORY') made.timer.core.idleThrottle = 40 + request.memory;
     };
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.current.value).toMatchObject({ outcome: { written: [{ report: { result: 'verified' } }] } });
+    expect(made.memories.current.value).toMatchObject({ outcome: { ends: [{ state: 'verified' }] } });
     expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETLOWRPM');
   });
 
@@ -180,7 +189,7 @@ describe('copying a memory', () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.timer.core.content.positions[1]?.fill(77);
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.current.value).toMatchObject({ outcome: { stopped: { code: 'changed' } } });
+    expect(made.memories.current.value).toMatchObject({ outcome: { stopped: 'changed' } });
     expect(made.session.recovery.offer.value).toMatchObject({ kind: 'elsewhere', memory: 3 });
   });
 
@@ -194,14 +203,143 @@ describe('copying a memory', () => {
 });
 
 describe('a browser that does not keep everything', () => {
-  it.each<[what: 'backups' | 'unfinished', plan: Plan]>([
-    ['backups', { kind: 'copy', from: 1, to: 3 }],
-    ['unfinished', { kind: 'back-up' }],
-  ])('is said: no %s', async (what, plan) => {
+  const full = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
+
+  it('is said after a backup: which memory to come back to is in this page alone', async () => {
     const made = await bench();
-    made.store[what].save = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
-    await job(made, plan);
+    made.store.unfinished.save = full;
+    await job(made, { kind: 'back-up' });
     expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { stopped: null } });
+  });
+
+  it.each<[answer: boolean, held: unknown]>([
+    [true, [[3, 'verified']]],
+    [false, undefined],
+  ])('asks before it writes without a copy: %s', async (answer, held) => {
+    const made = await bench();
+    const before = contents(made);
+    made.store.backups.save = full;
+    made.session.safe.value = true;
+    await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
+    const writing = made.memories.start();
+    await idle(4000);
+    expect([made.memories.current.value?.step, contents(made)]).toEqual(['unkept', before]);
+    made.memories.answer(answer);
+    await run(writing);
+    expect(ends(made)).toEqual(held);
+    expect(contents(made)[3]).toEqual(answer ? before[1] : before[3]);
+    expect([made.timer.core.memory, made.session.knowledge.uncertain.value]).toEqual([1, []]);
+  });
+
+  it('that never answers is given five seconds', async () => {
+    const made = await bench();
+    made.session.safe.value = true;
+    await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
+    made.store.backups.save = () => new Promise(() => {});
+    const writing = made.memories.start();
+    await idle(9000);
+    expect(made.memories.current.value?.step).toBe('unkept');
+    made.memories.dismiss();
+    await run(writing);
+    expect(made.session.notice.value).toEqual({ kind: 'note', code: 'nothing-written' });
+  });
+});
+
+describe('what is about to be written', () => {
+  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
+
+  it('is shown with what the other memory holds, by a reading just now', async () => {
+    const made = await bench();
+    made.timer.core.memories[3]?.timers.splice(10, 1, 36_000);
+    await run(made.memories.open(COPY));
+    expect(made.memories.current.value).toMatchObject({
+      step: 'review',
+      changes: [
+        {
+          memory: 3,
+          changes: [
+            { field: { kind: 'time', column: 10 }, from: 36_000, to: 21_000 },
+            { field: S1, from: 53, to: 51 },
+          ],
+        },
+      ],
+    });
+    expect([made.timer.core.memory, selected(made)]).toEqual([1, [3, 1]]);
+  });
+
+  it('is not written over what has changed since, and that is said', async () => {
+    const made = await bench();
+    made.session.safe.value = true;
+    await run(made.memories.open(COPY));
+    made.timer.core.memories[3]?.timers.splice(10, 1, 36_000);
+    const before = contents(made);
+    await run(made.memories.start());
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'stale' } });
+    expect([ends(made), contents(made), made.timer.core.memory]).toEqual([[[3, 'untouched']], before, 1]);
+    expect(made.session.knowledge.uncertain.value).toEqual([]);
+  });
+
+  it('is for the connection on which it was shown, and gone with it', async () => {
+    const made = await bench();
+    await run(made.memories.open(COPY));
+    made.adapter.unplug();
+    await idle();
+    expect(made.memories.current.value).toBeNull();
+    made.adapter.replug();
+    await idle();
+    await run(made.memories.start());
+    expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETTIMERS');
+  });
+});
+
+describe('a copy that fails early ends in words', () => {
+  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
+
+  it('before anything is compared', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && made.adapter.unplug();
+    await run(made.memories.open(COPY));
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'memory-left' } });
+    expect([ends(made), made.memories.held]).toEqual([[[3, 'untouched']], true]);
+  });
+
+  it('before the first value goes out', async () => {
+    const made = await bench();
+    made.session.safe.value = true;
+    await run(made.memories.open(COPY));
+    made.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && made.timer.core.sleep();
+    await run(made.memories.start());
+    expect(made.memories.current.value).toMatchObject({ step: 'done' });
+    expect(ends(made)).toEqual([[3, 'untouched']]);
+    const { value } = made.memories.current;
+    expect(value?.step === 'done' && value.outcome.stopped).toBeTruthy();
+  });
+
+  it('in the middle, where it is not known what the memory holds', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
+    await job(made, COPY);
+    expect(ends(made)).toEqual([[3, 'unknown']]);
+    expect(made.session.knowledge.uncertain.value).toMatchObject([{ memory: 3 }]);
+  });
+
+  it('for each memory of a set', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    const backups = [...made.session.backups.list.value].reverse();
+    for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.timers.splice(10, 1, 36_000);
+    let writes = 0;
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS' && ++writes === 2) made.adapter.unplug();
+    };
+    await job(made, { kind: 'restore', backups });
+    expect(ends(made)).toEqual([
+      [0, 'verified'],
+      [1, 'verified'],
+      [2, 'unknown'],
+      [3, 'untouched'],
+    ]);
   });
 });
 
@@ -218,7 +356,7 @@ describe('restoring a set', () => {
     const changed = contents(made);
     await job(made, { kind: 'restore', backups });
     expect(made.memories.current.value).toMatchObject({
-      outcome: { stopped: null, written: [0, 1, 2, 3].map((memory) => ({ memory, report: { result: 'verified' } })) },
+      outcome: { stopped: null, ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })) },
     });
     expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
     const written = kept(made).filter(({ reason }) => reason === 'write');
@@ -331,7 +469,7 @@ describe('a copy to a timer that keeps positions only where its servos stand', (
     expect(moves()).toBe(0);
     made.session.servoMoves.allowed.value = true;
     made.memories.dismiss();
-    made.memories.open(copy);
+    await run(made.memories.open(copy));
     expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
     made.session.servoMoves.allowed.value = true;
     await run(made.memories.start());

@@ -97,7 +97,10 @@ test('all memories are backed up, one is copied to another, and the backup is re
   expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'not before the tick').toBe(true);
   await copy.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await copy.getByRole('button', { name: 'Copy' }).click();
-  await copy.getByText('M3: verified.').waitFor({ timeout: LONG });
+  await copy
+    .getByText(/^M3 verified \d\d:\d\d · DT 3:00 min · Motor stop 10\.0 s · 1 change$/)
+    .waitFor({ timeout: LONG });
+  await copy.getByText('M1 flies next.').waitFor();
   await app.button('Close').click();
   expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);
   expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'current again').toBe(0);
@@ -110,7 +113,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
     .click();
   const restore = job('Restore a backup');
   await restore.getByRole('button', { name: 'Restore' }).click();
-  await restore.getByText('M4: verified.').waitFor({ timeout: LONG });
+  await restore.getByText(/^M4 verified /).waitFor({ timeout: LONG });
   await app.button('Close').click();
   expect(await memories()).toEqual(before);
   expect(await app.bench(({ adapter }) => adapter.timer.core.memory)).toBe(0);

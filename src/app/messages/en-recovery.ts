@@ -30,41 +30,6 @@ export const recovery = {
   unknownMemory: 'an unknown memory',
 };
 
-/** Jobs over several memories, and what was kept of them. */
-export const memories = {
-  title: 'All memories',
-  backUp: 'Back up all…',
-  copyTo: (from: string) => `Copy ${from} to`,
-  copy: (from: string, to: string) => `Copy ${from} to ${to}…`,
-  edited: 'Edits that have not been written are not copied.',
-  restoreAll: 'Restore all…',
-  plans: {
-    'back-up': {
-      title: 'Back up all memories',
-      lead: 'Each memory is made current in turn and read. Then the one that is current now is made current again.',
-    },
-    copy: {
-      title: 'Copy a memory',
-      lead: (from: string, to: string) =>
-        `${to} will hold the times and positions that ${from} holds now. What ${to} holds is backed up first. Then the memory that is current now is made current again.`,
-    },
-    restore: {
-      title: 'Restore a backup',
-      lead: (names: string, time: string) =>
-        `${names} will hold what they held on ${time}. What they hold now is backed up first. Then the memory that is current now is made current again.`,
-    },
-  },
-  start: { 'back-up': 'Back up', copy: 'Copy', restore: 'Restore' },
-  stage: (stage: string, memory: string) => `${stage} ${memory}`,
-  saved: (count: number) => `${plural(count, 'memory was', 'memories were')} read and kept.`,
-  verified: (memory: string) => `${memory}: verified.`,
-  differs: (memory: string) => `${memory}: not everything was taken.`,
-  unknown: (memory: string) => `${memory}: not known what it holds now.`,
-  notKept:
-    'This browser does not keep them: its storage is full or switched off. They are gone when this page is closed.',
-  stopped: 'Stopped. The memory that was current before is current again.',
-};
-
 export const backups = {
   title: 'Backups',
   empty: 'Before each write what the timer holds is kept here, without asking.',

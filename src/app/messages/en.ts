@@ -6,9 +6,9 @@ import { help } from './en-help.js';
 import { aside, erase, framed, keeping, removed } from './en-keeping.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
-import { look, nextFlight } from './en-memories.js';
+import { look, memories, nextFlight } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
-import { backups, memories, recovery } from './en-recovery.js';
+import { backups, recovery } from './en-recovery.js';
 
 type Params = Readonly<Record<string, string>>;
 

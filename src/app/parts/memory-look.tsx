@@ -4,6 +4,7 @@ import { useModels } from '../models.js';
 import { type Known, openValues } from '../state/knowledge.js';
 import { Timeline } from '../timeline/timeline.js';
 import { formatTime } from '../units.js';
+import { decisive } from './decisive.js';
 import { ValueTable } from './value-table.js';
 
 /** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
@@ -46,9 +47,9 @@ export function MemoryLook({ memory }: { readonly memory: number }) {
       {known.state === 'read' && (
         <>
           <p class="held-figures">
-            {decisive(known.program).map(([label, value]) => (
+            {decisive(known.program).map(({ label, text }) => (
               <span key={label}>
-                {label} <strong>{value}</strong>
+                {label} <strong>{text}</strong>
               </span>
             ))}
           </p>
@@ -82,14 +83,6 @@ function headline(known: Known, name: string): string {
   const { look: words } = messages.value;
   if (known.state === 'read') return words.read(name, clockText(known.at));
   return known.state === 'unread' ? words.notRead(name) : words.uncertain(name);
-}
-
-/** What decides over the model, with units. */
-function decisive({ identity, timers }: TimerProgram): [label: string, value: string][] {
-  const { program: words, seconds } = messages.value;
-  const time = (column: number): string => seconds(formatTime(timers[column] ?? 0));
-  const dt: [string, string] = [words.dt, time(identity.functions)];
-  return identity.timerClass === 'Q' ? [dt, [words.motorStop, time(0)]] : [dt];
 }
 
 /** All times and positions of a program: to be read, not to be changed. */

@@ -1,12 +1,25 @@
-import { TimerError } from '../../client/index.js';
-import { dateText, messages } from '../messages/index.js';
+import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { decisive } from '../parts/decisive.js';
 import { Modal } from '../parts/modal.js';
 import { MoveServosCheck } from '../parts/move-servos-check.js';
+import { nextFlightText } from '../parts/next-flight-line.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
 import { SafetyCheck } from '../parts/safety-check.js';
-import type { MemoriesStep, Plan } from '../state/memories.js';
+import { ValueTable } from '../parts/value-table.js';
+import { openValues } from '../state/knowledge.js';
+import {
+  isGood,
+  type MemoriesOutcome,
+  type MemoriesStep,
+  type MemoryChange,
+  type MemoryEnd,
+  type Plan,
+} from '../state/memories.js';
+
+/** So many values that are not certain are named. */
+const SHOWN = 4;
 
 /** A job over several memories: what it is, how far it has come, what became of it. */
 export function MemoriesDialog() {
@@ -18,25 +31,32 @@ export function MemoriesDialog() {
       open={current !== null}
       title={current ? plans[current.plan.kind].title : ''}
       titleId="memories-title"
-      held={current?.step === 'running'}
-      onEscape={() => memories.dismiss()}
+      held={memories.held}
+      onEscape={() => memories.escape()}
     >
-      {current?.step === 'review' && <Review plan={current.plan} />}
+      {current?.step === 'review' && <Review current={current} />}
       {current?.step === 'running' && <Running current={current} />}
+      {current?.step === 'unkept' && <Unkept />}
       {current?.step === 'done' && <Result current={current} />}
     </Modal>
   );
 }
 
-function Review({ plan }: { plan: Plan }) {
+type StepOf<Step extends MemoriesStep['step']> = Extract<MemoriesStep, { step: Step }>;
+
+function Review({ current: { plan, changes } }: { current: StepOf<'review'> }) {
   const { session, memories } = useModels();
   const { memories: words, write } = messages.value;
   // Reading changes nothing: only a write asks whether the model is held.
   const ready = plan.kind === 'back-up' || session.safe.value;
+  const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
       <p>{lead(plan)}</p>
-      {plan.kind !== 'back-up' && <MoveServosCheck />}
+      {changes.map((change) => (
+        <Difference key={change.memory} change={change} folded={changes.length > 1} />
+      ))}
+      {movesServos && <MoveServosCheck />}
       {plan.kind !== 'back-up' && <SafetyCheck />}
       <div class="buttons">
         <button type="button" class="primary" disabled={!ready} onClick={() => void memories.start()}>
@@ -50,6 +70,42 @@ function Review({ plan }: { plan: Plan }) {
   );
 }
 
+/** What changes in one memory: DT and motor stop first, then all values that differ. */
+function Difference({ change: { memory, before, goal, changes }, folded }: { change: MemoryChange; folded: boolean }) {
+  const { memories: words, write, memoryName, edits } = messages.value;
+  const { identity } = before;
+  const held = decisive(before);
+  const name = memoryName(memory);
+  const figures = decisive(goal).map(({ label, text }, index) => {
+    const was = held[index]?.text ?? text;
+    return was === text ? words.stays(label, text) : edits.change(label, was, text);
+  });
+  const table = changes.length > 0 && (
+    <ValueTable
+      identity={identity}
+      names={[write.from, write.to]}
+      rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+      lastCounts
+    />
+  );
+  return (
+    <section class="memory-difference" aria-label={name}>
+      <p>
+        <strong>{words.figures(name, figures)}</strong>
+      </p>
+      {changes.length === 0 && <p>{words.same(name)}</p>}
+      {folded && table ? (
+        <details>
+          <summary>{words.changes(changes.length)}</summary>
+          {table}
+        </details>
+      ) : (
+        table
+      )}
+    </section>
+  );
+}
+
 function lead(plan: Plan): string {
   const { memories: words, memoryName } = messages.value;
   if (plan.kind === 'back-up') return words.plans['back-up'].lead;
@@ -58,21 +114,40 @@ function lead(plan: Plan): string {
   return words.plans.restore.lead(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
 }
 
-type StepOf<Step extends MemoriesStep['step']> = Extract<MemoriesStep, { step: Step }>;
-
 function Running({ current }: { current: StepOf<'running'> }) {
   const { memories } = useModels();
   const { memories: words, write, memoryName } = messages.value;
-  const { progress, stop } = current;
+  const { progress, stopping } = current;
   const memory = progress?.memory ?? null;
   const stage = progress ? write.stages[progress.stage] : words.plans[current.plan.kind].title;
   const label = memory === null ? stage : words.stage(stage, memoryName(memory));
   return (
     <>
-      <ProgressLine label={stop.signal.aborted ? write.stopping : label} progress={progress} />
+      <ProgressLine label={stopping ? write.stopping : label} progress={progress} />
       <div class="buttons">
-        <button type="button" aria-disabled={stop.signal.aborted} onClick={() => memories.dismiss()}>
+        <button type="button" aria-disabled={stopping} onClick={() => memories.dismiss()}>
           {write.stop}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** Nothing has been written into this memory, and nothing is before the pilot has answered. */
+function Unkept() {
+  const { memories } = useModels();
+  const { write } = messages.value;
+  return (
+    <>
+      <div class="notice bad" role="alert">
+        <NoticeText said={write.unkept} />
+      </div>
+      <div class="buttons">
+        <button type="button" onClick={() => memories.answer(true)}>
+          {write.withoutCopy}
+        </button>
+        <button type="button" class="primary" onClick={() => memories.answer(false)}>
+          {write.notWithout}
         </button>
       </div>
     </>
@@ -81,37 +156,76 @@ function Running({ current }: { current: StepOf<'running'> }) {
 
 function Result({ current }: { current: StepOf<'done'> }) {
   const { memories, session } = useModels();
-  const { memories: words, write, memoryName, timer } = messages.value;
+  const { memories: words, write } = messages.value;
   const { plan, outcome, kept } = current;
-  const { written, saved, stopped, unkept } = outcome;
-  const good = stopped === null && kept && written.every(({ report }) => report.result === 'verified');
+  const { ends, saved, unkept, stopped } = outcome;
+  const again = unkept || stopped === 'stale';
   return (
     <>
-      <div class={`notice ${good ? 'good' : 'bad'}`} role="alert">
+      <div class={`notice ${isGood(outcome) && kept ? 'good' : 'bad'}`} role="alert">
+        {stopped && <NoticeText said={stoppedText(stopped)} />}
         {saved > 0 && <p>{words.saved(saved)}</p>}
-        {written.map(({ memory, report }) => (
-          <p key={memory}>{words[report.result](memoryName(memory))}</p>
+        {ends.map((end) => (
+          <p key={end.memory}>{endText(end)}</p>
         ))}
-        {stopped instanceof TimerError &&
-          (stopped.code === 'aborted' ? <p>{words.stopped}</p> : <NoticeText said={timer[stopped.code]} />)}
         {unkept && <NoticeText said={write.move.unkept} />}
         {!kept && <p>{words.notKept}</p>}
       </div>
+      {plan.kind !== 'back-up' && <Current />}
       <div class="buttons">
-        {unkept && (
+        {again && (
           <button
             type="button"
             class="primary"
             disabled={!session.connection.value || session.busy.value}
-            onClick={() => memories.open(plan)}
+            onClick={() => void memories.open(plan)}
           >
-            {write.move.again}
+            {unkept ? write.move.again : words.again}
           </button>
         )}
-        <button type="button" class={unkept ? '' : 'primary'} onClick={() => memories.dismiss()}>
+        <button type="button" class={again ? '' : 'primary'} onClick={() => memories.dismiss()}>
           {write.close}
         </button>
       </div>
     </>
   );
+}
+
+/** Which memory flies next after all this, as soon as that is known. */
+function Current() {
+  const { session } = useModels();
+  const { nextFlight, memoryName } = messages.value;
+  const { memoryOpen, connection, busy, editor } = session;
+  const memory = editor.baseline.value?.memory ?? null;
+  const word = session.nextFlight.word.value;
+  if (busy.value) return null;
+  const isKnown = connection.value && !memoryOpen.value && memory !== null;
+  const said = word
+    ? nextFlightText(word, connection.value ? 'now' : 'last')
+    : isKnown
+      ? nextFlight.other(memoryName(memory))
+      : nextFlight.unknown;
+  return <p role="status">{said}</p>;
+}
+
+/** What one memory holds, as far as that is known. */
+function endText({ memory, state, known, change }: MemoryEnd): string {
+  const { memories: words, memoryName } = messages.value;
+  const name = memoryName(memory);
+  if (state === 'verified' && known.state === 'read') {
+    const figures = decisive(known.program).map(({ label, text }) => words.figure(label, text));
+    return words.verified(name, clockText(known.at), [...figures, words.changes(change?.changes.length ?? 0)]);
+  }
+  if (state !== 'unknown' || known.state !== 'uncertain') return words.ends[state](name);
+  const open = openValues(known).map(({ field, from, to }) => {
+    const [either, or] = [from, to].map((value) => figureText(known.before.identity, field, value ?? 0));
+    return words.either(fieldLabel(known.before.identity, field), either ?? '', or ?? '');
+  });
+  return words.uncertain(name, open.slice(0, SHOWN), open.length - SHOWN);
+}
+
+function stoppedText(stopped: NonNullable<MemoriesOutcome['stopped']>): Said {
+  const { memories: words, timer, notes } = messages.value;
+  if (stopped === 'unexpected') return notes.unexpected;
+  return stopped === 'aborted' ? words.stopped : timer[stopped];
 }

@@ -1,38 +1,70 @@
-import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import { type MemoriesReport, type Progress, type TimerClient, TimerError } from '../../client/index.js';
-import type { TimerProgram } from '../../program/index.js';
-import type { CodecError, Identity } from '../../protocol/index.js';
+import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
+import { type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
+import { type Change, differences, sameKind, type TimerProgram } from '../../program/index.js';
+import type { TimerConnection } from '../../serial/index.js';
 import type { Backup } from '../storage/index.js';
+import type { Known } from './knowledge.js';
+import { MemoryWalk } from './memory-walk.js';
 import type { JobOptions, Session } from './session.js';
 
 /** What is to be done with several memories, before it is done. */
 export type Plan =
   | { readonly kind: 'back-up' }
-  /** The content of a memory, by its last reading, into another one. */
+  /** The content of a memory, as it is read for that, into another one. */
   | { readonly kind: 'copy'; readonly from: number; readonly to: number }
   | { readonly kind: 'restore'; readonly backups: readonly Backup[] };
+
+/** What is to be written into one memory, as the dialog shows it. */
+export interface MemoryChange {
+  /** Counted from 0. */
+  readonly memory: number;
+  /** What it holds, by the reading for the dialog. */
+  readonly before: TimerProgram;
+  readonly goal: TimerProgram;
+  readonly changes: readonly Change[];
+}
+
+/** What one memory holds at the end of a job, by what is known of it then. */
+export interface MemoryEnd {
+  /** Counted from 0. */
+  readonly memory: number;
+  /** `untouched`: nothing was written into it. `differs`: it was read back and holds something else. `unknown`: nobody has read it since. */
+  readonly state: 'verified' | 'untouched' | 'differs' | 'unknown';
+  readonly known: Known;
+  /** Null when it was not even compared. */
+  readonly change: MemoryChange | null;
+}
 
 /** What became of a job over several memories. */
 export interface MemoriesOutcome {
   /** How many memories were read and kept. */
   readonly saved: number;
-  /** What became of each memory that was written. */
-  readonly written: MemoriesReport['memories'];
+  /** Each memory that was to be written. */
+  readonly ends: readonly MemoryEnd[];
   /** What stopped it; null when nothing did. */
-  readonly stopped: TimerError | CodecError | null;
+  readonly stopped: TimerErrorCode | 'unexpected' | null;
   /** Positions were not kept, perhaps because the servos did not move. */
   readonly unkept: boolean;
 }
 
 /** The steps of a job over several memories. */
 export type MemoriesStep =
-  | { readonly step: 'review'; readonly plan: Plan }
+  | {
+      readonly step: 'review';
+      readonly plan: Plan;
+      /** On this connection, or not at all. */
+      readonly connection: TimerConnection;
+      readonly changes: readonly MemoryChange[];
+    }
   | {
       readonly step: 'running';
       readonly plan: Plan;
       readonly progress: Progress | null;
-      readonly stop: AbortController;
+      /** The pilot has asked to stop. */
+      readonly stopping: boolean;
     }
+  /** The browser does not keep a copy of what a memory holds: nothing is written into it before the pilot has answered. */
+  | { readonly step: 'unkept'; readonly plan: Plan; readonly answer: (goOn: boolean) => void }
   | {
       readonly step: 'done';
       readonly plan: Plan;
@@ -40,6 +72,8 @@ export type MemoriesStep =
       /** Whether the browser has kept the backups. */
       readonly kept: boolean;
     };
+
+const NOTHING: MemoriesOutcome = { saved: 0, ends: [], stopped: null, unkept: false };
 
 /** Look at a memory, back up all of them, copy one to another, restore several: only when the pilot asks for it. */
 export class Memories {
@@ -52,15 +86,19 @@ export class Memories {
   });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #session: Session;
+  readonly #walk: MemoryWalk;
   #kept = true;
-  /** The memory to come back to, while a job has left it. */
-  #home: number | null = null;
 
   constructor(session: Session) {
     this.#session = session;
-    // The next timer may be another one.
-    session.connection.subscribe(() => {
+    this.#walk = new MemoryWalk(session);
+    effect(() => {
+      const connection = session.connection.value;
+      const current = this.current.peek();
+      // The next timer may be another one.
       this.#picked.value = null;
+      if (current?.step === 'review' && current.connection !== connection) this.current.value = null;
+      if (current?.step === 'unkept') current.answer(false);
     });
   }
 
@@ -72,10 +110,10 @@ export class Memories {
   /** Reads a memory and makes the one current again that was. */
   async look(memory: number): Promise<void> {
     this.#picked.value = memory;
-    await this.#session.run('look', memory, async ({ client, identity }, options) => {
-      await this.#read(client, identity, { ...options, memories: [memory] });
+    await this.#session.run('look', memory, async (connection, options) => {
+      await this.#walk.read(connection, { ...options, memories: [memory] });
     });
-    await this.#findCurrent();
+    await this.#walk.findCurrent();
   }
 
   /** Makes a memory the one that flies next, and shows it. Edits of the one that is left are kept. */
@@ -85,61 +123,145 @@ export class Memories {
     return good;
   }
 
-  /** Shows what is about to be done. */
-  open(plan: Plan): void {
-    if (!this.#session.connection.value || this.#session.busy.value) return;
-    this.#session.servoMoves.ask();
-    this.current.value = { step: 'review', plan };
+  /** Shows what is about to be done: what a copy or a restoring changes is read for that. */
+  async open(plan: Plan): Promise<void> {
+    const { connection, busy, servoMoves } = this.#session;
+    if (!connection.value || busy.value) return;
+    servoMoves.ask();
+    if (plan.kind === 'back-up') {
+      this.current.value = { step: 'review', plan, connection: connection.value, changes: [] };
+      return;
+    }
+    let changes: readonly MemoryChange[] = [];
+    const end = await this.#run(plan, async (on, options) => {
+      changes = await this.#compare(plan, on, options);
+    });
+    if (end.stopped === null) this.current.value = { step: 'review', plan, connection: end.connection, changes };
+    else if (end.stopped === 'aborted') this.#nothingWritten();
+    else {
+      const ends = targetsOf(plan).map((memory) => this.#endOf(memory, null));
+      this.current.value = { step: 'done', plan, outcome: { ...NOTHING, ends, stopped: end.stopped }, kept: true };
+    }
+    await this.#walk.findCurrent();
+  }
+
+  /** The browser keeps no copy: writes without one, or not at all. */
+  answer(goOn: boolean): void {
+    if (this.current.value?.step === 'unkept') this.current.value.answer(goOn);
+  }
+
+  /** Whether the dialog has to stay open whatever key is pressed. */
+  get held(): boolean {
+    const { value } = this.current;
+    return value?.step === 'running' || (value?.step === 'done' && !isGood(value.outcome));
+  }
+
+  /** Escape was pressed: leaves the dialog where it may be left; while bytes move, asks the job to stop. */
+  escape(): void {
+    if (this.current.value?.step === 'running' || !this.held) this.dismiss();
   }
 
   /** Leaves the dialog; while bytes move, asks the job to stop instead. */
   dismiss(): void {
     const { value } = this.current;
     if (value?.step === 'running') {
-      value.stop.abort();
-      this.current.value = { ...value };
-    } else {
-      this.current.value = null;
-    }
+      this.#session.job.value?.stop.abort();
+      this.current.value = { ...value, stopping: true };
+    } else if (value?.step === 'unkept') value.answer(false);
+    else this.current.value = null;
   }
 
+  /** Does what was shown, on the connection where it was shown. */
   async start(): Promise<void> {
     const { value } = this.current;
     if (value?.step !== 'review') return;
-    const { plan } = value;
+    const { plan, connection, changes } = value;
     this.#kept = true;
-    let outcome: MemoriesOutcome = { saved: 0, written: [], stopped: null, unkept: false };
-    await this.#session.run('memories', null, async ({ client, identity }, options) => {
-      const told = { ...options, onProgress: (progress: Progress) => this.#follow(plan, progress, options) };
-      if (plan.kind === 'back-up') outcome = { ...outcome, saved: await this.#backUp(client, identity, told) };
-      else
-        outcome = {
-          ...outcome,
-          ...(await this.#write(client, identity, await this.#goals(client, identity, plan, told), told)),
-        };
-      if (outcome.stopped) throw outcome.stopped;
+    const begun = new Set<number>();
+    let saved = 0;
+    let unkept = false;
+    const { stopped } = await this.#run(plan, async (on, options) => {
+      if (on !== connection) throw new TimerError('closed', 'it was shown for another connection');
+      if (plan.kind === 'back-up') saved = await this.#backUp(on, options);
+      else unkept = await this.#write(changes, on, options, begun);
     });
-    // What stopped a backup stands in the notice of the page.
-    this.current.value =
-      plan.kind === 'back-up' && outcome.saved === 0 ? null : { step: 'done', plan, outcome, kept: this.#kept };
+    const ends = changes.map((change) => this.#endOf(change.memory, begun.has(change.memory) ? change : null, change));
+    const outcome: MemoriesOutcome = { saved, ends, stopped, unkept };
+    if (plan.kind === 'back-up') {
+      // What stopped a backup stands in the notice of the page.
+      this.current.value = saved === 0 ? null : { step: 'done', plan, outcome, kept: this.#kept };
+    } else if (stopped === 'aborted' && begun.size === 0) this.#nothingWritten();
+    else this.current.value = { step: 'done', plan, outcome, kept: this.#kept };
     // What was written may be what is on the screen.
-    if (plan.kind !== 'back-up') this.#session.memoryOpen.value = true;
-    await this.#findCurrent();
+    if (begun.size > 0) this.#session.memoryOpen.value = true;
+    await this.#walk.findCurrent();
   }
 
-  /** Asks which memory is current where a job has left that open. */
-  async #findCurrent(): Promise<void> {
-    const { notice, memoryOpen, connection } = this.#session;
-    if (!memoryOpen.value || !connection.value) return;
-    const said = notice.value;
-    await this.#session.read();
-    // A reading that has nothing to say does not take back what stopped the job.
-    notice.value ??= said;
+  /** Runs a job and says by code what stopped it. */
+  async #run(
+    plan: Plan,
+    work: (connection: TimerConnection, options: JobOptions) => Promise<void>,
+  ): Promise<{ connection: TimerConnection; stopped: null } | { stopped: NonNullable<MemoriesOutcome['stopped']> }> {
+    const session = this.#session;
+    const connection = session.connection.value;
+    let failure: unknown = new TimerError('closed', 'there is no connection, or another job has it');
+    let asked = false;
+    this.#walk.kept = true;
+    const running = (progress: Progress | null): void => {
+      this.current.value = {
+        step: 'running',
+        plan,
+        progress,
+        stopping: session.job.value?.stop.signal.aborted ?? false,
+      };
+    };
+    running(null);
+    const good = await session.run('memories', null, async (on, options) => {
+      const onProgress = (progress: Progress): void => {
+        options.onProgress(progress);
+        running(progress);
+      };
+      try {
+        await work(on, { ...options, onProgress });
+      } catch (error) {
+        failure = error;
+        asked = session.connection.value === on;
+        throw error;
+      }
+    });
+    if (!this.#walk.kept) this.#kept = false;
+    if (good && connection && session.connection.value === connection) return { connection, stopped: null };
+    if (!(failure instanceof TimerError)) return { stopped: 'unexpected' };
+    // A job is stopped by a lost connection too: nobody has asked for that.
+    return { stopped: failure.code === 'aborted' && !asked ? 'port-lost' : failure.code };
   }
 
-  async #backUp(client: TimerClient, identity: Identity, options: JobOptions): Promise<number> {
+  /** What the plan would change, by a fresh reading of all that is part of it. */
+  async #compare(
+    plan: Exclude<Plan, { kind: 'back-up' }>,
+    connection: TimerConnection,
+    options: JobOptions,
+  ): Promise<readonly MemoryChange[]> {
+    const targets = targetsOf(plan);
+    const programs = await this.#walk.read(connection, {
+      ...options,
+      memories: plan.kind === 'copy' ? [...targets, plan.from] : targets,
+    });
+    return targets.map((memory, index) => {
+      const before = programs[index] as TimerProgram;
+      const goal =
+        plan.kind === 'copy'
+          ? // Whether the idle throttle belongs to a memory is not known: it is left as it is.
+            { ...(programs.at(-1) as TimerProgram), memory, idleThrottle: null }
+          : (plan.backups.find(({ program }) => program.memory === memory) as Backup).program;
+      if (!sameKind(before.identity, goal.identity)) throw new TimerError('other-timer', 'a backup is of another kind');
+      return { memory, before, goal, changes: differences(before, goal).filter(({ to }) => to !== null) };
+    });
+  }
+
+  async #backUp(connection: TimerConnection, options: JobOptions): Promise<number> {
     const { backups, simulated } = this.#session;
-    const programs = await this.#read(client, identity, options);
+    const programs = await this.#walk.read(connection, options);
     const savedAt = Date.now();
     for (const program of programs) {
       await backups.add(program, 'memories', simulated.value, savedAt).catch(() => {
@@ -149,86 +271,103 @@ export class Memories {
     return programs.length;
   }
 
-  /** Reads some memories, or all; the one that was current is so again. */
-  async #read(
-    client: TimerClient,
-    identity: Identity,
-    options: JobOptions & { readonly memories?: readonly number[] },
-  ): Promise<readonly TimerProgram[]> {
-    const onHome = (home: number): Promise<void> => this.#leave(identity, home);
-    const { programs, home } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
-      await this.#cameHome(identity, this.#home, error);
-      throw error;
-    });
-    for (const program of programs) this.#session.knowledge.read(program);
-    await this.#cameHome(identity, home, null);
-    return programs;
-  }
-
+  /** @returns whether positions were not kept, perhaps for want of a movement. @throws what stopped it. */
   async #write(
-    client: TimerClient,
-    identity: Identity,
-    goals: readonly TimerProgram[],
+    shown: readonly MemoryChange[],
+    { client, identity }: TimerConnection,
     options: JobOptions,
-  ): Promise<Pick<MemoriesOutcome, 'written' | 'stopped' | 'unkept'>> {
+    begun: Set<number>,
+  ): Promise<boolean> {
     const { knowledge, recovery, simulated, servoMoves } = this.#session;
     const moveServos = servoMoves.take();
-    const { memories, stopped, home } = await client.writeMemories(goals, {
-      ...options,
-      moveServos,
-      onHome: (home) => this.#leave(identity, home),
-      // The goal and a backup are kept before the first byte, as for any write.
-      onMemory: async (read, goal) => {
-        if (!(await recovery.begin(read, goal, simulated.value))) this.#kept = false;
+    let asked = false;
+    const { memories, stopped, home } = await client.writeMemories(
+      shown.map(({ goal }) => goal),
+      {
+        ...options,
+        moveServos,
+        onHome: (home) => this.#walk.leave(identity, home),
+        // The goal and a backup are kept before the first byte, as for any write; what has changed since it was shown is not written.
+        onMemory: async (read, goal) => {
+          options.stillOn();
+          const change = shown.find(({ memory }) => memory === goal.memory);
+          if (!change || differences(change.before, read).length > 0) {
+            throw new TimerError('stale', 'the memory holds something else than was shown', { held: read });
+          }
+          const kept = change.changes.length === 0 || (await recovery.begin(read, goal, simulated.value));
+          if (!kept) {
+            this.#kept = false;
+            asked ||= await this.#agreed();
+            if (!asked) {
+              await knowledge.ended(read);
+              throw new TimerError('aborted', 'not without a copy');
+            }
+          }
+          options.stillOn();
+          begun.add(change.memory);
+        },
       },
-    });
+    );
     for (const { before, report } of memories) {
       if (report.held && !report.stopped) await knowledge.ended(before);
       if (report.held) knowledge.read(report.held, Date.now(), report.result === 'verified');
     }
-    await this.#cameHome(identity, home, stopped);
-    const reports = memories.map(({ report }) => report);
-    return { written: memories, stopped, unkept: servoMoves.wanted(moveServos, reports) };
+    // Where the write did not even begin, nothing was sent.
+    for (const { memory, before } of shown) {
+      if (!begun.has(memory) || memories.some((each) => each.memory === memory)) continue;
+      begun.delete(memory);
+      await knowledge.ended(before);
+    }
+    await this.#walk.cameHome(identity, home, stopped);
+    if (stopped) throw stopped;
+    return servoMoves.wanted(
+      moveServos,
+      memories.map(({ report }) => report),
+    );
   }
 
-  /** Another memory is about to be selected: the one to come back to is noted. */
-  async #leave(identity: Identity, home: number): Promise<void> {
-    const { recovery, simulated, memoryOpen, nextFlight } = this.#session;
-    this.#home = home;
-    // A job that has not come back before is remembered until its own home is current again.
-    const isNoted = recovery.offer.value?.kind === 'memories';
-    if (!isNoted && !(await recovery.leave(identity, home, simulated.value))) this.#kept = false;
-    memoryOpen.value = true;
-    nextFlight.leave(null);
+  /** Asks whether to go on without a copy. */
+  #agreed(): Promise<boolean> {
+    const plan = this.current.value?.plan;
+    if (!plan || !this.#session.connection.value) return Promise.resolve(false);
+    return new Promise((resolve) => {
+      this.current.value = {
+        step: 'unkept',
+        plan,
+        answer: (goOn) => {
+          this.current.value = { step: 'running', plan, progress: null, stopping: !goOn };
+          resolve(goOn);
+        },
+      };
+    });
   }
 
-  /** The memory that was current is so again, by the timer's own word, unless the job ended with the very word that it is not. */
-  async #cameHome(identity: Identity, home: number | null, stopped: unknown): Promise<void> {
-    const { recovery, simulated, memoryOpen, nextFlight, editor } = this.#session;
-    const wasLeft = this.#home !== null;
-    this.#home = null;
-    if (home === null || (stopped instanceof TimerError && stopped.code === 'memory-left')) return;
-    nextFlight.found(home);
-    memoryOpen.value = home !== editor.baseline.value?.memory;
-    if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.cameHome(identity, simulated.value);
+  #nothingWritten(): void {
+    this.current.value = null;
+    this.#session.notice.value ??= { kind: 'note', code: 'nothing-written' };
   }
 
-  #follow(plan: Plan, progress: Progress, { onProgress }: JobOptions): void {
-    onProgress(progress);
-    const stop = this.#session.job.value?.stop;
-    if (stop) this.current.value = { step: 'running', plan, progress, stop };
+  /** @param begun what was shown of a memory in which the write began; null where it did not. */
+  #endOf(memory: number, begun: MemoryChange | null, change: MemoryChange | null = null): MemoryEnd {
+    const known = this.#session.knowledge.of(memory);
+    return { memory, known, change, state: begun ? stateOf(known, begun) : 'untouched' };
   }
+}
 
-  /** What the memories shall hold: a memory that is copied is read for that. */
-  async #goals(
-    client: TimerClient,
-    identity: Identity,
-    plan: Exclude<Plan, { kind: 'back-up' }>,
-    options: JobOptions,
-  ): Promise<TimerProgram[]> {
-    if (plan.kind === 'restore') return plan.backups.map(({ program }) => program);
-    const sources = await this.#read(client, identity, { ...options, memories: [plan.from] });
-    // Whether the idle throttle belongs to a memory is not known: it is left as it is.
-    return sources.map((source) => ({ ...source, memory: plan.to, idleThrottle: null }));
-  }
+/** Whether there is nothing to be said but that it was done. */
+export function isGood({ stopped, ends }: MemoriesOutcome): boolean {
+  return stopped === null && ends.every(({ state }) => state === 'verified');
+}
+
+function stateOf(known: Known, { before }: MemoryChange): MemoryEnd['state'] {
+  if (known.state !== 'read') return 'unknown';
+  if (known.verified) return 'verified';
+  return differences(before, known.program).length === 0 ? 'untouched' : 'differs';
+}
+
+/** The memories into which a plan writes. */
+function targetsOf(plan: Plan): readonly number[] {
+  if (plan.kind === 'copy') return [plan.to];
+  const programs = plan.kind === 'restore' ? plan.backups.map(({ program }) => program) : [];
+  return programs.flatMap(({ memory }) => (memory === null ? [] : [memory]));
 }
