@@ -4,6 +4,7 @@ import './styles/bench.css';
 import './styles/fields.css';
 import './styles/frame.css';
 import './styles/help.css';
+import './styles/knowledge.css';
 import './styles/line.css';
 import './styles/link.css';
 import './styles/overview.css';

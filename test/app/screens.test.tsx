@@ -121,7 +121,7 @@ describe('the table', () => {
     expect(screen.getByText('1 change')).toBeTruthy();
     await type('Function 2, S1', '35');
     expect(screen.queryByText('was 35')).toBeNull();
-    expect(screen.getByText('No changes')).toBeTruthy();
+    expect(screen.getByText(/^As in the timer, read \d\d:\d\d$/)).toBeTruthy();
   });
 
   it.each([
@@ -263,11 +263,13 @@ describe('writing', () => {
     expect(button('Write 2 changes').disabled).toBe(true);
     fireEvent.click(dialog.getByRole('checkbox', { name: /^The propeller is off/ }));
     await press('Write 2 changes');
-    expect(dialog.getByRole('alert').textContent).toContain('Verified.');
+    const said = dialog.getByRole('alert').textContent;
+    expect(said).toContain('Verified.');
+    expect(said).toMatch(/M1 verified \d\d:\d\d · DT 4:00 min · motor stop 10\.0 s · 2 changes/);
     expect([timer.core.content.timers[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
-    expect(screen.getByText('No changes')).toBeTruthy();
+    expect(screen.getByText(/^As in the timer, verified \d\d:\d\d$/)).toBeTruthy();
   });
 
   it('keeps the focus in the dialog from step to step', async () => {

@@ -29,7 +29,7 @@ for (const name of ['F1Q', 'F1B'] as const) {
     const sent = await app.sent();
     const reading = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', ...(name === 'F1Q' ? ['GETLOWRPM'] : [])];
     expect(sent.slice(sent.lastIndexOf('SETSERVO') + 1), 'read back').toEqual(reading);
-    await app.text('No changes').waitFor();
+    await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
     await app.readAgain();
     expect(await app.valueOf('Function 2, S1')).toBe('0');
     expect(await app.valueOf('DT, S3')).toBe('130');

@@ -46,7 +46,7 @@ test('while it is on, each position that changes is stored, and is what the time
   const app = await following();
   await stepUp(app);
   await expect.poll(() => held(app)).toBe(36);
-  await app.text('No changes').waitFor();
+  await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   expect(await app.sets()).toEqual(['SETSERVO']);
   await app.button('Stop following').click();
   await isOff(app);

@@ -43,7 +43,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await trail.note();
 
   await trail.goBack(() => keys.press('Control+z'));
-  await app.text('No changes').waitFor();
+  await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   await trail.goForward(() => keys.press('Control+Shift+z'));
   await app.text('44 changes').waitFor();
 
@@ -56,7 +56,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await app.result('Verified.');
   await keys.enter(/^Close$/);
   await app.dialog.waitFor({ state: 'hidden' });
-  await app.text('No changes').waitFor();
+  await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
 }, 120_000);
 

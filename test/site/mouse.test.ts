@@ -52,7 +52,7 @@ describe('a drag with the mouse selects and moves no value', () => {
       await mouse.move(start.x, start.y + 300);
       await app.page.getByText(selected, { exact: true }).waitFor();
     }
-    await app.text('No changes').waitFor();
+    await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 
   test('and gives way to a click', async () => {
@@ -96,7 +96,7 @@ describe('a drag with the mouse selects and moves no value', () => {
       await mouse.up();
     }
     expect(await app.entries()).toEqual(before);
-    await app.text('No changes').waitFor();
+    await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 });
 

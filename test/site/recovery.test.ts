@@ -44,7 +44,7 @@ describe('a write that the page did not survive', () => {
     expect(await held(app)).toEqual([18000, 35]);
     await app.close();
     expect(await panel(app).count()).toBe(0);
-    await app.text('No changes').waitFor();
+    await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 
   test('and the timer holds what nothing explains: which timer this is has to be said', async () => {

@@ -51,7 +51,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await trail.note();
 
   await trail.goBack(() => app.undo.tap());
-  await app.text('No changes').waitFor();
+  await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   await trail.goForward(() => app.redo.tap());
   await app.text('44 changes').waitFor();
 
@@ -61,7 +61,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await app.result('Verified.');
   await app.dialog.getByRole('button', { name: 'Close' }).tap();
   await app.dialog.waitFor({ state: 'hidden' });
-  await app.text('No changes').waitFor();
+  await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
 }, 120_000);
 

@@ -79,7 +79,7 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   'other-memory': {
     title: 'Another memory is current than the one on the screen.',
-    advice: 'Nothing was written there. Read again before you write.',
+    advice: 'Read again before you write.',
   },
   'memory-unknown': {
     title: 'This timer does not say which memory is current.',
@@ -119,11 +119,15 @@ export const timer: Record<TimerErrorCode, Said> = {
 export const notes = {
   'edits-restored': {
     title: 'Your edits are back.',
-    advice: 'They have not been written. Connect to the timer to write them.',
+    advice: 'Connect to the timer to compare them with what it holds, and to write them.',
+  },
+  'edits-uncertain': {
+    title: 'Your edits are back.',
+    advice: 'It is not known whether they were written. Connect to the timer and read it before you fly.',
   },
   'edits-kept': {
     title: 'Earlier edits for this memory are back.',
-    advice: 'They have not been written. Take a look, then write or undo them.',
+    advice: 'The timer was read and does not hold them. Take a look, then write or undo them.',
   },
   'edits-moved': {
     title: 'The timer holds something else than when you made your edits.',

@@ -4,6 +4,7 @@ import { bench, overview, theme } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
 import { aside, erase, framed, keeping, removed } from './en-keeping.js';
+import { knowledge } from './en-knowledge.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight } from './en-memories.js';
@@ -23,7 +24,7 @@ const findings: Record<FindingCode, (params: Params) => string> = {
   'throttle-not-whole': () => 'The idle throttle is a whole number.',
   'throttle-out-of-range': ({ min, max }) => `The idle throttle is ${min} to ${max}.`,
   'position-as-read': ({ value, max }) =>
-    `The timer holds ${value} here, past the last step ${max}. It stays as it is unless you change it.`,
+    `Read as ${value}, past the last step ${max}. It stays as it is unless you change it.`,
   'time-falls': ({ previous }) => `This comes before the function above it, at ${previous}.`,
   'time-repeats': ({ previous }) => `The same time as the function above it, ${previous}.`,
   'position-never-reached': ({ previous }) =>
@@ -114,9 +115,7 @@ export const en = {
     motorStopTime: 'Motor stop time',
     positionOf: (column: string, servo: string) => `${column}, ${servo}`,
     shortDt: 'Short DT',
-    was: (value: string) => `was ${value}`,
-    changes: (count: number) => (count === 0 ? 'No changes' : plural(count, 'change', 'changes')),
-    changesHint: 'Marked fields differ from what the timer holds.',
+    changes: (count: number) => plural(count, 'change', 'changes'),
     undoAll: 'Undo all',
     read: 'Read again',
     write: 'Write…',
@@ -178,7 +177,14 @@ export const en = {
       repair: 'Putting right',
     },
     stopping: 'Stopping after this request',
-    verified: { title: 'Verified.', advice: 'The timer holds what you see. It was read back after writing.' },
+    verified: { title: 'Verified.', advice: 'The timer was read back after writing and held what was wanted.' },
+    verdict: (memory: string, time: string, figures: readonly string[], changes: number) =>
+      [`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')].join(' · '),
+    inWords: 'In words',
+    asItIs: 'as it is',
+    insteadOf: (value: string) => `instead of ${value}`,
+    wanted: 'To be written',
+    readBack: 'Read back',
     differs: {
       title: 'Not everything was taken.',
       advice: 'The timer was read back and holds other values in these places.',
@@ -217,6 +223,7 @@ export const en = {
   link,
   ports,
   aboutTimer,
+  knowledge,
   recovery,
   memories,
   nextFlight,
@@ -235,7 +242,6 @@ export const en = {
   theme,
   timeline: {
     title: 'Timeline',
-    heldByTimer: 'Timer holds',
     compareWith: 'Behind it',
     compareNothing: 'Nothing',
     picture: 'Servo positions over time',

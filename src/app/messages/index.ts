@@ -136,6 +136,13 @@ export function clockText(time: number): string {
   return isToday ? new Date(time).toLocaleTimeString(locale, { timeStyle: dateTime.timeStyle }) : dateText(time);
 }
 
+/** A value as it is said in a sentence: “3:00”, “10.0 s”, “65”; what is not known says so. */
+export function valueText(identity: Identity, field: ProgramField, value: number | null): string {
+  if (value === null) return messages.value.write.status.unknown;
+  const { text, unit } = figureOf(identity, field, value);
+  return unit === 's' ? inUnit({ text, unit }) : text;
+}
+
 /** What a step is called: “shift from Function 3 by 0.50 s”. */
 export function stepText(identity: Identity, { code, params }: StepName): string {
   const { edits, servoName, seconds } = messages.value;

@@ -4,6 +4,7 @@ import { useModels } from '../models.js';
 import { LinkNotice } from './link-notice.js';
 import { NoticeBar } from './notice-bar.js';
 import { ProgressLine } from './progress-line.js';
+import { UncertainBand } from './uncertain-band.js';
 import { useHeight } from './use-height.js';
 
 /** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
@@ -30,6 +31,7 @@ export function Header() {
           )}
         </div>
       </div>
+      <UncertainBand />
       <LinkNotice />
       <JobProgress />
       <NoticeBar />

@@ -43,7 +43,7 @@ export function NoticeBar() {
       {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
-          <NoticeText said={said(notice, platform)} />
+          <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />
           <button type="button" class="quiet" onClick={() => (session.notice.value = null)}>
             {dismiss}
           </button>
@@ -89,9 +89,11 @@ export function NoticeText({ said: { title, advice } }: { said: Said }) {
   );
 }
 
-function said(notice: Notice, platform: Platform): Said {
+/** @param uncertain whether it is not known what the memory on the screen holds. */
+function said(notice: Notice, platform: Platform, uncertain: boolean): Said {
   const { timer, notes } = messages.value;
   if (notice.kind === 'connection') return connectionSaid(notice.code, platform);
   if (notice.kind === 'timer') return timer[notice.code];
-  return notes[notice.code];
+  // What a write has done that was cut off is not known before a reading.
+  return notes[uncertain && notice.code === 'edits-restored' ? 'edits-uncertain' : notice.code];
 }

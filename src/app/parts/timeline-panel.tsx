@@ -83,15 +83,18 @@ function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player:
 /** The second program and its name. */
 function useOverlay(program: TimerProgram, chosen: string): TimelineProps['overlay'] {
   const { session } = useModels();
-  const { timeline } = messages.value;
+  const { knowledge } = messages.value;
+  const { sure } = session.standing.value;
   const held = session.editor.baseline.value;
   const differs = session.editor.changes.value.length > 0;
   const backup = session.backups.list.value.find(({ key }) => key === chosen);
   return useMemo(() => {
-    if (chosen === HELD) return held && differs ? { program: held, name: timeline.heldByTimer } : null;
+    if (chosen === HELD) {
+      return held && differs ? { program: held, name: knowledge.held[sure], uncertain: sure === 'not' } : null;
+    }
     if (!backup || !sameLayout(backup.program.identity, program.identity)) return null;
     return { program: backup.program, name: dateText(backup.savedAt) };
-  }, [chosen, held, differs, backup, program.identity, timeline]);
+  }, [chosen, held, differs, backup, program.identity, knowledge, sure]);
 }
 
 interface BehindProps {
@@ -102,7 +105,7 @@ interface BehindProps {
 
 function Behind({ program, chosen, onChoose }: BehindProps) {
   const { session } = useModels();
-  const { timeline, backups: words, memoryName, recovery } = messages.value;
+  const { timeline, backups: words, knowledge, memoryName, recovery } = messages.value;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
     .slice(0, CHOICES);
@@ -110,7 +113,7 @@ function Behind({ program, chosen, onChoose }: BehindProps) {
     <label class="timeline-choice">
       {timeline.compareWith}
       <select value={chosen} onChange={(event) => onChoose(event.currentTarget.value)}>
-        <option value={HELD}>{timeline.heldByTimer}</option>
+        <option value={HELD}>{knowledge.held[session.standing.value.sure]}</option>
         <option value={NOTHING}>{timeline.compareNothing}</option>
         {fitting.map(({ key, savedAt, reason, simulated, program: { memory } }) => (
           <option key={key} value={key}>

@@ -11,6 +11,7 @@ import { refuseDrag } from './refuse-drag.js';
 import { TimeQuestion } from './time-question.js';
 import { useSteady } from './use-steady.js';
 import { useSwipe } from './use-swipe.js';
+import { WasText } from './was-text.js';
 
 interface ValueFieldProps {
   readonly field: ProgramField;
@@ -131,7 +132,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
           )}
           {change && change.from !== null && (
             <span class="was" id={id('was')}>
-              {messages.value.program.was(formatValue(field, change.from))}
+              <WasText value={formatValue(field, change.from)} />
             </span>
           )}
         </span>

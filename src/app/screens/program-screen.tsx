@@ -8,6 +8,7 @@ import { AboutTimer } from '../parts/about-timer.js';
 import { BenchPanel } from '../parts/bench-panel.js';
 import { ChecksPanel } from '../parts/checks-panel.js';
 import { FollowNote } from '../parts/follow-panel.js';
+import { KnownLine } from '../parts/known-line.js';
 import { MemoriesOverview } from '../parts/memories-overview.js';
 import { BackupsPanel, MemoriesPanel } from '../parts/memories-panel.js';
 import { MemoryChoice } from '../parts/memory-choice.js';
@@ -120,20 +121,16 @@ function LargeFigures() {
 }
 
 function Actions() {
-  const { session, write, follow } = useModels();
-  const { program, bench } = messages.value;
+  const { session, write } = useModels();
+  const { program } = messages.value;
   const { editor } = session;
   const count = useComputed(() => editor.changes.value.length).value;
-  const tried = useComputed(() => follow.trials.tried.value.length).value;
   const connected = session.connection.value !== null;
   const bar = useRef<HTMLElement>(null);
   useHeight(bar, '--actions');
   return (
     <section class="actions" ref={bar}>
-      <p class="changes" role="status">
-        <strong>{tried > 0 ? bench.triedAndWaiting(tried, count) : program.changes(count)}</strong>{' '}
-        {count > 0 && <span>{program.changesHint}</span>}
-      </p>
+      <KnownLine />
       {session.link.state.value.status === 'off' && !session.link.unavailable && (
         <p class="hint">{program.notConnected}</p>
       )}

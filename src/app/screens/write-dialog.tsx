@@ -1,14 +1,15 @@
-import { fieldKey, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { fieldLabel, findingText, messages } from '../messages/index.js';
+import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { keyFields, keyName } from '../parts/key-figures.js';
 import { Modal } from '../parts/modal.js';
 import { MoveServosCheck } from '../parts/move-servos-check.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { ProgressLine } from '../parts/progress-line.js';
 import { SafetyCheck } from '../parts/safety-check.js';
 import { DifferenceInWords, ValueTable } from '../parts/value-table.js';
-import type { WriteStep } from '../state/write-flow.js';
+import type { Shown, WriteStep } from '../state/write-flow.js';
 
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog() {
@@ -20,6 +21,7 @@ export function WriteDialog() {
     <Modal
       open={current !== null && identity !== undefined}
       title={words.title}
+      head={current?.step === 'review' && <KeyFigures shown={current.shown} />}
       titleId="write-title"
       held={write.held}
       onEscape={() => write.escape()}
@@ -36,6 +38,29 @@ export function WriteDialog() {
         </>
       )}
     </Modal>
+  );
+}
+
+/** “3:00 min”; a value that is not known says so. */
+function figure(identity: Identity, field: ProgramField, value: number | null): string {
+  return value === null ? messages.value.write.status.unknown : figureText(identity, field, value);
+}
+
+/** DT and the motor stop, whatever else is written: a pilot looks at them first. */
+function KeyFigures({ shown: { baseline, goal } }: { shown: Shown }) {
+  const { write: words } = messages.value;
+  return (
+    <p class="key-figures">
+      {keyFields(goal.identity).map((field) => {
+        const [from, to] = [valueAt(baseline, field), valueAt(goal, field)];
+        return (
+          <span key={fieldKey(field)}>
+            {keyName(goal.identity, field)} <strong>{figure(goal.identity, field, to)}</strong>{' '}
+            <small>{from === to ? words.asItIs : words.insteadOf(figure(goal.identity, field, from))}</small>
+          </span>
+        );
+      })}
+    </p>
   );
 }
 
@@ -64,7 +89,10 @@ function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { ste
             rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
             lastCounts
           />
-          <DifferenceInWords identity={identity} changes={changes} />
+          <details>
+            <summary>{words.inWords}</summary>
+            <DifferenceInWords identity={identity} changes={changes} />
+          </details>
         </>
       )}
       {serious.length > 0 && (
@@ -160,7 +188,9 @@ function Running({ stage }: { stage: string }) {
   );
 }
 
-function Result({ identity, done }: { identity: Identity; done: Extract<WriteStep, { step: 'done' }> }) {
+type Done = Extract<WriteStep, { step: 'done' }>;
+
+function Result({ identity, done }: { identity: Identity; done: Done }) {
   const { write, session } = useModels();
   const { report, unkept } = done;
   const { write: words, timer } = messages.value;
@@ -170,6 +200,7 @@ function Result({ identity, done }: { identity: Identity; done: Extract<WriteSte
     <>
       <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
         <NoticeText said={words[report.result]} />
+        {report.result === 'verified' && report.held && <Verdict done={done} held={report.held} />}
         {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
         {unkept && <NoticeText said={words.move.unkept} />}
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
@@ -177,11 +208,12 @@ function Result({ identity, done }: { identity: Identity; done: Extract<WriteSte
       {shown.length > 0 && (
         <ValueTable
           identity={identity}
-          names={[words.to, words.held]}
+          names={[words.wanted, words.readBack]}
           rows={shown.map(({ field, wanted, held, status, asked }) => ({
             field,
             values: [wanted, held],
-            note: asked || status !== 'verified' ? words.status[status] : words.putBack,
+            // What is not known says so itself.
+            note: status === 'unknown' ? null : asked || status !== 'verified' ? words.status[status] : words.putBack,
           }))}
           lastCounts
         />
@@ -197,6 +229,21 @@ function Result({ identity, done }: { identity: Identity; done: Extract<WriteSte
         </button>
       </div>
     </>
+  );
+}
+
+/** What the timer was seen to hold, in one line. */
+function Verdict({ done: { at, shown }, held }: { done: Done; held: TimerProgram }) {
+  const { write: words, memoryName } = messages.value;
+  const { identity, memory } = held;
+  const figures = keyFields(identity).map(
+    (field) => `${keyName(identity, field)} ${figure(identity, field, valueAt(held, field))}`,
+  );
+  const where = memory === null ? words.thisMemory : memoryName(memory);
+  return (
+    <p>
+      <strong>{words.verdict(where, clockText(at), figures, shown.changes.length)}</strong>
+    </p>
   );
 }
 

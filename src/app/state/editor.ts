@@ -37,6 +37,8 @@ import { steady } from './steady.js';
 export interface EditorContent extends Content {
   readonly baseline: TimerProgram;
   readonly history?: History<Content> | undefined;
+  /** When the baseline was read, in milliseconds since 1970; null where that is not known. Not the editor's own: see `Knowledge`. */
+  readonly readAt?: number | null | undefined;
 }
 
 const NOTHING_ASKED: ReadonlyMap<string, Question['either']> = new Map();

@@ -121,6 +121,8 @@ export class FrameForm {
       this.#sending.value = true;
       this.#result.value = null;
     });
+    const mayStore = effect === 'stores' || effect === 'unknown';
+    if (mayStore) session.editor.fresh.value = false;
     try {
       const answer = connection.client.send(frame.code, frame.data);
       if (effect !== 'reads') session.servoMoves.mayMove();
@@ -132,7 +134,6 @@ export class FrameForm {
       this.#sending.value = false;
     }
     // What is on the screen may be out of date, also when no reply came.
-    const mayStore = effect === 'stores' || effect === 'unknown';
     if (mayStore && session.connection.value === connection) await session.read();
   }
 }

@@ -123,6 +123,13 @@ export class Knowledge {
     return completed;
   }
 
+  /** What an earlier page has read, as it was kept with the work on it. It explains nothing: no timer was asked. */
+  remember(program: TimerProgram, at: number): void {
+    const key = programKey(program, this.#timer.peek()?.simulated ?? false);
+    if (this.#readings.peek().has(key)) return;
+    this.#readings.value = new Map(this.#readings.value).set(key, { state: 'read', program, at, verified: false });
+  }
+
   /**
    * A change of a memory begins. To be waited for before the first byte of it goes out. A second one of the same memory, before the end
    * of the first was seen, takes its place: `before` must be what the timer holds by then, as far as it has acknowledged it.

@@ -22,6 +22,7 @@ import type { NoteCode, Notice } from './notice.js';
 import { Recovery } from './recovery.js';
 import { ServoMoves } from './servo-moves.js';
 import { SetAside } from './set-aside.js';
+import { type Standing, standingOf } from './standing.js';
 import type { TabNumber } from './tab-number.js';
 import { UnfinishedRecords } from './unfinished.js';
 
@@ -73,6 +74,8 @@ export class Session {
   readonly aside: SetAside;
   /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
   readonly knowledge: Knowledge;
+  /** How far the program that was read last can be called what the timer holds. */
+  readonly standing: ReadonlySignal<Standing>;
   readonly recovery: Recovery;
   readonly link: Link;
   readonly servoMoves: ServoMoves;
@@ -123,6 +126,7 @@ export class Session {
     });
     const unfinished = new UnfinishedRecords(options.storage.unfinished, options.tab);
     this.knowledge = new Knowledge(unfinished, atHand, () => options.tab.value);
+    this.standing = standingOf(this.editor, this.knowledge, this.connection);
     this.recovery = new Recovery(unfinished, this.knowledge, this.backups);
     this.servoMoves = new ServoMoves(this.connection, this.safe);
     this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
@@ -133,7 +137,8 @@ export class Session {
   async start(): Promise<void> {
     effect(() => {
       const content = this.editor.snapshot();
-      if (content) this.#drafts.keep(content, this.simulated.value);
+      const readAt = this.standing.value.at;
+      if (content) this.#drafts.keep({ ...content, readAt }, this.simulated.value);
     });
     await this.bringBack();
   }
@@ -153,6 +158,7 @@ export class Session {
     batch(() => {
       if (!this.editor.restore(draft)) return;
       this.simulated.value = draft.simulated;
+      if (typeof draft.readAt === 'number') this.knowledge.remember(draft.baseline, draft.readAt);
       this.notice.value ??= { kind: 'note', code: 'edits-restored' };
     });
   }
@@ -352,6 +358,8 @@ export class Session {
     // A write tells what became of it by how the connection failed.
     if (this.job.value?.kind !== 'write') this.job.value?.stop.abort();
     this.knowledge.connectionOver();
+    // What is offered rests on what a timer holds that is no longer there.
+    if (before.status === 'on') this.recovery.meet();
     if (state.status !== 'off') return;
     this.#returning = false;
     this.nextFlight.forget();

@@ -102,6 +102,8 @@ export const draftSchema = v.pipe(
     history: v.optional(v.fallback(v.optional(history), undefined)),
     /** Milliseconds since 1970. */
     savedAt: date,
+    /** When the baseline was read, in milliseconds since 1970; older drafts do not say. */
+    readAt: v.optional(v.nullable(date)),
     /** Whether it came from the simulated timer. */
     simulated: v.boolean(),
     /** The number of the tab that it was worked on in, see `TabNumber`. */

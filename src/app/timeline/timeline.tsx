@@ -19,7 +19,15 @@ export interface TimelineProps {
   /** The program by now, where `program` may be a moment behind: what is taken hold of begins there. */
   readonly now?: (() => TimerProgram) | undefined;
   /** A second program, drawn faint behind the first: what the timer holds, or a saved one. */
-  readonly overlay?: { readonly program: TimerProgram; readonly name: string } | null | undefined;
+  readonly overlay?:
+    | {
+        readonly program: TimerProgram;
+        readonly name: string;
+        /** It is drawn dashed: nobody knows whether it is still so. */
+        readonly uncertain?: boolean;
+      }
+    | null
+    | undefined;
   /** A time of the flight in hundredths of a second, marked by a line; what a pointer asks about goes before it. */
   readonly cursor?: number | null | undefined;
   readonly selected?: ProgramField | null | undefined;
@@ -121,7 +129,10 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   );
   const { height } = measures;
   return (
-    <section class="timeline" aria-label={calls.title ?? timeline.title}>
+    <section
+      class={`timeline ${overlay?.uncertain ? 'uncertain-behind' : ''}`}
+      aria-label={calls.title ?? timeline.title}
+    >
       <div class="timeline-top">
         <Moment program={program} model={model} cursor={cursor} />
         <Tools model={model} />

@@ -1,0 +1,58 @@
+const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+
+/** What is known of what a timer holds, and what is not. */
+export const knowledge = {
+  /** While it is not known what a memory holds. */
+  title: 'Not certain',
+  uncertain: (memory: string, values: string) => `It is not known what ${memory} holds: ${values}.`,
+  noFly: 'Do not fly before it is read.',
+  since: (time: string) => `A write was cut off on ${time}.`,
+  thisMemory: 'the current memory',
+  /** Of a timer that is not connected. */
+  memoryOf: (memory: string, timer: string) => `${memory} of ${timer}`,
+  timer: (name: string, firmware: string, simulated: boolean) =>
+    `the ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
+  /** As above, where one of the same kind is connected. */
+  otherTimer: (name: string, firmware: string, simulated: boolean) =>
+    `another ${simulated ? 'simulated ' : ''}${name} ${firmware}`,
+  dt: 'DT',
+  motorStop: 'motor stop',
+  either: (name: string, before: string, goal: string) => `${name} is ${before} or ${goal}`,
+  /** @param more how many values are not named. */
+  list: (named: readonly string[], more: number) =>
+    more > 0 ? `${named.join(', ')}, and ${plural(more, 'more value', 'more values')}` : named.join(' and '),
+  read: 'Read again',
+  connect: 'Connect and read',
+  goTo: (memory: string) => `Look at ${memory}`,
+  forget: 'Forget this…',
+  forgetSure: 'Forget it only if you have read it elsewhere, or no longer have this timer.',
+  forgetNow: 'Forget it now',
+  keep: 'Keep it',
+
+  /** In place of “No changes”. */
+  verified: (time: string) => `As in the timer, verified ${time}`,
+  readAt: (time: string) => `As in the timer, read ${time}`,
+  lastReadAt: (time: string) => `As last read ${time}`,
+  asLastRead: 'As last read',
+  unknown: (memory: string) => `Not known what ${memory} holds`,
+  unfinished: (count: number) => `${plural(count, 'field is', 'fields are')} no value yet`,
+  hints: {
+    now: () => 'Marked fields differ from what the timer holds.',
+    once: (time: string | null) => `Marked fields differ from what was last read${time === null ? '' : `, ${time}`}.`,
+    not: () => 'Marked fields differ from what was last read, which is not certain now.',
+  },
+  /** Under a value that was changed: what it was. */
+  marks: {
+    now: (value: string) => `was ${value}`,
+    once: (value: string) => `last read ${value}`,
+    not: (value: string) => `last read ${value}`,
+  },
+  /** For who hears it. */
+  notCertain: ', not certain now',
+  /** What is compared with. */
+  held: {
+    now: 'Timer holds',
+    once: 'Last read',
+    not: 'Last read',
+  },
+};

@@ -1,0 +1,31 @@
+import { useComputed } from '@preact/signals';
+import { clockText, messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+
+/** How the program on the screen stands to the timer: what differs, or that it is as it was read, and when. */
+export function KnownLine() {
+  const { session, follow } = useModels();
+  const { program, bench, knowledge: words, memoryName } = messages.value;
+  const { editor } = session;
+  const count = useComputed(() => editor.changes.value.length).value;
+  const unfinished = useComputed(() => editor.unreadable.value.size).value;
+  const tried = useComputed(() => follow.trials.tried.value.length).value;
+  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
+  const standing = session.standing.value;
+  const time = standing.at === null ? null : clockText(standing.at);
+  const said = (): string => {
+    // What was tried is in the timer only as far as it is certain what that holds.
+    if (tried > 0 && standing.sure !== 'not') return bench.triedAndWaiting(tried, count);
+    if (count > 0) return program.changes(count);
+    if (standing.sure === 'not') return words.unknown(memory === null ? words.thisMemory : memoryName(memory));
+    if (unfinished > 0) return words.unfinished(unfinished);
+    if (time === null) return words.asLastRead;
+    if (standing.sure === 'once') return words.lastReadAt(time);
+    return standing.verified ? words.verified(time) : words.readAt(time);
+  };
+  return (
+    <p class={`changes ${standing.sure === 'not' ? 'bad-text' : ''}`} role="status">
+      <strong>{said()}</strong> {count > 0 && <span>{words.hints[standing.sure](time)}</span>}
+    </p>
+  );
+}
