@@ -143,9 +143,28 @@ describe('the table', () => {
     expect(field(name).getAttribute('aria-invalid')).toBe('true');
     expect(described(name)).toContain(reason);
     expect(table().getAllByText(`${name}:`)[0]?.parentElement?.textContent).toBe(`${name}: ${reason}`);
-    expect(button('Write…').disabled).toBe(true);
+    const why = document.getElementById(button('Write…').getAttribute('aria-describedby') ?? '');
+    expect(why?.textContent).toBe(`Nothing can be written yet. ${name}: ${reason}`);
     await press('Write…');
     expect([write.current.value, timer.core.answered]).toEqual([null, []]);
+    // It leads to its cause: DT is a large figure, too.
+    expect(document.activeElement).toBe(field(name === 'DT time' ? 'DT' : name));
+  });
+
+  it('leads from Write to the first field in the way, to the next when that is right, and then to the difference', async () => {
+    const { write } = await connected();
+    await type('Function 2, S1', '131');
+    await type('DT', '2.30');
+    await press('Write…');
+    expect(document.activeElement).toBe(field('DT'));
+    fireEvent.click(screen.getAllByRole('button', { name: '2 min 30 s' })[0] as HTMLElement);
+    await idle();
+    await press('Write…');
+    expect([document.activeElement, write.current.value]).toEqual([field('Function 2, S1'), null]);
+    await type('Function 2, S1', '130');
+    expect(button('Write…').getAttribute('aria-describedby')).toBeNull();
+    await press('Write…');
+    expect(write.current.value).not.toBeNull();
   });
 
   it('says one reason for each field that has it', async () => {

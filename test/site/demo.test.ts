@@ -113,6 +113,8 @@ test('by keyboard alone: try, edit DT, write, verify', async () => {
   await app.hasRead();
   await tabTo(/^DT$/);
   await keyboard.type('240');
+  await tabTo(/^240 s, 4:00$/);
+  await keyboard.press('Enter');
   await tabTo(/^Write…$/);
   await keyboard.press('Enter');
   await app.dialog.waitFor();

@@ -29,7 +29,9 @@ function hidden(): string[] {
     const found = input.scrollWidth > input.clientWidth ? [`${name} is cut off: ${input.value}`] : [];
     const was = input.parentElement?.querySelector('.was')?.getBoundingClientRect();
     const label = input.closest('td')?.querySelector('.cell-name')?.getBoundingClientRect();
+    const unit = input.parentElement?.querySelector('.unit')?.getBoundingClientRect();
     const field = input.getBoundingClientRect();
+    if (unit && meet(unit, lettersOf(input))) found.push(`${name}: its unit covers it`);
     if (was && (was.left < field.left || was.right > field.right)) found.push(`${name}: the old value stands out`);
     if (was && meet(was, lettersOf(input))) found.push(`${name}: the old value covers the new one`);
     if (was && label && meet(was, label)) found.push(`${name}: the old value covers the label`);
@@ -59,6 +61,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
 
       await app.type('Function 2, S1', '100');
       await app.type('Idle throttle', '30');
+      await app.button('5 s').first().click();
       await app.review();
       await isWellMade(app, 'difference');
       await app.dialog.getByRole('checkbox', { name: 'I have read this' }).check();
@@ -155,6 +158,46 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await isWellMade(app, 'memories side by side');
     });
   }
+}
+
+describe('what cannot be done looks so', () => {
+  for (const colours of ['Light', 'Dark', 'Sun']) {
+    test(`in ${colours}`, async () => {
+      const app = await AppPage.open({ bench: {} });
+      await app.text(colours).click();
+      await app.connect();
+      await app.bench((bench) => bench.adapter.unplug());
+      await app.says('The adapter is unplugged.');
+      const looks = await app.page.evaluate(() => {
+        const of = (button: Element | undefined) => {
+          if (!button) throw new Error('There is no such button.');
+          const { color, borderTopStyle, backgroundColor } = getComputedStyle(button);
+          return { color, borderTopStyle, backgroundColor };
+        };
+        const buttons = [...document.querySelectorAll('.actions button')];
+        const off = buttons.find(({ textContent }) => textContent === 'Write…');
+        const aria = off?.cloneNode(true) as HTMLButtonElement;
+        aria.disabled = false;
+        aria.ariaDisabled = 'true';
+        off?.after(aria);
+        const on = aria.cloneNode(true) as HTMLButtonElement;
+        on.ariaDisabled = null;
+        off?.after(on);
+        return { off: of(off), aria: of(aria), on: of(on), ink: getComputedStyle(document.body).color };
+      });
+      expect(looks.off).toEqual(looks.aria);
+      expect(looks.off).toMatchObject({ borderTopStyle: 'dashed', backgroundColor: 'rgba(0, 0, 0, 0)' });
+      expect(looks.on).toMatchObject({ borderTopStyle: 'solid', color: looks.ink });
+      const apart = Math.abs(lightness(looks.off.color) - lightness(looks.ink));
+      expect(apart, 'not the ink of what can be done').toBeGreaterThan(80);
+    });
+  }
+});
+
+/** 0 to 255 of `rgb(r, g, b)`. */
+function lightness(colour = ''): number {
+  const parts = (colour.match(/\d+/g) ?? []).slice(0, 3).map(Number);
+  return parts.reduce((sum, part) => sum + part, 0) / 3;
 }
 
 describe('nothing is cut off or covered', () => {

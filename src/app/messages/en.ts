@@ -119,7 +119,8 @@ export const en = {
     undoAll: 'Undo all',
     read: 'Read again',
     write: 'Write…',
-    blocked: 'Some fields cannot be written yet: see the notes beside them.',
+    /** What is in the way of a write; its button leads there. */
+    blocked: (field: string, why: string) => `Nothing can be written yet. ${field}: ${why}`,
     notConnected: 'Click Connect at the top to read and write.',
     findings: 'Checks',
     noFindings: 'Nothing unusual.',

@@ -1,4 +1,4 @@
-import { type Finding, fieldKey, type ProgramField, type Severity } from '../../program/index.js';
+import { type Finding, fieldKey, fieldsOf, type ProgramField, type Severity } from '../../program/index.js';
 import { findingText, messages } from '../messages/index.js';
 import type { Editor } from '../state/editor.js';
 
@@ -19,6 +19,19 @@ export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
   return editor.findings.value
     .filter((finding) => finding.field && fieldKey(finding.field) === key)
     .map((finding) => ({ field, severity: finding.severity, text: findingText(finding) }));
+}
+
+/** The first field, start to DT, that cannot be written as it is, and why; null when none is in the way of a write. */
+export function firstInTheWay(editor: Editor): { readonly field: ProgramField; readonly text: string } | null {
+  const identity = editor.identity.value;
+  for (const field of identity ? fieldsOf(identity) : []) {
+    const unreadable = editor.unreadable.value.get(fieldKey(field));
+    const text = unreadable
+      ? messages.value.unreadable[unreadable.reason]
+      : notesFor(editor, field).find(({ severity }) => severity === 'error')?.text;
+    if (text !== undefined) return { field, text };
+  }
+  return null;
 }
 
 /** Everything that is to be said about the fields, and about the program as a whole. */

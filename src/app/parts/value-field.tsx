@@ -23,8 +23,8 @@ interface ValueFieldProps {
   readonly notesShown?: boolean;
 }
 
-/** More letters than a large figure has room for on a phone. */
-const LONG = 6;
+/** More letters than there is room for beside a unit on a phone: such a time has a colon. */
+const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
 export function ValueField({ field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
@@ -97,11 +97,11 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
             if (either) editor.takeBack(field);
             else editor.escape(field);
           }
-          if (event.key !== 'Enter') return;
+          if (event.key !== 'Enter' && (event.key !== 'Tab' || event.shiftKey || either)) return;
           editor.leave(field);
           // It asks first what was meant; the answers are the next thing that Tab comes to.
           if (editor.asked.value.has(key)) event.preventDefault();
-          if (isLarge) event.currentTarget.select();
+          if (isLarge && event.key === 'Enter') event.currentTarget.select();
         }}
       />
       {unit && (

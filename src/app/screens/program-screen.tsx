@@ -20,6 +20,7 @@ import { TimelinePanel } from '../parts/timeline-panel.js';
 import { UndoButtons } from '../parts/undo-buttons.js';
 import { useHeight } from '../parts/use-height.js';
 import { ValueField } from '../parts/value-field.js';
+import { BlockedNote, WriteButton } from '../parts/write-button.js';
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramScreen() {
@@ -121,10 +122,9 @@ function LargeFigures() {
 }
 
 function Actions() {
-  const { session, write } = useModels();
+  const { session } = useModels();
   const { program } = messages.value;
   const { editor } = session;
-  const count = useComputed(() => editor.changes.value.length).value;
   const connected = session.connection.value !== null;
   const bar = useRef<HTMLElement>(null);
   useHeight(bar, '--actions');
@@ -135,19 +135,10 @@ function Actions() {
         <p class="hint">{program.notConnected}</p>
       )}
       <FollowNote />
-      {editor.blocked.value && <p class="hint bad-text">{program.blocked}</p>}
+      <BlockedNote />
       <UndoButtons />
       <div class="buttons">
-        <button
-          type="button"
-          class={count > 0 ? 'primary' : ''}
-          // Not while a job runs; but the focus stays, also for when the dialog is closed.
-          aria-disabled={session.busy.value}
-          disabled={!connected || editor.blocked.value}
-          onClick={() => void write.open()}
-        >
-          {program.write}
-        </button>
+        <WriteButton />
         <button
           type="button"
           aria-disabled={session.busy.value}
