@@ -46,6 +46,8 @@ export interface TimerErrorDetails {
   readonly request?: CommandName;
   /** How often that request went out. */
   readonly sent?: number;
+  /** Whether the timer answers other requests than that one, as far as is known. */
+  readonly answersOthers?: boolean;
   readonly expected?: number | null;
   readonly found?: number | null;
   /** What the timer that answers says of itself. */

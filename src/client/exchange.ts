@@ -250,7 +250,7 @@ export class Exchange {
     if (!isGone && !isSentOnce && !isIgnored() && wire.damage > (sent > 0 ? damage : this.#damageBefore)) {
       throw new TimerError('unstable', `too much damage to get a reply to ${name}`, details);
     }
-    throw new TimerError('no-answer', `no reply to ${name}`, details);
+    throw new TimerError('no-answer', `no reply to ${name}`, { ...details, answersOthers: this.#awake });
   }
 
   /** Whether one more attempt, fence and request, makes sense and still ends in time. */

@@ -129,6 +129,12 @@ export class Quirks {
     return this.#misprints.get(name) === 1;
   }
 
+  /** Nothing is known of this timer's ways any more, nor what was said of them. */
+  forget(): void {
+    this.reset();
+    this.assumed = {};
+  }
+
   /** Whether this request goes out with a bare checksum. */
   isBare({ name }: Request): boolean {
     return this.assumed.bareChecksumRequests === true && (name === 'SETMEMORY' || name === 'SETLOWRPM');

@@ -129,6 +129,11 @@ export class TimerClient {
     this.#quirks.assume(quirks);
   }
 
+  /** Forgets what was found and what is taken for true of this timer, from the next request on. */
+  forgetQuirks(): void {
+    this.#quirks.forget();
+  }
+
   /** Whether bytes came that belong to no reply. From then on a read is believed only when two agree. */
   get damageSeen(): boolean {
     return this.#wire.damage > 0;

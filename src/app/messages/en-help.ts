@@ -110,7 +110,7 @@ const steps: Record<StepCode, string> = {
     'Is the adapter switched on, charged and within a few metres? Switch it off and on, wait until it blinks, then click Connect.',
   'usb-power':
     'Does it happen again and again: in the Device Manager, under USB Root Hub, Power Management, do not let the computer switch it off.',
-  wake: 'The timer falls asleep after one or two minutes. Press its switch shortly; nothing is lost.',
+  wake: 'The timer falls asleep after one or two minutes. Press its switch briefly; nothing is lost.',
   near: 'Hold the infra-red head closer than 20 cm, pointed at the timer, and shade both from the sun.',
   battery: 'Is the battery of the timer charged and plugged in? A discharged timer stands at its DT position.',
   'other-port': 'Click Choose a port: another adapter may be plugged in as well.',

@@ -28,8 +28,28 @@ export const link = {
   waiting: {
     title: 'No answer yet.',
     advice:
-      'Press the switch of the timer shortly and hold it closer than 20 cm. This page keeps asking and goes on as soon as it answers.',
+      'Press the switch of the timer briefly and hold it closer than 20 cm. This page keeps asking and goes on as soon as it answers.',
   },
+  /** Something comes, and it is no timer's. */
+  heard: {
+    text: (sample: string, rate: number) => ({
+      title: 'Something else talks on this port.',
+      advice: `Lines of text come at ${rate} baud, such as “${sample}”. Choose another port. If the timer is here too, wake it: this page keeps asking.`,
+    }),
+    noise: (_: string, rate: number) => ({
+      title: 'No timer answers, but bytes come that no timer sends.',
+      advice: `Heard at ${rate} baud. Something else talks on this port, or light disturbs the infra-red head: shade it, wake the timer and hold it closer than 20 cm, or choose another port.`,
+    }),
+    echo: () => ({
+      title: 'Only the question of this page comes back.',
+      advice:
+        'The timer sleeps or is too far away, or something else is on this port. Press the switch of the timer briefly and hold it closer than 20 cm, or choose another port.',
+    }),
+  },
+  chooseAnother: 'Choose another port',
+  /** What came in the place of an answer. */
+  itSaid: (bytes: string, text: string) => `What came: ${bytes} (“${text}”).`,
+  trySelectBare: 'Try it without a true checksum',
   away: {
     title: 'The adapter is unplugged.',
     advice: 'Plug it in: the connection comes back by itself. What you typed is kept.',
@@ -99,6 +119,9 @@ export const about = {
   port: 'Port',
   rate: 'Rate',
   repeats: 'Requests repeated',
+  strays: 'Answers that nobody asked for',
+  delay: 'Answers',
+  delayOf: (ms: number | null) => (ms === null ? 'in time' : `after ${(ms / 1000).toFixed(1)} s: slow`),
   lineErrors: 'Errors of the line',
   lineErrorNames: {
     framing: 'framing',
@@ -110,11 +133,20 @@ export const about = {
   count: (name: string, count: number) => `${name} ${count}`,
   none: 'none',
   damage: 'Damage seen on the line',
+  crowd: 'Another timer or programmer may be in the beam: since then two readings have to agree.',
+  notConnected: 'No timer is connected. What is taken for true of the timers at known adapters stands here.',
   found: 'What it does in its own way',
   nothingFound: 'Nothing so far: it does all that was asked in the usual way.',
   quirkNames,
   assumed: 'What is taken for true of it',
   assumedHint: 'Remembered for this port and this kind of timer as a first guess for the next time.',
+  nothingAssumed: 'Nothing.',
+  /** A kind of timer at a port, as it is remembered. */
+  kindAt: (timer: string, port: string) => `${timer} at ${port}`,
+  not: ': no',
+  forget: 'Forget what was assumed',
+  forgetOf: (kind: string) => `Forget what was assumed of ${kind}`,
+  others: 'What is taken for true of timers at known adapters',
   assumptions: {
     bigEndianTimes: 'Times have their bytes exchanged',
     servoFirst: 'A position is written with the servo before the function',

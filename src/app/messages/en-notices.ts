@@ -45,7 +45,7 @@ export const connection: Record<ConnectionErrorCode, Said> = {
   },
   'no-answer': {
     title: 'The timer did not answer.',
-    advice: 'Press its switch shortly, hold the infra-red head closer than 20 cm, and click Connect again.',
+    advice: 'Press its switch briefly, hold the infra-red head closer than 20 cm, and click Connect again.',
   },
   'bad-reply': {
     title: 'Something answered, but not as a timer does.',
@@ -62,7 +62,7 @@ export const connection: Record<ConnectionErrorCode, Said> = {
 export const timer: Record<TimerErrorCode, Said> = {
   'no-answer': {
     title: 'The timer did not answer.',
-    advice: 'Is it awake, and closer than 20 cm? Press its switch shortly and try again. What you typed is kept.',
+    advice: 'Is it awake, and closer than 20 cm? Press its switch briefly and try again. What you typed is kept.',
   },
   'bad-reply': {
     title: 'The timer answered something that cannot be.',
@@ -156,6 +156,16 @@ export const notes = {
   'nothing-written': {
     title: 'Nothing was written.',
     advice: 'You stopped before the first value went out. What you typed is kept.',
+  },
+  'select-unanswered': {
+    title: 'The timer did not take the choice of memory.',
+    advice:
+      'It answers other requests. Hold the head closer and try again. If it comes again, it may want this request without a true checksum: that can be tried here, and stands under “About this timer”.',
+  },
+  strays: {
+    title: 'Answers came that nobody asked for.',
+    advice:
+      'All was read again until two readings agreed. Keep other timers and programmers out of the beam of the infra-red head.',
   },
   'taken-over': {
     title: 'Another tab of this program has taken the port over.',

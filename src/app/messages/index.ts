@@ -9,7 +9,7 @@ import {
   type ProgramField,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import type { KnownPort } from '../../serial/index.js';
+import { type KnownPort, portKind } from '../../serial/index.js';
 import { formatValue } from '../edit/content.js';
 import type { Obstacle } from '../edit/edits.js';
 import type { GridField } from '../edit/grid.js';
@@ -110,7 +110,7 @@ export function gridLabel(identity: Identity, field: GridField): string {
   return messages.value.edits.table.intervalOf(columnLabel(identity, field.column));
 }
 
-export function timerName({ timerClass }: Identity): string {
+export function timerName({ timerClass }: Pick<Identity, 'timerClass'>): string {
   const { classNames, unknownClass } = messages.value;
   return classNames[timerClass] ?? unknownClass(timerClass);
 }
@@ -121,6 +121,20 @@ export function portName({ kind, info }: Pick<KnownPort, 'kind' | 'info'>): stri
   if (kind !== 'usb') return portNames[kind];
   const hex = (value: number | undefined): string => (value ?? 0).toString(16).padStart(4, '0');
   return `${portNames.usb} ${portNumbers(hex(info.usbVendorId), hex(info.usbProductId))}`;
+}
+
+/** The same for a port of which only the name is left under which it is remembered, see `portKey`. */
+export function portKeyName(key: string): string {
+  const [bus, vendor = '', product = ''] = key.split(':');
+  if (bus === 'bluetooth') return messages.value.link.portNames.bluetooth;
+  const info =
+    bus === 'usb' ? { usbVendorId: Number.parseInt(vendor, 16), usbProductId: Number.parseInt(product, 16) } : {};
+  return portName({ kind: portKind(info), info });
+}
+
+/** Readable bytes as text, the others as dots. */
+export function readable(bytes: Uint8Array): string {
+  return Array.from(bytes, (byte) => (byte >= 0x20 && byte < 0x7f ? String.fromCharCode(byte) : '·')).join('');
 }
 
 /** A day and a time of day, as they are written in this language. */

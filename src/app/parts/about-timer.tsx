@@ -1,16 +1,41 @@
 import type { AssumedQuirks } from '../../client/index.js';
-import { messages, portName, timerName } from '../messages/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import { messages, portKeyName, portName, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { identityOfKind, kindKey } from '../state/keys.js';
+import type { Assumed } from '../state/link.js';
 
-/** What is known of the timer at hand: what it is, how it is reached, and what it does in its own way. */
+type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
+
+/** What is known of the timer at hand, and what is taken for true of those at the ports that are known; in every state of the wire. */
 export function AboutTimer() {
+  const { session } = useModels();
+  const { aboutTimer: about } = messages.value;
+  const { link } = session;
+  const connection = link.connection.value;
+  const others = link.assumed.value.filter((assumed) => !connection || !isOf(assumed, connection));
+  const isKnown = others.length > 0 || link.ports.value.length > 0 || 'port' in link.state.value;
+  if (!connection && !isKnown) return null;
+  return (
+    <details class="about-timer">
+      <summary>{about.title}</summary>
+      {connection ? <AtHand connection={connection} /> : <p class="hint">{about.notConnected}</p>}
+      {(others.length > 0 || !connection) && <h2>{about.others}</h2>}
+      {others.length === 0 && !connection && <p>{about.nothingAssumed}</p>}
+      {others.map((assumed) => (
+        <Remembered key={`${assumed.portKey} ${assumed.kind}`} assumed={assumed} />
+      ))}
+    </details>
+  );
+}
+
+/** What it is, how it is reached, and what it does in its own way. */
+function AtHand({ connection }: { connection: TimerConnection }) {
   const { session, write } = useModels();
   const { aboutTimer: about, header } = messages.value;
-  const connection = session.connection.value;
   // What a job or a write has found out is told when it ends.
   const busy = session.busy.value || write.current.value?.step === 'running';
-  if (!connection) return null;
-  const { client, identity, settings } = connection;
+  const { client, identity, settings, portKey } = connection;
   const { functions, memories, servos } = identity;
   const errors = [...client.lineErrors].map(([kind, count]) => about.count(about.lineErrorNames[kind], count));
   const found = [...client.quirksFound.keys()];
@@ -19,12 +44,13 @@ export function AboutTimer() {
     [about.layout, about.layoutOf(functions, memories, servos)],
     [about.port, session.link.simulated.value ? header.simulated : portName(connection)],
     [about.rate, messages.value.ports.baud(settings.baudRate)],
+    [about.delay, about.delayOf(client.delay)],
     [about.repeats, String(client.repeats)],
+    [about.strays, String(client.strays)],
     [about.lineErrors, errors.join(', ') || about.none],
   ];
   return (
-    <details class="about-timer">
-      <summary>{about.title}</summary>
+    <>
       <dl>
         {facts.map(([name, value]) => (
           <div key={name}>
@@ -34,6 +60,7 @@ export function AboutTimer() {
         ))}
       </dl>
       {client.damageSeen && <p class="bad-text">{about.damage}</p>}
+      {client.strays > 0 && <p class="bad-text">{about.crowd}</p>}
       <h2>{about.found}</h2>
       {found.length === 0 ? (
         <p class="hint">{about.nothingFound}</p>
@@ -45,7 +72,7 @@ export function AboutTimer() {
         </ul>
       )}
       <h2>{about.assumed}</h2>
-      {(Object.keys(about.assumptions) as (keyof AssumedQuirks & keyof typeof about.assumptions)[]).map((name) => (
+      {(Object.keys(about.assumptions) as Assumption[]).map((name) => (
         <label class="check" key={name}>
           <input
             type="checkbox"
@@ -57,6 +84,53 @@ export function AboutTimer() {
         </label>
       ))}
       <p class="hint">{about.assumedHint}</p>
-    </details>
+      {Object.keys(client.quirksAssumed).length > 0 && (
+        <button
+          type="button"
+          disabled={busy}
+          onClick={() => void session.forgetAssumed({ portKey, kind: kindKey(identity, false) })}
+        >
+          {about.forget}
+        </button>
+      )}
+    </>
   );
+}
+
+/** What was found out about a kind of timer at a port earlier. */
+function Remembered({ assumed }: { assumed: Assumed }) {
+  const { session } = useModels();
+  const { aboutTimer: about, header } = messages.value;
+  const identity = identityOfKind(assumed.kind);
+  const timer = identity ? `${timerName(identity)}, ${header.firmware(identity.firmware)}` : assumed.kind;
+  const kind = about.kindAt(timer, portKeyName(assumed.portKey));
+  const names = (Object.keys(about.assumptions) as Assumption[]).filter((name) => assumed.quirks[name] !== undefined);
+  return (
+    <div class="backup">
+      <p>
+        <strong>{kind}</strong>
+      </p>
+      <ul class="quirks">
+        {names.map((name) => (
+          <li key={name}>
+            {about.assumptions[name]}
+            {assumed.quirks[name] ? '' : about.not}
+          </li>
+        ))}
+      </ul>
+      <button
+        type="button"
+        class="quiet"
+        aria-label={about.forgetOf(kind)}
+        disabled={session.busy.value}
+        onClick={() => void session.forgetAssumed(assumed)}
+      >
+        {about.forget}
+      </button>
+    </div>
+  );
+}
+
+function isOf({ portKey, kind }: Assumed, { portKey: port, identity }: TimerConnection): boolean {
+  return portKey === port && kind === kindKey(identity, false);
 }

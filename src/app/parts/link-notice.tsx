@@ -1,7 +1,11 @@
-import { messages } from '../messages/index.js';
+import type { Heard } from '../../serial/index.js';
+import { messages, readable, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { NoticeText } from './notice-bar.js';
 import { ProgressLine } from './progress-line.js';
+
+/** Characters of a line of text that are shown. */
+const LINE = 40;
 
 /** What is under way until a timer answers: said while it lasts, with the way to stop it. */
 export function LinkNotice() {
@@ -25,7 +29,14 @@ export function LinkNotice() {
         />
       );
     case 'waiting':
-      return <Waiting said={link.waiting} detail={state.asked > 0 && link.asked(state.asked)} onStop={stop} />;
+      return (
+        <Waiting
+          said={state.heard ? heardSaid(state.heard) : link.waiting}
+          detail={state.asked > 0 && link.asked(state.asked)}
+          onChoose={state.heard ? () => void session.chooseAnother() : undefined}
+          onStop={stop}
+        />
+      );
     case 'away':
       return <Waiting said={state.unplugged ? link.away : link.brokenOff} onStop={stop} />;
     case 'closing':
@@ -35,13 +46,22 @@ export function LinkNotice() {
   }
 }
 
+/** Of text the last line that came whole, as far as it is short. */
+function heardSaid({ kind, sample, baudRate }: Heard): Said {
+  const lines = readable(sample).split(/·+/);
+  const line = lines.at(-2) || lines.at(-1) || '';
+  return messages.value.link.heard[kind](line.trim().slice(-LINE), baudRate);
+}
+
 interface WaitingProps {
   readonly said: { readonly title: string; readonly advice: string };
   readonly detail?: string | false;
+  readonly onChoose?: (() => void) | undefined;
   readonly onStop: () => void;
 }
 
-function Waiting({ said, detail, onStop }: WaitingProps) {
+function Waiting({ said, detail, onChoose, onStop }: WaitingProps) {
+  const { link } = messages.value;
   return (
     <div class="notices">
       <div class="notice waiting">
@@ -49,8 +69,13 @@ function Waiting({ said, detail, onStop }: WaitingProps) {
           <NoticeText said={said} />
         </div>
         {detail && <span class="hint">{detail}</span>}
+        {onChoose && (
+          <button type="button" onClick={onChoose}>
+            {link.chooseAnother}
+          </button>
+        )}
         <button type="button" onClick={onStop}>
-          {messages.value.link.stop}
+          {link.stop}
         </button>
       </div>
     </div>

@@ -1,4 +1,5 @@
-import { messages, type Said } from '../messages/index.js';
+import { hexOf } from '../messages/frame-text.js';
+import { messages, readable, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
 import type { Platform } from '../platform.js';
 import type { Notice } from '../state/notice.js';
@@ -20,7 +21,7 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
 export function NoticeBar() {
   const { session, update, tabs, platform } = useModels();
-  const { dismiss, update: words } = messages.value;
+  const { dismiss, link, update: words } = messages.value;
   const notice = session.notice.value;
   const take = update.take.value;
   const holder = tabs.holder.value;
@@ -44,6 +45,18 @@ export function NoticeBar() {
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />
+          {notice.kind === 'connection' && notice.bytes && (
+            <p class="hint">{link.itSaid(hexOf(notice.bytes), readable(notice.bytes))}</p>
+          )}
+          {notice.code === 'select-unanswered' && (
+            <button
+              type="button"
+              disabled={session.busy.value || session.connection.value === null}
+              onClick={() => void session.assume({ bareChecksumRequests: true })}
+            >
+              {link.trySelectBare}
+            </button>
+          )}
           <button type="button" class="quiet" onClick={() => (session.notice.value = null)}>
             {dismiss}
           </button>

@@ -1,5 +1,6 @@
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
+import { AboutTimer } from '../parts/about-timer.js';
 import { ConnectButtons } from '../parts/header.js';
 import { NoticeText } from '../parts/notice-bar.js';
 import { PortList, SerialSettingsForm } from '../parts/port-list.js';
@@ -27,6 +28,7 @@ export function StartScreen() {
       )}
       {!unavailable && <PortList />}
       {!unavailable && <SerialSettingsForm />}
+      <AboutTimer />
       <section class="start-simulated">
         <h2>{start.simulatedTitle}</h2>
         <p>{start.simulatedLead}</p>

@@ -6,6 +6,12 @@ export function kindKey({ timerClass, firmware, functions, servos }: Identity, s
   return [simulated ? 'simulated' : 'timer', timerClass, firmware, functions, servos].join('/');
 }
 
+/** As much of an identity as a key of {@link kindKey} tells; null when it is none. */
+export function identityOfKind(key: string): Pick<Identity, 'timerClass' | 'firmware'> | null {
+  const [, timerClass, firmware] = /^[a-z]+\/(.)\/([^/]*)\//.exec(key) ?? [];
+  return timerClass === undefined || firmware === undefined ? null : { timerClass, firmware };
+}
+
 /** What a program is for: kind of timer and memory. */
 export function programKey(
   { identity, memory }: Pick<TimerProgram, 'identity' | 'memory'>,

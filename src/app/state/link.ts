@@ -27,6 +27,14 @@ export interface LinkOptions {
   readonly onState: (state: LinkState, before: LinkState) => void;
 }
 
+/** What is taken for true of timers of one kind at one port. */
+export interface Assumed {
+  readonly portKey: string;
+  /** See `kindKey`. */
+  readonly kind: string;
+  readonly quirks: AssumedQuirks;
+}
+
 /** The wire to a timer: where it stands, the ports that are known, and what is remembered of each. */
 export class Link {
   readonly state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
@@ -48,11 +56,19 @@ export class Link {
     const state = this.state.value;
     return 'port' in state && this.#simulated.has(state.port);
   });
+  /** What is taken for true of timers at the ports that are remembered: a first guess for the next time. */
+  readonly assumed: ReadonlySignal<readonly Assumed[]> = computed(() =>
+    [...this.#records.value.values()].flatMap(({ key, quirks }) =>
+      Object.entries(quirks)
+        .filter(([, assumed]) => Object.keys(assumed).length > 0)
+        .map(([kind, assumed]) => ({ portKey: key, kind, quirks: assumed })),
+    ),
+  );
   /** Why there can be no wire here at all; null when there can. */
   readonly unavailable: 'insecure' | 'policy' | 'unsupported' | null;
   readonly #options: LinkOptions;
   readonly #link: TimerLink;
-  readonly #records = new Map<string, PortRecord>();
+  readonly #records = signal<ReadonlyMap<string, PortRecord>>(new Map(), { name: 'portRecords' });
   readonly #simulated = new WeakSet<SerialPortLike>();
   /** On its way: what is remembered of the ports. */
   #learning: Promise<readonly PortRecord[]> = Promise.resolve([]);
@@ -69,7 +85,7 @@ export class Link {
       onLine: options.onLine,
       onState: (state) => this.#follow(state),
       remembered: (key) => this.#remembered(key),
-      assumed: (identity, key) => this.#records.get(key)?.quirks[kindKey(identity, false)],
+      assumed: (identity, key) => this.#records.peek().get(key)?.quirks[kindKey(identity, false)],
     });
   }
 
@@ -83,7 +99,7 @@ export class Link {
   async #learnRecords(): Promise<void> {
     this.#learning = this.#options.ports.all().catch(() => []);
     for (const record of await this.#learning) {
-      if (!this.#records.has(record.key)) this.#records.set(record.key, record);
+      if (!this.#records.peek().has(record.key)) this.#put(record);
     }
   }
 
@@ -91,13 +107,13 @@ export class Link {
   async refresh(): Promise<void> {
     if (!this.#options.surroundings.serial) return;
     const ports = await within(() => this.#link.ports(), PORTS_LIMIT).catch(() => []);
-    const usedAt = ({ key }: KnownPort): number => this.#records.get(key)?.usedAt ?? 0;
+    const usedAt = ({ key }: KnownPort): number => this.#records.peek().get(key)?.usedAt ?? 0;
     this.ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
   }
 
   /** What is remembered of a port: its last settings, and the rate at which a timer answered. */
   recordOf(key: string): PortRecord | undefined {
-    return this.#records.get(key);
+    return this.#records.peek().get(key);
   }
 
   /** Lets the pilot choose a port in the browser's own dialog. From a click. */
@@ -132,7 +148,7 @@ export class Link {
   /** Gives the right to use a port back to the browser, and what is remembered of it away. */
   async forget({ port, key }: KnownPort): Promise<void> {
     await this.#link.forget(port);
-    this.#records.delete(key);
+    this.#records.value = new Map([...this.#records.peek()].filter(([known]) => known !== key));
     await this.#options.ports.remove(key).catch(() => {});
     await this.refresh();
   }
@@ -157,7 +173,7 @@ export class Link {
     const { identity, client, settings } = connection;
     this.#quirksKept = client.quirksAssumed;
     await this.#learning;
-    const before = this.#records.get(connection.portKey);
+    const before = this.#records.peek().get(connection.portKey);
     const record: PortRecord = {
       key: connection.portKey,
       usedAt: Date.now(),
@@ -165,18 +181,35 @@ export class Link {
       foundRate: settings.baudRate,
       quirks: { ...before?.quirks, [kindKey(identity, false)]: { ...client.quirksAssumed } },
     };
-    this.#records.set(record.key, record);
+    this.#put(record);
     // A browser that keeps nothing forgets this too; the drafts say so.
     await this.#options.ports.save(record).catch(() => {});
   }
 
+  /** Nothing is taken for true any more of timers of this kind at this port, nor of the one at hand if it is one. */
+  async forgetAssumed({ portKey, kind }: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
+    const connection = this.connection.value;
+    if (connection?.portKey === portKey && kindKey(connection.identity, false) === kind)
+      connection.client.forgetQuirks();
+    await this.#learning;
+    const record = this.#records.peek().get(portKey);
+    if (!record) return;
+    const quirks = Object.fromEntries(Object.entries(record.quirks).filter(([known]) => known !== kind));
+    this.#put({ ...record, quirks });
+    await this.#options.ports.save({ ...record, quirks }).catch(() => {});
+  }
+
+  #put(record: PortRecord): void {
+    this.#records.value = new Map(this.#records.peek()).set(record.key, record);
+  }
+
   /** What was remembered of a timer of this kind before it was asked anything. */
   guessed(identity: Identity, key: string): AssumedQuirks | undefined {
-    return this.#records.get(key)?.quirks[kindKey(identity, false)];
+    return this.#records.peek().get(key)?.quirks[kindKey(identity, false)];
   }
 
   #remembered(key: string): RememberedPort | undefined {
-    const record = this.#records.get(key);
+    const record = this.#records.peek().get(key);
     return record && { settings: record.settings, knownRate: record.foundRate ?? undefined };
   }
 

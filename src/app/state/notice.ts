@@ -12,6 +12,8 @@ export type NoteCode =
   | 'other-kind'
   | 'write-completed'
   | 'nothing-written'
+  | 'select-unanswered'
+  | 'strays'
   | 'taken-over'
   | 'not-kept'
   | 'unexpected';
@@ -24,6 +26,8 @@ export type Notice =
       readonly port: PortInfo | null;
       /** See `portKey`; null when no port is meant. */
       readonly portKey: string | null;
+      /** What came in the place of an answer, where that tells something. */
+      readonly bytes: Uint8Array | null;
     }
   | { readonly kind: 'timer'; readonly code: TimerErrorCode }
   | { readonly kind: 'note'; readonly code: NoteCode };

@@ -16,7 +16,7 @@ import { Editor } from './editor.js';
 import { kindKey, programKey, workKey } from './keys.js';
 import { Knowledge } from './knowledge.js';
 import { LineLog } from './line-log.js';
-import { Link } from './link.js';
+import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import type { NoteCode, Notice } from './notice.js';
 import { Recovery } from './recovery.js';
@@ -203,6 +203,13 @@ export class Session {
     await this.#goTo(async () => () => this.link.connectSimulated(this.#options.plugRecording(entries)));
   }
 
+  /** Lets the pilot choose another port while a timer at this one is waited for; what is waited for stays until one is chosen. */
+  async chooseAnother(): Promise<void> {
+    if (this.busy.value) return;
+    await this.link.choose();
+    await this.#arriving;
+  }
+
   /** Stops what is under way, lets the last request end and closes the port. What was typed stays on the screen. */
   async disconnect(): Promise<void> {
     this.job.value?.stop.abort();
@@ -253,6 +260,17 @@ export class Session {
     await this.read();
   }
 
+  /** Takes nothing for true any more of such a timer at such a port; the one at hand is read again without. */
+  async forgetAssumed(assumed: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
+    if (this.busy.value) return;
+    const connection = this.connection.value;
+    const wasAssumed = connection?.client.quirksAssumed;
+    await this.link.forgetAssumed(assumed);
+    if (connection && connection === this.connection.value && connection.client.quirksAssumed !== wasAssumed) {
+      await this.read();
+    }
+  }
+
   /**
    * Runs one job on the wire and says what went wrong with it. A timer that no longer answers is waited for.
    * @returns whether it came to its end.
@@ -279,6 +297,7 @@ export class Session {
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
     const stop = new AbortController();
     const wasSafe = this.safe.value;
+    const { strays } = connection.client;
     const begin = (progress: Progress | null): void => {
       this.job.value = { kind, memory, progress, stop };
     };
@@ -291,6 +310,7 @@ export class Session {
     begin(null);
     try {
       await work(connection, { signal: stop.signal, onProgress: begin, stillOn });
+      if (connection.client.strays > strays) this.notice.value ??= { kind: 'note', code: 'strays' };
       return { good: true };
     } catch (error) {
       const lost = this.connection.value !== connection;
@@ -307,6 +327,7 @@ export class Session {
   /** Says that something went wrong, in the pilot's words; waits for a timer that does not answer. */
   report(error: unknown): void {
     if (!(error instanceof TimerError)) this.say('unexpected');
+    else if (isRefusedSelection(error)) this.say('select-unanswered');
     else if (error.code === 'no-answer') this.link.wait();
     else if (error.code !== 'aborted' && error.code !== 'closed') {
       this.notice.value = { kind: 'timer', code: error.code };
@@ -370,6 +391,7 @@ export class Session {
       code: state.error.code,
       port,
       portKey: port && portKey(port),
+      bytes: state.error.bytes,
     };
     void this.link.refresh();
   }
@@ -425,4 +447,9 @@ export class Session {
       }
     });
   }
+}
+
+/** A timer that answers all else and not SETMEMORY: waiting for it would not help. */
+function isRefusedSelection({ code, details }: TimerError): boolean {
+  return code === 'no-answer' && details.request === 'SETMEMORY' && details.answersOthers === true;
 }
