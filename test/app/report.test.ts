@@ -23,6 +23,8 @@ const facts: ReportFacts = {
   counts: { out: 12, in: 10, damaged: 2, errors: 1 },
   lineErrors: new Map([['framing', 1]]),
   repeats: 3,
+  strays: 2,
+  delay: 903.4,
   entries: [],
 };
 
@@ -41,6 +43,7 @@ describe('a report', () => {
       '# Assumed: bigEndianTimes false',
       '# Line: 12 to the timer, 10 from the timer, 2 damaged, 1 line error, 3 repeats',
       '# Line errors: framing 1',
+      '# Unasked frames: 2; latest reply: after 903 ms',
       '',
       '',
     ]);
@@ -57,8 +60,10 @@ describe('a report', () => {
       quirksAssumed: {},
       lineErrors: new Map(),
       repeats: null,
+      strays: 0,
+      delay: null,
     };
-    expect(reportText(nothing).split('\n').slice(3, 10)).toEqual([
+    expect(reportText(nothing).split('\n').slice(3, 11)).toEqual([
       '# Page: installed',
       '# Port: none',
       '# Timer: not identified, simulated',
@@ -66,6 +71,7 @@ describe('a report', () => {
       '# Assumed: nothing',
       '# Line: 12 to the timer, 10 from the timer, 2 damaged, 1 line error',
       '# Line errors: none',
+      '# Unasked frames: 0; latest reply: in time',
     ]);
   });
 

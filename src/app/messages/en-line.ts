@@ -200,6 +200,8 @@ export const report = {
   found: (quirks: readonly string[]) => `Found: ${quirks.length > 0 ? quirks.join('; ') : 'nothing unusual'}`,
   assumed: (quirks: readonly string[]) => `Assumed: ${quirks.length > 0 ? quirks.join('; ') : 'nothing'}`,
   errors: (errors: readonly string[]) => `Line errors: ${errors.length > 0 ? errors.join(', ') : 'none'}`,
+  unasked: (strays: number, delay: number | null) =>
+    `Unasked frames: ${strays}; latest reply: ${delay === null ? 'in time' : `after ${Math.round(delay)} ms`}`,
   line: (counts: string, repeats: number | null) =>
     `Line: ${counts}${repeats === null ? '' : `, ${count(repeats, 'repeat', 'repeats')}`}`,
 };

@@ -39,6 +39,10 @@ export interface ReportFacts {
   readonly lineErrors: ReadonlyMap<LineErrorKind, number>;
   /** How many requests went out again on this connection; null without one. */
   readonly repeats: number | null;
+  /** How many frames came on this connection that nobody asked for. */
+  readonly strays: number;
+  /** See `TimerClient.delay`. */
+  readonly delay: number | null;
   /** What was last on the line, oldest first. */
   readonly entries: readonly LineRecord[];
 }
@@ -58,6 +62,7 @@ export function reportText(facts: ReportFacts): string {
     report.assumed(pairs(Object.entries(facts.quirksAssumed))),
     report.line(line.counts(counts.out, counts.in, counts.damaged, counts.errors), facts.repeats),
     report.errors(pairs([...facts.lineErrors])),
+    report.unasked(facts.strays, facts.delay),
   ];
   return captureText(facts.entries, notes);
 }
@@ -85,6 +90,8 @@ export function gatherFacts({ log, link, connection: { value: connection } }: Se
     counts: log.counts.value,
     lineErrors: client?.lineErrors ?? new Map(),
     repeats: client?.repeats ?? null,
+    strays: client?.strays ?? 0,
+    delay: client?.delay ?? null,
     entries: log.introduced(kept.slice(-ENTRIES)),
   };
 }
