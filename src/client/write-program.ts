@@ -132,6 +132,13 @@ export async function writeContent(
     if (!moveServos) noteKept(job, asked, read);
   };
 
+  /** Values that did not take beside others that nobody asked for, on a good line: the requests probably went to another timer. */
+  const isElsewhere = (held: TimerProgram): boolean => {
+    const wrong = unasked(held, goal, asked);
+    const isExplained = exchange.damaged || wrong.some(({ field, from }) => isExchanged(requests, field, from));
+    return wrong.length > 0 && !isExplained && asked.some(({ field, to }) => valueAt(held, field) !== to);
+  };
+
   // Whatever the line does to the requests, there is time left to see what came of them.
   const batch = moveServos ? byColumn(requests) : requests;
   let stopped = await attempt(() => budget.keepTimeFor(questions, identity, () => send('write', batch)));
@@ -139,7 +146,7 @@ export async function writeContent(
     stopped = (await attempt(readBack)) ?? stopped;
   }
   const held = known.held;
-  if (held && changedElsewhere(unasked(held, goal, asked), requests)) {
+  if (held && (changedElsewhere(unasked(held, goal, asked), requests) || isElsewhere(held))) {
     stopped = new TimerError('changed', 'more values differ from what was read than this write can have changed');
   }
   const repair = held && stopped?.code !== 'changed' && repairs(job, held, asked, goal, requests, stopped === null);

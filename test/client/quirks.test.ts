@@ -3,8 +3,16 @@ import { describe, expect, it } from 'vitest';
 import { type AssumedQuirks, type QuirkCode, TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import { type CommandName, commandOf, encodeReply, type Identity, type Reply } from '../../src/protocol/index.js';
-import type { TimerQuirks } from '../../src/simulator/index.js';
+import {
+  COMMANDS,
+  type CommandName,
+  commandOf,
+  encodeFrame,
+  encodeReply,
+  type Identity,
+  type Reply,
+} from '../../src/protocol/index.js';
+import type { TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
 import { bench, contentOf, edited, names } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
@@ -128,6 +136,72 @@ describe('a timer that departs from the usual reading', () => {
     await run(client.selectMemory(2));
     expect(timer.core.memory).toBe(2);
     expect(await run(client.setIdleThrottle(44))).toBe(44);
+  });
+});
+
+describe('an answer that makes no sense', () => {
+  /** Lets the timer answer some requests with other data than it would. */
+  function answering({ core }: VirtualTimer, name: CommandName, data: (count: number) => number[] | undefined): void {
+    const answer = core.answer.bind(core);
+    let count = 0;
+    core.answer = (frame, bare) => {
+      const other = frame.code === COMMANDS[name].request ? data(count++) : undefined;
+      const reply = answer(frame, bare);
+      return other ? encodeFrame(COMMANDS[name].reply, other) : reply;
+    };
+  }
+
+  it('an impossible current memory is not known, and the rest is shown and can be written', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', () => [200]);
+    const baseline = await run(client.readProgram());
+    expect(baseline).toEqual({ ...contentOf(timer), memory: null });
+    expect(client.quirksFound.get('memory-impossible')).toEqual({ index: 200 });
+    expect([client.damageSeen, client.repeats]).toEqual([false, 0]);
+    await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
+    const goal = edited(baseline, [[10, 30000]]);
+    expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
+  });
+
+  it.each([
+    ['none', [], false],
+    ['two bytes', [1, 2], true],
+  ])('an idle throttle of %s is not known, and the rest is shown', async (_, data, isDamage) => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    answering(timer, 'GETLOWRPM', () => data);
+    expect(await run(client.readProgram())).toEqual({ ...contentOf(timer), idleThrottle: null });
+    expect(found(client)).toEqual(['idle-throttle-malformed']);
+    expect(client.damageSeen).toBe(isDamage);
+  });
+
+  it('an acknowledgement of SETTIMERS without times is one', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    answering(timer, 'SETTIMERS', () => []);
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report).toMatchObject({ result: 'verified', acknowledged: 1, repeats: 0 });
+    expect(client.damageSeen).toBe(false);
+  });
+
+  it('one reply that says the number of memories does not tell that they count from 1', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', (count) => (count === 0 ? [4] : undefined));
+    expect((await run(client.readProgram())).memory).toBe(0);
+    expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
+  });
+
+  it('memories that were taken to count from 1 do so no longer when 0 is current, and one reply is not enough', async () => {
+    const { client, timer, run } = bench({}, { quirks: { memoriesFromOne: true } });
+    timer.core.memory = 2;
+    answering(timer, 'GETMEMORY', (count) => (count === 0 ? [0] : undefined));
+    expect((await run(client.readProgram())).memory, 'as was assumed').toBe(1);
+    expect(client.quirksAssumed).toEqual({ memoriesFromOne: true });
+    timer.core.memory = 0;
+    await expect(run(client.writeMemories([contentOf(timer)])), 'its number was another one').rejects.toMatchObject({
+      code: 'memory-unknown',
+    });
+    expect(client.quirksAssumed).toEqual({});
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
   });
 });
 

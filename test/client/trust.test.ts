@@ -1,0 +1,272 @@
+import { describe, expect, it } from 'vitest';
+import { type BytePort, TimerClient, type WriteReport } from '../../src/client/index.js';
+import { VirtualClock } from '../../src/line/index.js';
+import type { TimerProgram } from '../../src/program/index.js';
+import { COMMANDS, type Identity } from '../../src/protocol/index.js';
+import { type TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
+import { bench, contentOf, edited, names } from './bench.js';
+import { everyValueChanged } from './matrix.js';
+
+const SMALL = { functions: 2, memories: 2, servos: 1 };
+/** What the pilot changes: DT, and a position. */
+const goalOf = (program: TimerProgram): TimerProgram => edited(program, [[2, 9000]], [[0, 1, 77]]);
+/** GETSWVER, GETMEMORY, GETTIMERS, GETSERVOPOS, GETMEMORY, GETSWVER: then come the two SETs. */
+const FRESH = 6;
+const SETS = 2;
+const VERIFY = 8;
+
+/** An infra-red head that is held over one timer, and from a certain request on over another. */
+class TwoTimers implements BytePort {
+  readonly readable: ReadableStream<Uint8Array>;
+  readonly writable: WritableStream<Uint8Array>;
+  /** The request, counted from 1, that the second one hears first. */
+  swapAt = Number.POSITIVE_INFINITY;
+  requests = 0;
+  at: VirtualTimer;
+
+  constructor(first: VirtualTimer, second: VirtualTimer) {
+    this.at = first;
+    this.readable = new ReadableStream({
+      start: (controller) => {
+        for (const timer of [first, second]) {
+          const hear = (bytes: Uint8Array): void => void (timer === this.at && controller.enqueue(bytes));
+          void timer.readable.pipeTo(new WritableStream({ write: hear }));
+        }
+      },
+    });
+    const writers = new Map([first, second].map((timer) => [timer, timer.writable.getWriter()]));
+    this.writable = new WritableStream({
+      write: (bytes) => {
+        this.requests++;
+        if (this.requests >= this.swapAt) this.at = second;
+        return writers.get(this.at)?.write(bytes);
+      },
+    });
+  }
+}
+
+function setsOf({ core }: VirtualTimer): string[] {
+  return names(core.answered).filter((name) => name.startsWith('SET'));
+}
+
+type Second = 'another class' | 'another content' | 'the same content';
+
+/** Confirms a write on the first timer and holds the head over another one from a request of the write on. */
+async function swapped(second: Second, swapAt: number) {
+  const clock = new VirtualClock();
+  const first = new VirtualTimer({ clock, identity: SMALL });
+  const identity: Partial<Identity> = second === 'another class' ? { ...SMALL, timerClass: 'E' } : SMALL;
+  const other = new VirtualTimer({ clock, identity });
+  if (second === 'another content') Object.assign(other.core.content, everyValueChanged(contentOf(other)));
+  const before = structuredClone(contentOf(other));
+  const port = new TwoTimers(first, other);
+  const client = new TimerClient(port, { clock });
+  const baseline = await clock.run(client.readProgram());
+  const goal = goalOf(baseline);
+  port.requests = 0;
+  port.swapAt = swapAt;
+  const result = await clock.run(client.writeProgram(goal, { baseline }).catch((error: unknown) => error));
+  return { first, other, before, goal, result: result as Partial<WriteReport> & { code?: string } };
+}
+
+describe('another timer under the infra-red head, from any request of a write on', () => {
+  const requests = Array.from({ length: FRESH + SETS + VERIFY }, (_, index) => index + 1);
+
+  it.each<[Second, number, string]>([
+    // Class, firmware and layout are asked for right before the first value.
+    ['another class', FRESH, 'other-timer'],
+    // The content was read by then. What comes between that and the first value cannot be noticed, and nothing identifies a timer.
+    ['another content', 4, 'stale'],
+  ])('%s: up to request %i nothing is written', async (second, last, code) => {
+    for (const swapAt of requests.filter((request) => request <= last)) {
+      const { first, other, before, result } = await swapped(second, swapAt);
+      expect(result.code, `${swapAt}`).toBe(swapAt === 4 && code === 'stale' ? 'stale' : code);
+      expect([setsOf(first), setsOf(other)], `${swapAt}`).toEqual([[], []]);
+      expect(contentOf(other)).toEqual(before);
+    }
+  });
+
+  it.each<Second>(['another class', 'another content', 'the same content'])(
+    '%s: verified only when the one that was read holds the goal; nothing is put back or sent again',
+    async (second) => {
+      for (const swapAt of requests) {
+        const { first, other, goal, result } = await swapped(second, swapAt);
+        const label = `${swapAt}: ${result.result ?? result.code}`;
+        if (result.result === 'verified') {
+          // The content was read for the last time from the one that heard that request. Only between the last look at the first timer
+          // and the first value, a moment in which nothing identifies a timer, does another one pass: it then holds the goal.
+          expect(second, label).not.toBe('another class');
+          const holder = swapAt > FRESH + SETS + 6 ? first : other;
+          expect(contentOf(holder), label).toEqual(goal);
+          if (holder === other) expect(swapAt, label).toBeLessThanOrEqual(FRESH + 1);
+        }
+        // Behind the first value nothing is put back into another timer, and nothing is sent again.
+        if (swapAt > FRESH + 1) expect(setsOf(first).length + setsOf(other).length, label).toBeLessThanOrEqual(SETS);
+        if (swapAt > FRESH + SETS) expect(setsOf(other), label).toEqual([]);
+        // The content has been read twice by then: the last request can only show another class.
+        if (second === 'another class') expect(result.code ?? result.stopped?.code, label).toBe('other-timer');
+        if (swapAt > FRESH + 1 && swapAt <= FRESH + SETS + 6) expect(result.result, label).not.toBe('verified');
+      }
+    },
+  );
+});
+
+describe('another memory, from any answer of the reading back on', () => {
+  it.each(['other', 'same'])(
+    'with %s content is never verified while it can be noticed, and never written',
+    async (content) => {
+      for (let at = 0; at < VERIFY; at++) {
+        const { client, timer, run } = bench({ identity: SMALL });
+        const baseline = await run(client.readProgram());
+        const goal = goalOf(baseline);
+        if (content === 'same') Object.assign(timer.core.memories[1] as object, structuredClone(goal));
+        const before = structuredClone(timer.core.memories[1]);
+        let left = at;
+        timer.core.onAnswer = () => {
+          if (setsOf(timer).length === SETS && left-- === 0) timer.core.memory = 1;
+        };
+        const report = await run(client.writeProgram(goal, { baseline }));
+        // After the answer to the last GETMEMORY nothing asks again.
+        const isSeen = at < VERIFY - 1;
+        expect(report.result, `${at}`).toBe(isSeen ? 'unknown' : 'verified');
+        if (isSeen) expect(report.stopped?.code, `${at}`).toBe('other-memory');
+        expect(timer.core.memories[1], `${at}`).toEqual(before);
+        expect(timer.core.memories[0]?.timers, `${at}`).toEqual(goal.timers);
+      }
+    },
+  );
+});
+
+describe('an acknowledgement that comes twice', () => {
+  it.each<[string, TimerQuirks]>([
+    ['', {}],
+    [' of a timer that answers GETTIMERS with 66', { timersReplyAs66: true }],
+  ])(
+    'at once, or in front of or behind one of the next two replies%s: is never taken for a reading',
+    async (_, quirks) => {
+      for (let hit = 0; hit < FRESH + SETS + VERIFY; hit++) {
+        for (const place of ['at once', 'before 1', 'behind 1', 'before 2', 'behind 2'] as const) {
+          const { client, timer, run } = bench({ identity: SMALL, quirks });
+          const baseline = await run(client.readProgram());
+          const goal = goalOf(baseline);
+          const answer = timer.core.answer.bind(timer.core);
+          let count = 0;
+          let copy = new Uint8Array(0);
+          timer.core.answer = (frame, bare) => {
+            const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
+            const after = count++ - hit;
+            if (after === 0) copy = reply;
+            if (place === 'at once' && after === 0) return Uint8Array.of(...reply, ...copy);
+            if (after <= 0 || !place.endsWith(String(after))) return reply;
+            return place.startsWith('before') ? Uint8Array.of(...copy, ...reply) : Uint8Array.of(...reply, ...copy);
+          };
+          const label = `${hit} ${place}`;
+          const report = await run(client.writeProgram(goal, { baseline }));
+          expect(report.result, label).toBe('verified');
+          expect(contentOf(timer), label).toEqual(goal);
+          expect([...client.quirksFound.keys()], label).toEqual(quirks.timersReplyAs66 ? ['timers-reply-66'] : []);
+        }
+      }
+    },
+  );
+});
+
+describe('a second reply to the first reading', () => {
+  it('does not stand for the second reading of what has changed meanwhile', async () => {
+    const { client, timer, run } = bench({ identity: SMALL });
+    const baseline = await run(client.readProgram());
+    const answer = timer.core.answer.bind(timer.core);
+    let copy = new Uint8Array(0);
+    let asked = 0;
+    timer.core.answer = (frame, bare) => {
+      const isRead = setsOf(timer).length === SETS && frame.code === COMMANDS.GETSERVOPOS.request;
+      if (isRead) asked++;
+      if (isRead && asked === 2) timer.core.content.positions[0]?.splice(0, 1, 1);
+      const reply = answer(frame, bare) as Uint8Array<ArrayBuffer>;
+      if (isRead && asked === 1) copy = reply;
+      return isRead && asked === 2 ? Uint8Array.of(...copy, ...reply) : reply;
+    };
+    const report = await run(client.writeProgram(goalOf(baseline), { baseline }));
+    expect(asked).toBeGreaterThan(2);
+    expect(report.result === 'verified', 'verified only when it holds the goal').toBe(
+      JSON.stringify(contentOf(timer)) === JSON.stringify(goalOf(baseline)),
+    );
+  });
+});
+
+describe('a reply of which two bytes are damaged and the sum is right', () => {
+  /** Lets one reply come with two bytes changed, the sum among them or not. Counted from now on. */
+  function damage(timer: VirtualTimer, hit: number, one: number, two: number, amount: number): () => number {
+    const answer = timer.core.answer.bind(timer.core);
+    let count = 0;
+    timer.core.answer = (frame, bare) => {
+      const bytes = Uint8Array.from(answer(frame, bare) as Uint8Array);
+      if (count++ !== hit) return bytes;
+      const sum = bytes.length - 2;
+      bytes[one] = (bytes[one] as number) + amount;
+      bytes[two] = (bytes[two] as number) + (two === sum ? amount : -amount);
+      return bytes;
+    };
+    return () => count;
+  }
+
+  /** All pairs of bytes between the command, the first of them, and the sum, the last. */
+  function* pairs(length: number): Generator<[number, number]> {
+    for (let one = 6; one < length - 2; one++) for (let two = one + 1; two < length - 1; two++) yield [one, two];
+  }
+
+  async function lengths(work: (client: TimerClient) => Promise<unknown>): Promise<number[]> {
+    const { client, timer, run } = bench({ identity: SMALL });
+    await run(client.readProgram());
+    const answer = timer.core.answer.bind(timer.core);
+    const found: number[] = [];
+    timer.core.answer = (frame, bare) => {
+      const reply = answer(frame, bare);
+      found.push(reply?.length ?? 0);
+      return reply;
+    };
+    await run(work(client));
+    return found;
+  }
+
+  const AMOUNTS = [2, 16];
+
+  it('of a reading: timer, memory and how memories are counted are right, or it is refused', async () => {
+    const all = await lengths((client) => client.readProgram());
+    for (const [hit, length] of all.entries()) {
+      for (const [one, two] of pairs(length)) {
+        for (const amount of AMOUNTS) {
+          const { client, timer, run } = bench({ identity: SMALL });
+          await run(client.identify());
+          damage(timer, hit, one, two, amount);
+          const read = await run(client.readProgram());
+          const label = `${hit}: ${one} ${two} ${amount}`;
+          const { identity, memory } = contentOf(timer);
+          expect([read.identity, read.memory, client.quirksAssumed], label).toEqual([identity, memory, {}]);
+          // The values of a single reading are all that can be wrong: a plain reading believes it on a good line.
+          if (hit !== 1 && hit !== 2) expect(read, label).toEqual(contentOf(timer));
+        }
+      }
+    }
+  });
+
+  it('of a write: it is verified when, and only when, the timer holds the goal', async () => {
+    const baseline = structuredClone(contentOf(bench({ identity: SMALL }).timer));
+    const all = await lengths((client) => client.writeProgram(goalOf(baseline), { baseline }));
+    expect(all).toHaveLength(FRESH + SETS + VERIFY);
+    for (const [hit, length] of all.entries()) {
+      for (const [one, two] of pairs(length)) {
+        for (const amount of AMOUNTS) {
+          const { client, timer, run } = bench({ identity: SMALL });
+          await run(client.readProgram());
+          damage(timer, hit, one, two, amount);
+          const report = await run(client.writeProgram(goalOf(baseline), { baseline }));
+          const label = `${hit}: ${one} ${two} ${amount}`;
+          expect([report.result, client.quirksAssumed], label).toEqual(['verified', {}]);
+          expect(contentOf(timer), label).toEqual(goalOf(baseline));
+          expect(client.quirksFound.size, label).toBe(0);
+        }
+      }
+    }
+  });
+});
