@@ -49,6 +49,8 @@ export function openPage(root: HTMLElement): AppModels | null {
   keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
   document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
   addEventListener('pagehide', () => session.backups.flush());
+  // What another tab has found out, or left behind, since this one was looked at last.
+  document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   onWake(() => session.link.recheck());
   tried(() =>
     registerOffline({
