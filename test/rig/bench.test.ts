@@ -24,58 +24,78 @@ const sent = ({ requests }: Rig, name: CommandName): number =>
   requests.filter((code) => code === COMMANDS[name].request).length;
 
 describe('servos that follow', () => {
-  test('one command at a time, no more than the line carries, the last value at the end; then all is put back', async () => {
-    const { rig, pilot } = await atTheBench();
+  test('the servo that is trimmed moves, no faster than the line carries, where the pilot lets it; then all is put back', async () => {
+    const { rig, pilot } = await atTheBench({ asks: ['MOVETOFUNC'] });
     const { keyboard } = pilot.page;
     const { core } = rig.timer;
     const before = core.content.positions.map((row) => [...row]);
+    const stand = (): [column: number, servos: number[]] => [core.column, core.servos];
     const toggle = pilot.page.getByRole('switch', { name: en.bench.follow });
+    await pilot.button('Function 2').click();
+    await pilot.sees(en.bench.at('function 2'));
+    expect(stand()).toEqual([2, [35, 35, 35]]);
     await toggle.click();
     await pilot.sees(en.bench.tried(0));
     expect(sent(rig, 'SETSERVO'), 'nothing has changed yet').toBe(0);
     const begin = rig.frames.length;
 
-    // A key that is held: 60 positions of one servo.
+    // A key that is held: 60 positions of one servo, where they stand.
     await pilot.field('Function 2, S1').focus();
     await keyboard.down('Alt');
     for (let i = 0; i < 60; i++) await keyboard.down('ArrowUp');
     await keyboard.up('ArrowUp');
     await keyboard.up('Alt');
-    // A column that is typed as fast as it goes.
-    await pilot.field('Start, S2').focus();
-    for (let row = 0; row <= 10; row++) {
-      await keyboard.type(String(100 + row));
-      await keyboard.press('Enter');
-    }
-    await pilot.field('DT, S2').blur();
-    await pilot.sees(en.program.changes(0));
-    await pilot.sees(en.bench.tried(12));
+    await pilot.sees(en.bench.triedAndWaiting(1, 0));
+    await expect.poll(stand).toEqual([2, [95, 35, 35]]);
 
     const frames = rig.frames.slice(begin);
-    const [setting, set] = [COMMANDS.SETSERVO.request, COMMANDS.SETSERVO.reply];
-    const exchanges = Array.from({ length: frames.length / 2 }, () => [
-      ['fromPage', setting],
-      ['toPage', set],
+    const { SETSERVO, MOVETOFUNC } = COMMANDS;
+    const exchanges = Array.from({ length: frames.length / 4 }, () => [
+      ['fromPage', SETSERVO.request],
+      ['toPage', SETSERVO.reply],
+      ['fromPage', MOVETOFUNC.request],
+      ['toPage', MOVETOFUNC.reply],
     ]).flat();
     expect(
       frames.map(({ direction, code }) => [direction, code]),
-      'each request comes behind the reply to the one before',
+      'each position is commanded anew, each request behind the reply to the one before',
     ).toEqual(exchanges);
     const [first, ...others] = frames;
     const bits = BITS * others.reduce((sum, { code, data }) => sum + encodeFrame(code, data).length, 0);
     const time = (others.at(-1)?.at ?? 0) - (first?.at ?? 0);
     expect(bits).toBeLessThanOrEqual((BAUD_RATE * time) / 1000);
-
-    const tried = before.map((row) => [...row]);
-    (tried[0] as number[])[2] = 95;
-    tried[1] = Array.from({ length: 11 }, (_, row) => 100 + row);
-    expect(core.content.positions).toEqual(tried);
-    const stepped = core.answered.flatMap((request) =>
-      request.name === 'SETSERVO' && request.servo === 0 ? [request.position] : [],
-    );
+    const stepped = core.answered.flatMap((request) => (request.name === 'SETSERVO' ? [request.position] : []));
     expect(stepped, 'never back').toEqual([...new Set(stepped)].sort((a, b) => a - b));
     expect(stepped.length).toBeLessThanOrEqual(60);
 
+    // Another function waits for a click.
+    const moves = sent(rig, 'MOVETOFUNC');
+    await pilot.field('Function 5, S2').fill('70');
+    await pilot.field('Function 5, S2').blur();
+    await pilot.sees(en.bench.triedAndWaiting(1, 1));
+    expect([core.content.positions[1]?.[5], sent(rig, 'MOVETOFUNC')]).toEqual([65, moves]);
+    await pilot.button(en.bench.bring('function 5')).click();
+    await pilot.sees(en.bench.triedAndWaiting(2, 0));
+    await expect.poll(stand).toEqual([5, [65, 70, 65]]);
+
+    // Or for the switch.
+    await pilot.page.getByRole('switch', { name: en.bench.going }).click();
+    await pilot.field('DT, S3').fill('12');
+    await pilot.field('DT, S3').blur();
+    await pilot.sees(en.bench.triedAndWaiting(3, 0));
+    await expect.poll(stand).toEqual([10, [115, 115, 12]]);
+
+    const tried = before.map((row) => [...row]);
+    for (const [servo, column, position] of [
+      [0, 2, 95],
+      [1, 5, 70],
+      [2, 10, 12],
+    ] as const) {
+      (tried[servo] as number[])[column] = position;
+    }
+    expect(core.content.positions).toEqual(tried);
+
+    const asked = sent(rig, 'MOVETOFUNC');
     await pilot.button(en.bench.stopFollowing).click();
     await pilot.button(en.bench.putBack).click();
     await pilot.confirm();
@@ -83,6 +103,32 @@ describe('servos that follow', () => {
     expect(await pilot.result()).toContain(en.write.verified.title);
     expect(core.content.positions).toEqual(before);
     expect(await toggle.getAttribute('aria-checked')).toBe('false');
+    expect(sent(rig, 'MOVETOFUNC'), 'a write moves nothing').toBe(asked);
+  });
+
+  test('a movement without an answer ends it, is said, and goes out no second time', async () => {
+    const { rig, pilot } = await atTheBench({ asks: ['MOVETOFUNC'] });
+    await pilot.button('Function 2').click();
+    await pilot.sees(en.bench.at('function 2'));
+    await pilot.page.getByRole('switch', { name: en.bench.follow }).click();
+    await pilot.sees(en.bench.tried(0));
+    const moved = sent(rig, 'MOVETOFUNC');
+    const covered = rig.coverAfter(
+      encodeFrame(COMMANDS.SETSERVO.request, [2, 0, 70]).length + encodeFrame(COMMANDS.MOVETOFUNC.request, [2]).length,
+      'fromPage',
+    );
+    await pilot.field('Function 2, S1').fill('70');
+    await pilot.field('Function 2, S1').blur();
+    await covered;
+    await pilot.sees(en.bench.ended.failed);
+    await pilot.sees(en.bench.moveMaybe('function 2'));
+    rig.uncover();
+    await pilot.isConnected();
+    await pilot.sees(en.bench.moveMaybe('function 2'));
+    expect(sent(rig, 'MOVETOFUNC')).toBe(moved + 1);
+    expect(await pilot.page.getByText(en.bench.here).count()).toBe(0);
+    await expect.poll(() => pilot.field('Function 2, S1').inputValue()).toBe('70');
+    expect(rig.timer.core.content.positions[0]?.[2]).toBe(70);
   });
 });
 

@@ -8,10 +8,12 @@ const followSwitch = (app: AppPage): Locator =>
 const isOn = async (app: AppPage): Promise<boolean> =>
   (await followSwitch(app).getAttribute('aria-checked')) === 'true';
 
-/** Opens the bench, says that it is safe, and lets the servos follow. */
+/** Opens the bench, says that it is safe, moves the servos to function 2 and lets them follow. */
 async function follow(app: AppPage): Promise<void> {
   if (!(await followSwitch(app).isVisible())) await app.page.getByText('Bench', { exact: true }).click();
   await app.page.getByRole('checkbox', { name: 'The propeller is off' }).check();
+  await app.button('Function 2').click();
+  await app.text('Servos at function 2').first().waitFor();
   await followSwitch(app).click();
   await expect.poll(() => isOn(app)).toBe(true);
 }
@@ -29,6 +31,12 @@ async function stepUp(app: AppPage): Promise<void> {
   await app.page.keyboard.press('Alt+ArrowUp');
 }
 
+/** Where the timer has moved its servos, and where each of them stands. */
+const stand = (app: AppPage): Promise<[column: number, servos: number[]]> =>
+  app.bench(({ adapter }) => [adapter.timer.core.column, adapter.timer.core.servos]);
+
+const row = (app: AppPage, name: string): Locator => app.table.getByRole('row', { name: new RegExp(`^${name}`) });
+
 const held = (app: AppPage): Promise<number | undefined> => app.bench(({ content }) => content.positions[0]?.[2]);
 
 /** It is off, and what is changed now goes nowhere. */
@@ -39,17 +47,40 @@ async function isOff(app: AppPage): Promise<void> {
   // A whole reading leaves time for whatever would be sent.
   await app.readAgain();
   expect(await app.sets()).toEqual(sets);
-  await app.text('1 change').waitFor();
+  await app.text(/^1 change$|, 1 waits for Write$/).waitFor();
 }
 
-test('while it is on, each position that changes is stored, and is what the timer holds', async () => {
+test('while it is on, a position that changes is stored where the servos stand, and its servo moves', async () => {
   const app = await following();
+  await row(app, 'Function 2').getByText('servos here').waitFor();
   await stepUp(app);
   await expect.poll(() => held(app)).toBe(36);
-  await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
+  await app.text('1 tried in the timer').waitFor();
+  await expect.poll(() => stand(app)).toEqual([2, [36, 35, 35]]);
   expect(await app.sets()).toEqual(['SETSERVO']);
   await app.button('Stop following').click();
   await isOff(app);
+});
+
+test('another function waits until the servos are sent there, or the pilot lets them go where he edits', async () => {
+  const app = await following();
+  await app.type('Function 5, S2', '70');
+  const offer = app.button('Move the servos to function 5');
+  await offer.waitFor();
+  expect([await stand(app), await app.sets()]).toEqual([[2, [35, 35, 35]], []]);
+  await app.page.keyboard.press('Tab');
+  await offer.press('Enter');
+  await row(app, 'Function 5').getByText('servos here').waitFor();
+  await app.text('1 tried in the timer').waitFor();
+  await expect.poll(() => stand(app)).toEqual([5, [65, 70, 65]]);
+  expect(await app.field('Function 5, S2').evaluate((field) => field === document.activeElement)).toBe(true);
+  await app.page.getByRole('switch', { name: 'Go to the function I edit' }).click();
+  await app.type('Function 7, S3', '12');
+  await app.text('2 tried in the timer').waitFor();
+  await expect.poll(() => stand(app)).toEqual([7, [85, 85, 12]]);
+  await app.type('Function 9 time', '25');
+  await app.text('2 tried in the timer, 1 waits for Write').waitFor();
+  await app.text('Times wait for Write.').waitFor();
 });
 
 test('it goes off when the tab is hidden', async () => {
@@ -59,6 +90,7 @@ test('it goes off when the tab is hidden', async () => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
   });
+  await app.text('Following has stopped: the page was out of sight. The timer was read since.').waitFor();
   await app.isReady();
   await app.page.evaluate(() => {
     Reflect.deleteProperty(document, 'hidden');
