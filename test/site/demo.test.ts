@@ -27,7 +27,8 @@ for (const name of ['F1Q', 'F1B'] as const) {
 
     expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     const sent = await app.sent();
-    const reading = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', ...(name === 'F1Q' ? ['GETLOWRPM'] : [])];
+    const content = ['GETTIMERS', 'GETSERVOPOS', ...(name === 'F1Q' ? ['GETLOWRPM'] : [])];
+    const reading = ['GETSWVER', 'GETMEMORY', ...content, ...content, 'GETMEMORY', 'GETSWVER'];
     expect(sent.slice(sent.lastIndexOf('SETSERVO') + 1), 'read back').toEqual(reading);
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
     await app.readAgain();
