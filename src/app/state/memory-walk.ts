@@ -43,12 +43,13 @@ export class MemoryWalk {
     nextFlight.leave(null);
   }
 
-  /** The memory that was current is so again, by the timer's own word, unless the job ended with the very word that it is not. */
+  /** The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer answers by now. */
   async cameHome(identity: Identity, home: number | null, stopped: unknown): Promise<void> {
     const { recovery, simulated, memoryOpen, nextFlight, editor } = this.#session;
     const wasLeft = this.#home !== null;
     this.#home = null;
-    if (home === null || (stopped instanceof TimerError && stopped.code === 'memory-left')) return;
+    const isOpen = stopped instanceof TimerError && ['memory-left', 'other-timer'].includes(stopped.code);
+    if (home === null || isOpen) return;
     nextFlight.found(home);
     memoryOpen.value = home !== editor.baseline.value?.memory;
     if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.cameHome(identity, simulated.value);
