@@ -1,7 +1,11 @@
+import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
+
+/** Where the built page lies. */
+const SITE = new URL('dist/site/', import.meta.url);
 
 /** All that the built page may do: run its own scripts, styles and pictures. It can reach no address on any network. */
 const contentSecurityPolicy = [
@@ -29,6 +33,12 @@ const securityPolicy: Plugin = {
   ],
 };
 
+/** What the bytes of a built file must be, as a browser checks it. */
+function integrityOf(url: string): string {
+  const bytes = readFileSync(new URL(url, SITE));
+  return `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
+}
+
 const offline = VitePWA({
   // A new version waits until the pilot takes it: src/app/offline.ts.
   registerType: 'prompt',
@@ -52,13 +62,19 @@ const offline = VitePWA({
       { src: 'icon-maskable-512.png', sizes: '512x512', type: 'image/png', purpose: 'maskable' },
     ],
   },
-  workbox: {
+  // The worker is our own, src/app/sw.ts: it must not be able to keep the page from loading.
+  strategies: 'injectManifest',
+  srcDir: '.',
+  filename: 'sw.ts',
+  injectManifest: {
     globPatterns: ['**/*'],
-    // The first visit is offline-proof as it stands, without a reload.
-    clientsClaim: true,
-    // The page has one address, whatever follows its question mark; what else lies below it is not the page.
-    navigateFallback: null,
-    ignoreURLParametersMatching: [/./],
+    // The way out for whoever publishes the page; no part of it.
+    globIgnores: ['kill-sw.js'],
+    manifestTransforms: [
+      async (entries) => ({
+        manifest: entries.map(({ url, size }) => ({ url, size, revision: null, integrity: integrityOf(url) })),
+      }),
+    ],
   },
 });
 

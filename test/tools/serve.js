@@ -3,13 +3,25 @@
 import { fileURLToPath } from 'node:url';
 import { preview } from 'vite';
 
+/** What a host can say beside the page: see the README. */
+const HEADERS = {
+  'Content-Security-Policy': "frame-ancestors 'none'",
+  'Permissions-Policy': 'serial=(self)',
+  'X-Content-Type-Options': 'nosniff',
+  'Cache-Control': 'no-cache',
+};
+
 /**
  * Serves dist/site on this machine.
  * @param {{ port?: number, base?: string }} [options] port: 0 takes a free one; base: the path under which the page lies
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
 export async function serve({ port = 0, base = '/' } = {}) {
-  const server = await preview({ base, logLevel: 'warn', preview: { host: '127.0.0.1', port, strictPort: true } });
+  const server = await preview({
+    base,
+    logLevel: 'warn',
+    preview: { host: '127.0.0.1', port, strictPort: true, headers: HEADERS },
+  });
   const address = /** @type {import('node:net').AddressInfo} */ (server.httpServer.address());
   return { url: `http://127.0.0.1:${address.port}${base}`, close: () => server.close() };
 }

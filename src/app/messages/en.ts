@@ -210,7 +210,11 @@ export const en = {
     keep: 'They are right as shown',
     exchange: 'Exchange and read again',
   },
-  update: { ready: 'A new version is ready.', take: 'Use it now', later: 'It starts when you disconnect.' },
+  update: {
+    ready: 'A new version is ready.',
+    take: 'Use it now',
+    later: { port: 'It starts when you disconnect.', edits: 'It starts when what you typed is kept or written.' },
+  },
   help,
   otherTab: {
     /** @param what empty while that tab has not read a timer. */

@@ -30,7 +30,7 @@ export function NoticeBar() {
       {take && (
         <div class="notice">
           <p>
-            <strong>{words.ready}</strong> {session.link.state.value.status === 'off' ? '' : words.later}
+            <strong>{words.ready}</strong> {update.waitsFor.value && words.later[update.waitsFor.value]}
           </p>
           <button type="button" onClick={take}>
             {words.take}

@@ -1,8 +1,12 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { Draft, Keeper } from '../storage/index.js';
 import type { EditorContent } from './editor.js';
 import { programKey, workKey } from './keys.js';
 import type { TabNumber } from './tab-number.js';
+
+/** In the place of a key, before it is known under which number this tab keeps its work. */
+const EARLY = '';
 
 /**
  * What a pilot works on, with what can be undone, by kind of timer, memory and tab: through a reload or a crash where the browser keeps
@@ -20,6 +24,10 @@ export class Drafts {
   #early: (() => void) | null = null;
   #hasBegun = false;
   #saving: Promise<unknown> = Promise.resolve();
+  /** What this page has and the storage has not, by key. */
+  readonly #unsaved = signal<ReadonlySet<string>>(new Set(), { name: 'unsaved' });
+  /** Whether all that was typed would be there after a reload. */
+  readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
 
   constructor(shelf: Keeper<Draft>, tab: TabNumber) {
     this.#shelf = shelf;
@@ -92,18 +100,48 @@ export class Drafts {
   readonly keep = (content: EditorContent, simulated: boolean): void => {
     if (!this.#hasBegun) {
       this.#early = () => this.keep(content, simulated);
+      this.#note(EARLY, false);
       return;
     }
     this.#early = null;
+    this.#note(EARLY, true);
     const tab = this.#tab.value;
     const key = workKey(content.working, simulated, tab);
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated, tab };
     if (isEdited(draft) || draft.history?.past.length || draft.history?.future.length) {
       this.#open.set(key, draft);
-      // One that has been followed by another before its turn has come is not saved.
-      this.#then(async () => void (this.#open.get(key) === draft && (await this.#save(draft))));
-    } else if (this.#open.delete(key)) this.#then(() => this.#shelf.remove(key));
+      this.#keep(draft);
+    } else if (this.#open.delete(key)) {
+      this.#note(key, true);
+      this.#then(() => this.#shelf.remove(key));
+    }
   };
+
+  /** Tries again to keep what the browser has not kept. */
+  keepAgain(): void {
+    for (const key of this.#unsaved.peek()) {
+      const draft = this.#open.get(key);
+      if (draft) this.#keep(draft);
+    }
+  }
+
+  #keep(draft: Draft): void {
+    this.#note(draft.key, false);
+    this.#then(async () => {
+      // One that has been followed by another before its turn has come is not saved.
+      if (this.#open.get(draft.key) !== draft) return;
+      await this.#save(draft);
+      if (this.#open.get(draft.key) === draft) this.#note(draft.key, true);
+    });
+  }
+
+  #note(key: string, isSaved: boolean): void {
+    if (this.#unsaved.peek().has(key) !== isSaved) return;
+    const unsaved = new Set(this.#unsaved.peek());
+    if (isSaved) unsaved.delete(key);
+    else unsaved.add(key);
+    this.#unsaved.value = unsaved;
+  }
 
   async #load(key: string): Promise<Draft | undefined> {
     const draft = await this.#shelf.load(key);

@@ -143,11 +143,17 @@ export class Session {
     await this.bringBack();
   }
 
+  /** Whether all that was typed would be there after a reload. */
+  get editsKept(): ReadonlySignal<boolean> {
+    return this.#drafts.kept;
+  }
+
   /** Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile. */
   async bringBack(): Promise<void> {
     // What other tabs have under way is told by the number of this one, which comes with the edits.
     const known = this.#bringBackEdits().then(() => this.knowledge.refresh());
     await Promise.all([known, this.backups.load(), this.link.start()]);
+    this.#drafts.keepAgain();
     await this.aside.load();
   }
 

@@ -1,0 +1,37 @@
+import { SiteCache, type SiteFile } from './worker-cache.js';
+
+/** As much of a service worker's world as is used here; the types of a page do not have it. */
+interface WorkerEvent extends Event {
+  waitUntil(work: Promise<unknown>): void;
+}
+interface WorkerScope {
+  readonly registration: { readonly scope: string };
+  readonly clients: { claim(): Promise<void> };
+  skipWaiting(): Promise<void>;
+  /** Put in by the build. */
+  readonly __WB_MANIFEST: readonly SiteFile[];
+  addEventListener(type: 'install' | 'activate', listener: (event: WorkerEvent) => void): void;
+  addEventListener(type: 'message', listener: (event: MessageEvent<{ type?: unknown } | null>) => void): void;
+  addEventListener(
+    type: 'fetch',
+    listener: (
+      event: WorkerEvent & { readonly request: Request; respondWith(response: Promise<Response>): void },
+    ) => void,
+  ): void;
+}
+declare const self: WorkerScope;
+
+const site = new SiteCache(self.__WB_MANIFEST, self.registration.scope);
+
+self.addEventListener('install', (event) => event.waitUntil(site.fill()));
+// The first visit is offline-proof as it stands, without a reload.
+self.addEventListener('activate', (event) => event.waitUntil(site.dropOthers().then(() => self.clients.claim())));
+// A new version waits until the pilot takes it: see offline.ts.
+self.addEventListener('message', ({ data }) => {
+  if (data?.type === 'SKIP_WAITING') void self.skipWaiting();
+});
+self.addEventListener('fetch', (event) => {
+  const { request } = event;
+  const address = site.addressOf(request);
+  if (address) event.respondWith(site.answer(address, request));
+});

@@ -1,0 +1,115 @@
+/** A file of the built page: its address relative to the page, and what its bytes must be (`sha256-...`). */
+export interface SiteFile {
+  readonly url: string;
+  readonly integrity: string;
+}
+
+/** Without these nothing is drawn. */
+const NEEDED = /\.(?:js|css)$/;
+/** So long the browser has to say what it keeps, in milliseconds: then the page comes from the host. */
+const KEPT_WAIT = 3000;
+
+/**
+ * The files of one version of the page, kept for use without a network. Nothing is kept that is not what the build has made: a host that
+ * answers with something else, whatever it calls it, changes nothing.
+ */
+export class SiteCache {
+  readonly #files: ReadonlyMap<string, SiteFile>;
+  readonly #scope: string;
+  readonly #name: string;
+
+  /** @param scope the address of the page, with a slash at its end. */
+  constructor(files: readonly SiteFile[], scope: string) {
+    this.#scope = scope;
+    this.#files = new Map(files.map((file) => [new URL(file.url, scope).href, file]));
+    // Each version has a cache of its own: the one before stays whole until this one has taken its place.
+    this.#name = `sidus-timer ${hash(files.map(({ integrity }) => integrity).join(' '))} ${scope}`;
+  }
+
+  /** The address under which a file of this version is kept; null for what is none of them. The page has one, whatever follows its question mark. */
+  addressOf(request: Pick<Request, 'url' | 'method'>): string | null {
+    if (request.method !== 'GET') return null;
+    const { origin, pathname } = new URL(request.url);
+    const address = `${origin}${pathname}`;
+    const file = address === this.#scope ? `${address}index.html` : address;
+    return this.#files.has(file) ? file : null;
+  }
+
+  /** Fetches all files. @throws when one of them is not what it must be: then this version is not installed. */
+  async fill(): Promise<void> {
+    const cache = await caches.open(this.#name);
+    await Promise.all([...this.#files.keys()].map((address) => this.#fetch(cache, address)));
+  }
+
+  /** Throws away what other versions have kept. */
+  async dropOthers(): Promise<void> {
+    const names = await caches.keys();
+    const others = names.filter((name) => name !== this.#name && name.endsWith(this.#scope));
+    await Promise.all(others.map((name) => caches.delete(name)));
+  }
+
+  /** Answers a request for a file of this version. What is missing is mended, as long as there is a network. */
+  async answer(address: string, request: Request): Promise<Response> {
+    let cache: Cache;
+    let kept: Response | undefined;
+    let whole: boolean;
+    try {
+      cache = await soon(caches.open(this.#name));
+      kept = await soon(cache.match(address));
+      whole = request.mode !== 'navigate' || (await this.#mend(cache));
+    } catch {
+      // What is kept cannot be had: as if there were no worker.
+      return await fetch(request);
+    }
+    if (kept && whole) return kept;
+    try {
+      if (whole) return await this.#fetch(cache, address);
+      // The page is no use without its scripts: when one is gone and cannot be had again, the page of the host is better.
+      const fetched = await fetch(request);
+      return fetched.ok || !kept ? fetched : kept;
+    } catch {
+      return kept ?? (await fetch(request));
+    }
+  }
+
+  /** @returns whether all that the page needs to be drawn is there now. */
+  async #mend(cache: Cache): Promise<boolean> {
+    const kept = new Set((await soon(cache.keys())).map(({ url }) => url));
+    const missing = [...this.#files.keys()].filter((address) => NEEDED.test(address) && !kept.has(address));
+    const mended = await Promise.allSettled(missing.map((address) => this.#fetch(cache, address)));
+    return mended.every(({ status }) => status === 'fulfilled');
+  }
+
+  async #fetch(cache: Cache, address: string): Promise<Response> {
+    const integrity = this.#files.get(address)?.integrity ?? '';
+    const get = (from: RequestCache): Promise<Response> =>
+      fetch(address, { integrity, cache: from, credentials: 'same-origin' });
+    // What lies in between may be stale or damaged: then once more from the host itself.
+    const fetched = await get('no-cache').catch(() => get('reload'));
+    if (!fetched.ok) throw new Error(`${fetched.status} for ${address}`);
+    // A page cannot be opened by an answer that came by a detour.
+    const { headers, status, statusText } = fetched;
+    const response = fetched.redirected ? new Response(fetched.body, { headers, status, statusText }) : fetched;
+    await cache.put(address, response.clone());
+    return response;
+  }
+}
+
+/** A short name for a long text; two versions never share it by chance. */
+function hash(text: string): string {
+  let [a, b] = [0x811c9dc5, 0x9dc5811c];
+  for (let i = 0; i < text.length; i++) {
+    const code = text.charCodeAt(i);
+    a = Math.imul(a ^ code, 0x01000193);
+    b = Math.imul(b ^ code, 0x85ebca6b) ^ a;
+  }
+  return [a, b].map((part) => (part >>> 0).toString(16).padStart(8, '0')).join('');
+}
+
+/** What comes, if it comes in time. */
+function soon<T>(work: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    setTimeout(reject, KEPT_WAIT, new Error('the cache does not answer'));
+    work.then(resolve, reject);
+  });
+}

@@ -1,0 +1,146 @@
+import type { Page } from 'playwright';
+import { describe, expect, test } from 'vitest';
+import { type Answer, openHost, publish } from './host.js';
+import { newPage } from './page.js';
+
+/** The page has been visited once, and needs no network. */
+async function visited(): Promise<{ host: Awaited<ReturnType<typeof openHost>>; page: Page; script: string }> {
+  const host = await openHost();
+  // What a browser reports of a lie is no error of the page.
+  const page = await newPage({}, []);
+  await page.goto(host.url);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const script = [...host.files.keys()].find((name) => /^assets\/.*\.js$/.test(name)) ?? '';
+  return { host, page, script };
+}
+
+/** Looks for a new version, and how its worker ends: null when there is none. */
+function update(page: Page): Promise<string | null> {
+  return page.evaluate(async () => {
+    const registration = await navigator.serviceWorker.getRegistration();
+    await registration?.update().catch(() => {});
+    const worker = registration?.installing ?? registration?.waiting;
+    if (!worker) return null;
+    while (worker.state === 'installing' || worker.state === 'parsed') {
+      await new Promise((resolve) => worker.addEventListener('statechange', resolve, { once: true }));
+    }
+    return worker.state;
+  });
+}
+
+async function isDrawn(page: Page): Promise<void> {
+  await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).waitFor();
+}
+
+const lies: [string, (body: Uint8Array) => Answer][] = [
+  ['its own page for a script', () => ({ type: 'text/html', body: '<!doctype html><title>Welcome</title>' })],
+  ['its own page as a script', () => ({ body: '<!doctype html><title>Welcome</title>' })],
+  ['half of a script', (body) => ({ body: body.subarray(0, body.length / 2) })],
+  ['that there is none', () => ({ status: 404, body: 'gone' })],
+  ['that it is broken', () => ({ status: 503, type: 'text/html', body: 'later' })],
+];
+describe('a host that answers a new version with', () => {
+  test.for(lies)('%s changes nothing', async ([, lie]) => {
+    const { host, page, script } = await visited();
+    publish(host, 'A new version');
+    host.lie = (address) => (address === script ? lie(host.files.get(script) as Uint8Array) : undefined);
+    expect(await update(page)).toBe('redundant');
+    await page.reload();
+    await isDrawn(page);
+    expect(await page.title()).toBe('Sidus Timer');
+    await page.context().setOffline(true);
+    await page.reload();
+    await isDrawn(page);
+    await page.context().setOffline(false);
+
+    host.lie = () => undefined;
+    expect(await update(page), 'and when it tells the truth again').toBe('installed');
+    await page.getByRole('button', { name: 'Use it now' }).click();
+    await expect.poll(() => page.title()).toBe('A new version');
+    await isDrawn(page);
+  });
+});
+
+/** Takes some of what is kept away, as a browser may that has no room. */
+function lose(page: Page, ending: string): Promise<number> {
+  return page.evaluate(async (end) => {
+    let lost = 0;
+    for (const name of await caches.keys()) {
+      const cache = await caches.open(name);
+      for (const request of await cache.keys())
+        if (request.url.endsWith(end)) lost += Number(await cache.delete(request));
+    }
+    return lost;
+  }, ending);
+}
+
+describe('what was kept and is gone', () => {
+  test.for(['.js', '.css', 'index.html'])('is fetched again: %s', async (ending) => {
+    const { page } = await visited();
+    expect(await lose(page, ending)).toBe(1);
+    await page.reload();
+    await isDrawn(page);
+    await page.context().setOffline(true);
+    await page.reload();
+    await isDrawn(page);
+  });
+
+  test('and is no longer at the host either gives way to what is there', async () => {
+    const { host, page, script } = await visited();
+    const body = host.files.get(script) as Uint8Array;
+    host.files.delete(script);
+    host.files.set('assets/next.js', body);
+    host.files.set('index.html', String(host.files.get('index.html')).replace(script, 'assets/next.js'));
+    expect(await lose(page, '.js')).toBe(1);
+    await page.reload();
+    await isDrawn(page);
+  });
+
+  test('is everything: the page comes from the host', async () => {
+    const { page } = await visited();
+    await page.evaluate(async () => {
+      for (const name of await caches.keys()) await caches.delete(name);
+    });
+    await page.reload();
+    await isDrawn(page);
+  });
+});
+
+test('the way out throws the kept page and its worker away, and the page comes from the host', async () => {
+  const { host, page } = await visited();
+  host.files.set('sw.js', host.files.get('kill-sw.js') as Uint8Array);
+  host.files.set(
+    'index.html',
+    String(host.files.get('index.html')).replace('<title>Sidus Timer', '<title>From the host'),
+  );
+  await page.evaluate(async () => void (await (await navigator.serviceWorker.getRegistration())?.update()));
+  await expect.poll(() => page.title()).toBe('From the host');
+  await isDrawn(page);
+  expect(await page.evaluate(() => caches.keys())).toEqual([]);
+  // Also while the host goes on serving it: no page is held by it.
+  await page.reload();
+  await isDrawn(page);
+  expect(await page.evaluate(() => navigator.serviceWorker.controller)).toBeNull();
+});
+
+test('a new version waits in another tab until what was typed there is kept', async () => {
+  const { host, page } = await visited();
+  const other = await page.context().newPage();
+  await other.addInitScript(() => {
+    // A storage that never answers.
+    indexedDB.open = () => new EventTarget() as IDBOpenDBRequest;
+  });
+  await other.goto(host.url);
+  await other.getByRole('button', { name: 'Try a simulated F1Q timer' }).click();
+  const field = other.getByRole('textbox', { name: 'DT time' });
+  await field.waitFor({ timeout: 60_000 });
+  await field.fill('4:00');
+  await field.blur();
+  await other.getByRole('button', { name: 'Disconnect' }).click();
+  publish(host, 'A new version');
+  expect(await update(page)).toBe('installed');
+  await page.getByRole('button', { name: 'Use it now' }).click();
+  await expect.poll(() => page.title()).toBe('A new version');
+  await other.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  expect([await other.title(), await field.inputValue()]).toEqual(['Sidus Timer', '4:00']);
+});
