@@ -1,0 +1,72 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+const HOLDS = 'holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+
+/** The band says so, and nothing on the page says what is not known. */
+async function isUncertain(app: AppPage, when: string): Promise<void> {
+  await app.page.getByRole('region', { name: 'Not certain' }).getByText(HOLDS).waitFor();
+  for (const lie of [/^No changes/, /^was 3:00/, /They have not been written/, /^As in the timer/, /^Timer holds$/]) {
+    expect(await app.text(lie).count(), `${when}: ${lie}`).toBe(0);
+  }
+}
+
+test('a cable pulled before the answer to a write leaves not known what the timer holds, until it is read', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await app.type('DT time', '6:00');
+  await app.bench((bench) => bench.unplugAt('SETTIMERS'));
+  await app.write();
+  await app.result('It is not certain what the timer holds.');
+  expect(await app.bench(({ content }) => content.timers[10]), 'it does hold it').toBe(36_000);
+
+  await app.close();
+  await isUncertain(app, 'after Close');
+  await app.table.getByText('last read 3:00').waitFor();
+  await app.button('Undo all').click();
+  await isUncertain(app, 'after Undo all');
+  await app.button('Stop').click();
+  await app.button('Connect').first().waitFor();
+  await isUncertain(app, 'after Stop');
+  await app.kept();
+  await app.reload();
+  await isUncertain(app, 'after a reload');
+
+  // The browser has crashed: what the page would have said in leaving was never said.
+  const survivor = await app.sibling();
+  await app.page.close({ runBeforeUnload: false });
+  await isUncertain(survivor, 'after a crash');
+  await survivor.bench(({ content }) => {
+    content.timers[10] = 36_000;
+  });
+  await survivor.button('Connect and read').click();
+  await survivor.isReady();
+  expect(await survivor.page.getByRole('region', { name: 'Not certain' }).count()).toBe(0);
+  expect(await survivor.valueOf('DT time')).toBe('6:00');
+  await survivor.text(/^As in the timer, read \d\d:\d\d$/).waitFor();
+
+  await survivor.type('DT time', '4:00');
+  await survivor.bench((bench) => bench.unplugAt('SETTIMERS'));
+  await survivor.write();
+  await survivor.result('It is not certain what the timer holds.');
+  await survivor.close();
+  await survivor.bench((bench) => bench.replug());
+  await survivor.isReady();
+  expect(await survivor.page.getByRole('region', { name: 'Not certain' }).count(), 'it was read by itself').toBe(0);
+});
+
+test('a write stopped on the way says so after Disconnect, too', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await app.type('DT time', '6:00');
+  await app.bench((bench) => bench.sleepAt('SETTIMERS'));
+  await app.write();
+  await app.result('It is not certain what the timer holds.');
+  await app.close();
+  await app
+    .button(/^(Stop|Disconnect)$/)
+    .first()
+    .click();
+  await app.button('Connect').first().waitFor();
+  await isUncertain(app, 'after Disconnect');
+});
