@@ -50,6 +50,7 @@ describe('after a write whose answer never came', () => {
 
   it('the dialog and the page say what is not known, and nothing is said that is not so', async () => {
     expect(screen.getByRole('dialog').textContent).toContain('It is not certain what the timer holds.');
+    expect(screen.getByRole('dialog').textContent, 'over the dialog, too').toContain(SENTENCE);
     await press('Close');
     expect(band()).toContain(ELSEWHERE);
     expect(screen.queryByText('was 3:00')).toBeNull();

@@ -26,10 +26,15 @@ export function UncertainBand() {
   );
 }
 
-/** The same over a dialog, which covers the page: of the timer at hand alone. */
+/** The same over a dialog, which covers the page: of the timer at hand alone, or of the one on the screen where none is connected. */
 export function UncertainNote() {
   const { session } = useModels();
-  const here = session.knowledge.uncertain.value.filter((one) => isHere(session, one));
+  const shown = session.editor.identity.value;
+  const isShown = (one: Uncertain): boolean =>
+    !session.connection.value &&
+    shown !== null &&
+    kindKey(shown, session.simulated.value) === kindKey(one.identity, one.simulated);
+  const here = session.knowledge.uncertain.value.filter((one) => isHere(session, one) || isShown(one));
   if (here.length === 0) return null;
   return (
     <div class="uncertain">
