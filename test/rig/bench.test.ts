@@ -25,7 +25,9 @@ const sent = ({ requests }: Rig, name: CommandName): number =>
 
 describe('servos that follow', () => {
   test('the servo that is trimmed moves, no faster than the line carries, where the pilot lets it; then all is put back', async () => {
-    const { rig, pilot } = await atTheBench({ asks: ['MOVETOFUNC'] });
+    // Storing alone moves nothing here: what moves was told to.
+    const timer = { identity: { timerClass: 'Q' }, baudRate: BAUD_RATE, quirks: { setMoves: 'never' } } as const;
+    const { rig, pilot } = await atTheBench({ asks: ['MOVETOFUNC'], timer });
     const { keyboard } = pilot.page;
     const { core } = rig.timer;
     const before = core.content.positions.map((row) => [...row]);
@@ -47,9 +49,10 @@ describe('servos that follow', () => {
     await keyboard.up('Alt');
     await pilot.sees(en.bench.triedAndWaiting(1, 0));
     await expect.poll(stand).toEqual([2, [95, 35, 35]]);
+    const { SETSERVO, MOVETOFUNC } = COMMANDS;
+    await expect.poll(() => rig.frames.at(-1)?.code).toBe(MOVETOFUNC.reply);
 
     const frames = rig.frames.slice(begin);
-    const { SETSERVO, MOVETOFUNC } = COMMANDS;
     const exchanges = Array.from({ length: frames.length / 4 }, () => [
       ['fromPage', SETSERVO.request],
       ['toPage', SETSERVO.reply],
