@@ -80,6 +80,11 @@ export class AppPage {
     return this.page.getByRole('table', { name: 'Time and servo positions of each function' });
   }
 
+  /** The bar with what can be done with the program; what is said above the program has buttons of its own. */
+  get actions(): Locator {
+    return this.page.locator('.actions');
+  }
+
   get firmware(): Locator {
     return this.page.getByRole('banner').getByText('firmware 536');
   }
@@ -101,11 +106,13 @@ export class AppPage {
   }
 
   async isReady(): Promise<void> {
-    await this.page.locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
+    await this.actions
+      .locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ })
+      .waitFor();
   }
 
   async readAgain(): Promise<void> {
-    await this.button('Read again').click();
+    await this.actions.getByRole('button', { name: 'Read again' }).click();
     await this.isReady();
   }
 

@@ -128,7 +128,7 @@ describe('the plug is pulled', () => {
     test(`while it reads, at ${request}: the page says so, and reads by itself after plugging in`, async () => {
       const app = await edited();
       await app.page.evaluate((name) => window.workbench.unplugAt(name), request);
-      await app.button('Read again').click();
+      await app.actions.getByRole('button', { name: 'Read again' }).click();
       await app.says('The adapter is unplugged.');
       expect(await app.valueOf('DT time')).toBe('4:00');
       await app.bench((bench) => bench.replug());
