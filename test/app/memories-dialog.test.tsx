@@ -25,7 +25,7 @@ describe('copying a memory', () => {
   it('shows the difference like a write, DT and motor stop first, and ends with figures', async () => {
     const { timer } = await reviewed();
     const difference = within(dialog('Copy a memory').getByRole('region', { name: 'M3' }));
-    expect(difference.getByText('M3: DT: 6:00 min → 3:00 min · Motor stop 10.0 s, stays')).toBeTruthy();
+    expect(difference.getByText('M3: DT: 6:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
     const rows = difference.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
@@ -33,7 +33,7 @@ describe('copying a memory', () => {
     ]);
     await write();
     const time = clockText(Date.now());
-    expect(lines()).toBe(`M3 verified ${time} · DT 3:00 min · Motor stop 10.0 s · 1 change`);
+    expect(lines()).toBe(`M3 verified ${time} · DT 3:00 min · motor stop 10.0 s · 1 change`);
     expect(dialog('Copy a memory').getByRole('status').textContent).toBe('M1 flies next.');
     expect(timer.core.memories[2]?.timers[10]).toBe(18_000);
   });
@@ -54,7 +54,7 @@ describe('copying a memory', () => {
     expect(lines()).toContain('The timer holds something else than was shown.');
     expect(lines()).toContain('Nothing was written into M3.');
     await press('Show the difference again…');
-    expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · Motor stop 10.0 s, stays')).toBeTruthy();
+    expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
   });
 
   it('that was cut off says what is not known, and which memory flies next as far as that is known', async () => {

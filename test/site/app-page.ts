@@ -106,9 +106,7 @@ export class AppPage {
   }
 
   async isReady(): Promise<void> {
-    await this.actions
-      .locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ })
-      .waitFor();
+    await this.actions.locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
   }
 
   async readAgain(): Promise<void> {

@@ -98,7 +98,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   await copy.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await copy.getByRole('button', { name: 'Copy' }).click();
   await copy
-    .getByText(/^M3 verified \d\d:\d\d · DT 3:00 min · motor stop 10\.0 s · 1 change$/)
+    .getByText(/^M3 verified \d\d:\d\d · DT 3:00 min · motor stop 10\.0 s · 2 changes$/)
     .waitFor({ timeout: LONG });
   await copy.getByText('M1 flies next.').waitFor();
   await app.button('Close').click();

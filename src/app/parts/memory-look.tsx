@@ -4,7 +4,7 @@ import { useModels } from '../models.js';
 import { type Known, openValues } from '../state/knowledge.js';
 import { Timeline } from '../timeline/timeline.js';
 import { formatTime } from '../units.js';
-import { decisive } from './decisive.js';
+import { keyFigures } from './key-figures.js';
 import { ValueTable } from './value-table.js';
 
 /** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
@@ -47,7 +47,7 @@ export function MemoryLook({ memory }: { readonly memory: number }) {
       {known.state === 'read' && (
         <>
           <p class="held-figures">
-            {decisive(known.program).map(({ label, text }) => (
+            {keyFigures(known.program).map(({ label, text }) => (
               <span key={label}>
                 {label} <strong>{text}</strong>
               </span>

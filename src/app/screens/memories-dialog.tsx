@@ -1,6 +1,6 @@
 import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { decisive } from '../parts/decisive.js';
+import { keyFigures } from '../parts/key-figures.js';
 import { Modal } from '../parts/modal.js';
 import { MoveServosCheck } from '../parts/move-servos-check.js';
 import { nextFlightText } from '../parts/next-flight-line.js';
@@ -74,9 +74,9 @@ function Review({ current: { plan, changes } }: { current: StepOf<'review'> }) {
 function Difference({ change: { memory, before, goal, changes }, folded }: { change: MemoryChange; folded: boolean }) {
   const { memories: words, write, memoryName, edits } = messages.value;
   const { identity } = before;
-  const held = decisive(before);
+  const held = keyFigures(before);
   const name = memoryName(memory);
-  const figures = decisive(goal).map(({ label, text }, index) => {
+  const figures = keyFigures(goal).map(({ label, text }, index) => {
     const was = held[index]?.text ?? text;
     return was === text ? words.stays(label, text) : edits.change(label, was, text);
   });
@@ -213,7 +213,7 @@ function endText({ memory, state, known, change }: MemoryEnd): string {
   const { memories: words, memoryName } = messages.value;
   const name = memoryName(memory);
   if (state === 'verified' && known.state === 'read') {
-    const figures = decisive(known.program).map(({ label, text }) => words.figure(label, text));
+    const figures = keyFigures(known.program).map(({ label, text }) => words.figure(label, text));
     return words.verified(name, clockText(known.at), [...figures, words.changes(change?.changes.length ?? 0)]);
   }
   if (state !== 'unknown' || known.state !== 'uncertain') return words.ends[state](name);
