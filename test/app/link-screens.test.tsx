@@ -162,8 +162,8 @@ describe('the write dialog', () => {
         .slice(1)
         .map(({ textContent }) => textContent),
     ).toEqual(['Was read', 'Timer holds now', 'Will hold']);
-    expect(rows(conflicts)).toEqual([['DT time', '3:00', '3:05', '4:00']]);
-    expect(rows(difference)).toEqual([['DT time', '3:05', '4:00']]);
+    expect(rows(conflicts)).toEqual([['DT time', '3:00 min', '3:05 min', '4:00 min']]);
+    expect(rows(difference)).toEqual([['DT time', '3:05 min', '4:00 min']]);
   });
 
   it('that is stopped before the first value went out says so calmly', async () => {

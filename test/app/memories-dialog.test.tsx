@@ -29,7 +29,7 @@ describe('copying a memory', () => {
     const rows = difference.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
-      ['DT time', '6:00', '3:00'],
+      ['DT time', '6:00 min', '3:00 min'],
     ]);
     await write();
     const time = clockText(Date.now());

@@ -47,7 +47,7 @@ describe('the memories', () => {
     expect(screen.getByRole('heading', { name: `M3, read ${clockText(Date.now())}` })).toBeTruthy();
     const held = within(screen.getByRole('table', { name: 'What was read of M3' }));
     const row = held.getByRole('rowheader', { name: 'DT' }).parentElement;
-    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00');
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
     expect(held.queryAllByRole('textbox')).toEqual([]);
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
     expect([app.session.notice.value, app.session.nextFlight.word.value]).toEqual([null, null]);
@@ -136,7 +136,11 @@ describe('the memories', () => {
     await lookAt('M3');
     expect(screen.getByRole('heading', { name: 'It is not known what M3 holds' })).toBeTruthy();
     const row = screen.getByRole('rowheader', { name: 'DT time' }).parentElement;
-    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)).toEqual(['DT time', '3:00', '6:00']);
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)).toEqual([
+      'DT time',
+      '3:00 min',
+      '6:00 min',
+    ]);
   });
 });
 

@@ -276,7 +276,7 @@ describe('writing', () => {
     const rows = dialog.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
     expect(rows).toEqual([
       ['Value', 'Timer holds', 'Will hold'],
-      ['DT time', '3:00', '4:00'],
+      ['DT time', '3:00 min', '4:00 min'],
       ['Function 2, S1', '35', '7'],
     ]);
     expect(button('Write 2 changes').disabled).toBe(true);

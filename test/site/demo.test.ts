@@ -16,7 +16,11 @@ for (const name of ['F1Q', 'F1B'] as const) {
     await app.text('3 changes').waitFor();
 
     await app.review();
-    expect(await app.difference()).toEqual(['DT time | 3:00 | 5:00', 'Function 2, S1 | 35 | 0', 'DT, S3 | 115 | 130']);
+    expect(await app.difference()).toEqual([
+      'DT time | 3:00 min | 5:00 min',
+      'Function 2, S1 | 35 | 0',
+      'DT, S3 | 115 | 130',
+    ]);
     const start = app.dialog.getByRole('button', { name: 'Write 3 changes' });
     expect(await start.isDisabled(), 'not before the tick').toBe(true);
     expect(await app.sets(), 'nothing yet').toEqual([]);

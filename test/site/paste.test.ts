@@ -1,4 +1,5 @@
 import { describe, expect, test } from 'vitest';
+import { parseTime } from '../../src/app/units.js';
 import { AppPage } from './app-page.js';
 
 /** What other programs put on the clipboard, and people too; and how many changes it makes at function 1, and at function 8 of S2. */
@@ -49,12 +50,29 @@ async function paste(app: AppPage, field: string, text: string): Promise<void> {
   await app.page.keyboard.press('Control+v');
 }
 
-/** How the dialog names a change. */
-const changed = (before: Readonly<Record<string, string>>, after: Readonly<Record<string, string>>): string[] =>
-  Object.keys(before)
-    // Intervals follow from the times.
-    .filter((name) => !name.endsWith('interval') && before[name] !== after[name])
-    .map((name) => `${name}: ${before[name]} → ${after[name]}`);
+type Changed = Readonly<Record<string, readonly unknown[]>>;
+
+/** What two texts of a field are, however they are written: the dialog gives units to times. */
+const values = (name: string, texts: readonly string[]): unknown[] =>
+  texts.map((text) => (name.endsWith(' time') ? parseTime(text) : text));
+
+const changed = (before: Readonly<Record<string, string>>, after: Readonly<Record<string, string>>): Changed =>
+  Object.fromEntries(
+    Object.entries(before).flatMap(([name, from]) => {
+      const to = after[name] ?? '';
+      // Intervals follow from the times.
+      return name.endsWith('interval') || from === to ? [] : [[name, values(name, [from, to])]];
+    }),
+  );
+
+/** The same from the lines of the dialog. */
+const read = (lines: readonly string[]): Changed =>
+  Object.fromEntries(
+    lines.map((line) => {
+      const [name = '', change = ''] = line.split(': ');
+      return [name, values(name, change.split(' → '))];
+    }),
+  );
 
 /** Pastes twice at a field, refusing at first. @returns how many changes were promised, and done. */
 async function tried(app: AppPage, field: string, text: string): Promise<number> {
@@ -75,7 +93,7 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   else await take.click();
   await gone();
   const after = await app.entries();
-  expect(changed(before, after).sort()).toEqual(promised.sort());
+  expect(changed(before, after)).toEqual(read(promised));
   if (promised.length === 0) return 0;
   await app.undo.click();
   expect(await app.entries()).toEqual(before);

@@ -41,7 +41,7 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
   expect(hundredths % 10, `steps of 0.1 s: ${value}`).toBe(0);
   await stands(mark, hundredths / 100);
   expect(await cell(app).getAttribute('aria-describedby'), 'the old value is said with it').not.toBeNull();
-  await app.table.getByText('was 11.50').waitFor();
+  await app.table.getByText('was 11.50 s').waitFor();
   await app.text('1 change').waitFor();
   await app.button(`Undo moving ${FIELD}`).click();
   expect(await cell(app).inputValue()).toBe('11.50');

@@ -206,9 +206,10 @@ function reasonText(
   return findings[code as keyof typeof findings](shown);
 }
 
-/** A difference in words: “DT time: 3:00 → 6:00”. */
+/** A difference in words: “DT time: 3:00 min → 6:00 min”. */
 export function changeText(identity: Identity, { field, from, to }: Change): string {
   const { edits, write } = messages.value;
-  const shown = (value: number | null): string => (value === null ? write.status.unknown : formatValue(field, value));
+  const shown = (value: number | null): string =>
+    value === null ? write.status.unknown : figureText(identity, field, value);
   return edits.change(fieldLabel(identity, field), shown(from), shown(to));
 }

@@ -1,7 +1,6 @@
 import { type Finding, fieldKey } from '../../program/index.js';
-import { formatValue } from '../edit/content.js';
 import { fixFor } from '../edit/fixes.js';
-import { fieldLabel, messages } from '../messages/index.js';
+import { fieldLabel, figureText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { allNotes } from './field-notes.js';
 import { useSteady } from './use-steady.js';
@@ -42,7 +41,7 @@ function FixButton({ finding }: { readonly finding: Finding }) {
   const identity = editor.identity.value;
   if (!fix || !identity) return null;
   const { field, value } = fix;
-  const shown = formatValue(field, value);
+  const shown = figureText(identity, field, value);
   const step = { code: 'fix', params: { field: fieldKey(field) } } as const;
   return (
     <button

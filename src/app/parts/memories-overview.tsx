@@ -1,10 +1,9 @@
 import { useSignal } from '@preact/signals';
-import { differences, type TimerProgram } from '../../program/index.js';
-import { clockText, messages } from '../messages/index.js';
+import { differences, type ProgramField, type TimerProgram } from '../../program/index.js';
+import { clockText, figureText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { type Known, possibleValues } from '../state/knowledge.js';
 import { Timeline } from '../timeline/timeline.js';
-import { formatTime } from '../units.js';
 import { ValueTable } from './value-table.js';
 
 /** All memories of the timer as small pictures, once they were read: to pick one, to copy it, to compare two. */
@@ -56,10 +55,10 @@ interface MemoryProps extends Content {
 
 function Memory({ memory, known, isCurrent, ready }: MemoryProps) {
   const { memories } = useModels();
-  const { overview: words, nextFlight, look, memoryName, seconds } = messages.value;
+  const { overview: words, nextFlight, look, memoryName } = messages.value;
   const program = lastRead(known);
-  const column = program.identity.functions;
-  const dts = possibleValues(known, { kind: 'time', column }).map((value) => seconds(formatTime(value)));
+  const dt: ProgramField = { kind: 'time', column: program.identity.functions };
+  const dts = possibleValues(known, dt).map((value) => figureText(program.identity, dt, value));
   return (
     <li class={`overview-memory ${isCurrent ? 'current' : ''}`}>
       <h2>

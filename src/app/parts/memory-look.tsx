@@ -1,9 +1,8 @@
 import type { TimerProgram } from '../../program/index.js';
-import { clockText, columnLabel, messages } from '../messages/index.js';
+import { clockText, columnLabel, figureText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { type Known, openValues } from '../state/knowledge.js';
 import { Timeline } from '../timeline/timeline.js';
-import { formatTime } from '../units.js';
 import { keyFigures } from './key-figures.js';
 import { ValueTable } from './value-table.js';
 
@@ -109,7 +108,7 @@ function HeldTable({ program, caption }: { readonly program: TimerProgram; reado
           return (
             <tr key={label}>
               <th scope="row">{label}</th>
-              <td>{formatTime(time)}</td>
+              <td>{figureText(identity, { kind: 'time', column }, time)}</td>
               {positions.map((row, servo) => (
                 <td key={servoName(servo)}>{row[column]}</td>
               ))}

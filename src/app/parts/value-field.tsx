@@ -1,8 +1,9 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
 import { formatValue } from '../edit/content.js';
-import { figureOf, messages, spokenTime } from '../messages/index.js';
+import { figureOf, messages, spokenTime, valueText } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { stepField } from '../state/attempt.js';
 import { notesFor } from './field-notes.js';
@@ -34,7 +35,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   const focused = useSignal(false);
   const key = fieldKey(field);
   const isLarge = place === 'large';
-  const { text, unit, spoken, change, unreadable, either, notes } = useSteady(() => {
+  const { text, unit, spoken, change, was, unreadable, either, notes } = useSteady(() => {
     const working = editor.working.value;
     const value = working && valueAt(working, field);
     const change = editor.changed.value.get(key) ?? null;
@@ -48,6 +49,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
       unit: isLarge || figure?.unit === 'min' ? (figure?.unit ?? null) : null,
       spoken: isSaid && change && value !== null && !editor.unreadable.value.has(key) ? spokenTime(value) : null,
       change,
+      was: working && change && change.from !== null ? wasText(working.identity, field, change.from, isLarge) : null,
       unreadable: editor.unreadable.value.has(key),
       either: editor.asked.value.get(key) ?? null,
       notes: notesFor(editor, field),
@@ -58,7 +60,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   const described = [
     unit && id('unit'),
     spoken && id('spoken'),
-    change && id('was'),
+    was !== null && id('was'),
     notes.length > 0 && id('notes'),
   ].filter(Boolean);
   const revert = (): void => editor.revert(field);
@@ -123,16 +125,16 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
           }}
         />
       )}
-      {(spoken || (change && change.from !== null)) && (
+      {(spoken || was !== null) && (
         <span class="below">
           {spoken && (
             <span class="spoken" id={id('spoken')}>
               {spoken}
             </span>
           )}
-          {change && change.from !== null && (
+          {was !== null && (
             <span class="was" id={id('was')}>
-              <WasText value={formatValue(field, change.from)} />
+              <WasText value={was} />
             </span>
           )}
         </span>
@@ -147,4 +149,11 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
       )}
     </span>
   );
+}
+
+/** An old value in the form of the new one above it, with its unit. */
+function wasText(identity: Identity, field: ProgramField, value: number, isLarge: boolean): string {
+  if (isLarge) return valueText(identity, field, value);
+  const text = formatValue(field, value);
+  return field.kind === 'time' ? messages.value.seconds(text) : text;
 }

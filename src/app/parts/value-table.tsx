@@ -1,8 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { formatValue } from '../edit/content.js';
-import { changeText, fieldLabel, messages } from '../messages/index.js';
+import { changeText, fieldLabel, figureText, messages } from '../messages/index.js';
 
 interface ValueTableProps {
   readonly identity: Identity;
@@ -39,7 +38,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
           <tr key={fieldKey(field)}>
             <th scope="row">{fieldLabel(identity, field)}</th>
             {values.map((value, index) => {
-              const text = value === null ? write.status.unknown : formatValue(field, value);
+              const text = value === null ? write.status.unknown : figureText(identity, field, value);
               return (
                 <td key={names[index]}>
                   {lastCounts && index === last ? <strong>{text}</strong> : text}
