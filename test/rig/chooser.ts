@@ -7,6 +7,12 @@ import { beside } from './box.js';
 /** The port of Chromium's UI DevTools; each box has a network of its own, so it is always free. */
 export const UI_DEVTOOLS_PORT = 9223;
 
+/** In pixels, from the upper left corner of the screen. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
 /** A screen that nobody looks at, since Chromium's chooser opens on a screen only. */
 export class Screen {
   readonly display: string;
@@ -28,7 +34,22 @@ export class Screen {
   }
 
   press(key: string): void {
-    execFileSync('xdotool', ['key', key], { env: { ...env, DISPLAY: this.display } });
+    this.#act('key', key);
+  }
+
+  /** Drags with the first button of the mouse, from place to place in so many steps. */
+  drag(from: Place, to: Place, steps: number): void {
+    const at = (step: number): string[] =>
+      [from.x + ((to.x - from.x) * step) / steps, from.y + ((to.y - from.y) * step) / steps].map((each) =>
+        String(Math.round(each)),
+      );
+    this.#act('mousemove', ...at(0), 'mousedown', '1');
+    for (let step = 1; step <= steps; step++) this.#act('mousemove', ...at(step));
+    this.#act('mouseup', '1');
+  }
+
+  #act(...orders: string[]): void {
+    execFileSync('xdotool', orders, { env: { ...env, DISPLAY: this.display } });
   }
 
   async close(): Promise<void> {

@@ -48,6 +48,7 @@ export class Rig {
   readonly sessions = { opened: 0, closed: 0 };
   readonly #box: Box;
   readonly #context: BrowserContext;
+  readonly #screen: Screen | undefined;
   readonly #chooser: Chooser | undefined;
   readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
   readonly #rate: number | undefined;
@@ -79,7 +80,7 @@ export class Rig {
     // Errors of the page, and what its content security policy stopped.
     context.on('weberror', (error) => faults.push(error.error().message));
     context.on('console', (message) => message.type() === 'error' && faults.push(message.text()));
-    const rig = new Rig(box, context, chooser, options);
+    const rig = new Rig(box, context, { screen, chooser }, options);
     disposals.push(async () => {
       const asked: readonly number[] = (options.asks ?? []).map((name) => COMMANDS[name].request);
       const sent = rig.requests.filter((code) => NEVER_SENT.includes(code) && !asked.includes(code));
@@ -89,9 +90,15 @@ export class Rig {
     return rig;
   }
 
-  private constructor(box: Box, context: BrowserContext, chooser: Chooser | undefined, { timer, rate }: RigOptions) {
+  private constructor(
+    box: Box,
+    context: BrowserContext,
+    { screen, chooser }: { readonly screen: Screen | undefined; readonly chooser: Chooser | undefined },
+    { timer, rate }: RigOptions,
+  ) {
     this.#box = box;
     this.#context = context;
+    this.#screen = screen;
     this.#chooser = chooser;
     this.timer = new VirtualTimer(timer);
     this.#rate = rate;
@@ -134,6 +141,12 @@ export class Rig {
   get chooser(): Chooser {
     if (!this.#chooser) throw new Error('This rig was started without a chooser.');
     return this.#chooser;
+  }
+
+  /** The screen on which Chromium is, with its mouse. */
+  get screen(): Screen {
+    if (!this.#screen) throw new Error('This rig was started without a chooser.');
+    return this.#screen;
   }
 
   /** @param number of the name that the machine gives it, ttyUSB0 and so on. */

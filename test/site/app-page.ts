@@ -255,7 +255,8 @@ export class AppPage {
 
   #stored(): Promise<string> {
     return this.page.evaluate(async () => {
-      await new Promise((resolve) => requestIdleCallback(resolve));
+      // A page in which nothing is to be drawn any more may never be told that it is idle.
+      await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 200 }));
       const opening = indexedDB.open('sidus-timer');
       const database = await new Promise<IDBDatabase>((resolve) => {
         opening.onsuccess = () => resolve(opening.result);

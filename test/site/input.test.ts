@@ -137,13 +137,14 @@ describe('the page starts all the same', () => {
 
   test('after a later version has stored in another way', async () => {
     const app = await AppPage.open({ bench: {}, before: () => void indexedDB.open('sidus-timer', 99) });
-    await app.says('This browser does not keep what you type.');
+    await app.says('A newer version of this page has written what is kept here.');
     await app.connect();
   });
 
-  const refusals: [how: string, before: () => void][] = [
+  const refusals: [how: string, sentence: string, before: () => void][] = [
     [
       'at once',
+      'It has no storage for this page, or it is switched off.',
       () => {
         IDBFactory.prototype.open = () => {
           throw new DOMException('The storage is off.', 'SecurityError');
@@ -152,6 +153,7 @@ describe('the page starts all the same', () => {
     ],
     [
       'when it is written to',
+      'Its storage is full.',
       () => {
         IDBObjectStore.prototype.put = () => {
           throw new DOMException('The storage is full.', 'QuotaExceededError');
@@ -162,11 +164,11 @@ describe('the page starts all the same', () => {
 
   test.for(refusals)(
     'where the browser refuses to store, %s: typed text stays while the page is open',
-    async ([, before]) => {
+    async ([, sentence, before]) => {
       const app = await AppPage.open({ bench: {}, before });
       await app.connect();
       await app.type('Function 2, S1', '7');
-      await app.says('This browser does not keep what you type.');
+      await app.says(sentence);
       await app.fly('M2');
       await app.fly('M1');
       expect(await app.valueOf('Function 2, S1')).toBe('7');

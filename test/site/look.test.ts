@@ -139,6 +139,8 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await open('Bench');
       await open('Experimental');
       await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+      await app.button('Function 2').click();
+      await app.text('Servos at function 2').first().waitFor();
       await app.page.getByRole('switch').click();
       await app.button('Stop following').first().waitFor();
       await app.type('Function 2, S1', '7');

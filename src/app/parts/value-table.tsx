@@ -41,7 +41,11 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
               const text = value === null ? write.status.unknown : figureText(identity, field, value);
               return (
                 <td key={names[index]}>
-                  {lastCounts && index === last ? <strong>{text}</strong> : text}
+                  {lastCounts && index === last ? (
+                    <strong class="figure-text">{text}</strong>
+                  ) : (
+                    <span class="figure-text">{text}</span>
+                  )}
                   {index === last && note && <> {note}</>}
                 </td>
               );
