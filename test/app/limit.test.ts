@@ -80,7 +80,9 @@ it('every call of every shelf of the storage goes through it', async () => {
     expect(Object.keys(storage[shelf])).toEqual(Object.keys(SHELF_CALLS));
     for (const call of Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[]) {
       const spy = vi.spyOn(store[shelf], call).mockReturnValue(new Promise<never>(() => {}));
-      const said = watched(storage[shelf][call]({ key: 'a' } as never));
+      const said = watched(
+        limited(store, { answered: () => {}, failed: () => {} })[shelf][call]({ key: 'a' } as never),
+      );
       await vi.advanceTimersByTimeAsync(5000);
       expect([said.said, spy.mock.calls.length], `${shelf}.${call}`).toEqual(['slow', 1]);
     }
@@ -90,7 +92,10 @@ it('every call of every shelf of the storage goes through it', async () => {
 it('one that did not answer is waited for shortly, until it does', async () => {
   const store = new MemoryStore();
   const told: unknown[] = [];
-  const { drafts } = limited(store, { answered: (kind) => told.push(kind), failed: (_, code) => told.push(code) });
+  const { drafts } = limited(store, {
+    answered: (_, kind) => told.push(kind),
+    failed: (_, __, code) => told.push(code),
+  });
   const spy = vi.spyOn(store.drafts, 'all').mockReturnValue(new Promise(() => {}));
   const first = watched(drafts.all());
   await vi.advanceTimersByTimeAsync(2999);

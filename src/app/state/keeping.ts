@@ -1,4 +1,4 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { StorageCall, StorageErrorCode, StorageWatch } from '../storage/index.js';
 import type { TabNumber } from './tab-number.js';
 
@@ -16,32 +16,40 @@ export class Keeping implements StorageWatch {
   readonly lacks: ReadonlySignal<readonly Lack[]>;
   /** Whether the pilot has been told of all that is wrong, and does not want to see it any longer. */
   readonly dismissed: ReadonlySignal<boolean>;
-  readonly #calls = signal<Readonly<Record<StorageCall, StorageErrorCode | null>>>({ read: null, change: null });
+  /** What fails, by shelf and what it was asked for. */
+  readonly #failing = signal<ReadonlyMap<string, StorageErrorCode>>(new Map());
   readonly #lacks = signal<ReadonlySet<Lack>>(new Set());
   readonly #seen = signal('');
   readonly #now: ReadonlySignal<string>;
   #onKept: (() => void) | null = null;
+  #onReturn: () => void = () => {};
 
   /** @param lacks what was missing when the page was opened. */
   constructor(tab: TabNumber, lacks: readonly Lack[] = []) {
     this.#lacks.value = new Set(lacks);
-    this.storage = computed(() => this.#calls.value.change ?? this.#calls.value.read);
+    this.storage = computed(() => [...this.#failing.value.values()][0] ?? null);
     this.lacks = computed(() => [...this.#lacks.value, ...(tab.told.value ? [] : (['locks'] as const))]);
     this.#now = computed(() => [this.storage.value, ...this.lacks.value].join(' '));
     this.dismissed = computed(() => this.#seen.value === this.#now.value);
   }
 
-  answered(kind: StorageCall): void {
+  answered(shelf: string, kind: StorageCall): void {
     if (kind === 'change') {
       this.#onKept?.();
       this.#onKept = null;
     }
+    const failing = new Map(this.#failing.peek());
+    const wasShut = failing.delete(`${shelf} read`);
     // What can be changed can be read.
-    this.#calls.value = kind === 'change' ? { read: null, change: null } : { ...this.#calls.value, read: null };
+    const wasStuck = kind === 'change' && failing.delete(`${shelf} change`);
+    if (!wasShut && !wasStuck) return;
+    this.#failing.value = failing;
+    this.#onReturn();
   }
 
-  failed(kind: StorageCall, code: StorageErrorCode): void {
-    if (this.#calls.value[kind] !== code) this.#calls.value = { ...this.#calls.value, [kind]: code };
+  failed(shelf: string, kind: StorageCall, code: StorageErrorCode): void {
+    const key = `${shelf} ${kind}`;
+    if (this.#failing.peek().get(key) !== code) this.#failing.value = new Map(this.#failing.peek()).set(key, code);
   }
 
   /** Calls back once, as soon as the storage has kept something. */
@@ -57,14 +65,8 @@ export class Keeping implements StorageWatch {
     this.#seen.value = this.#now.value;
   }
 
-  /** Calls back each time the storage gives back again what it did not before. */
+  /** Calls back each time the storage does again what it did not before. */
   onReturn(callback: () => void): void {
-    let was: StorageErrorCode | null = null;
-    effect(() => {
-      const { read } = this.#calls.value;
-      const returned = was !== null && read === null;
-      was = read;
-      if (returned) queueMicrotask(callback);
-    });
+    this.#onReturn = callback;
   }
 }

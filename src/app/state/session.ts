@@ -99,6 +99,8 @@ export class Session {
   readonly #options: SessionOptions;
   readonly #drafts: Drafts;
   #arriving: Promise<unknown> = Promise.resolve();
+  #bringing: Promise<void> | null = null;
+  #lookAgain = false;
   /** A way to a timer was asked for and has not begun yet. */
   readonly #setOut = signal(false, { name: 'setOut' });
   /** The timer was away, or silent, and has come back. */
@@ -149,7 +151,17 @@ export class Session {
   }
 
   /** Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile. */
-  async bringBack(): Promise<void> {
+  bringBack(): Promise<void> {
+    // One look at a time; what comes back meanwhile is looked for once more.
+    this.#lookAgain = this.#bringing !== null;
+    this.#bringing ??= this.#bringBack().finally(() => {
+      this.#bringing = null;
+      if (this.#lookAgain) void this.bringBack();
+    });
+    return this.#bringing;
+  }
+
+  async #bringBack(): Promise<void> {
     // What other tabs have under way is told by the number of this one, which comes with the edits.
     const known = this.#bringBackEdits().then(() => this.knowledge.refresh());
     await Promise.all([known, this.backups.load(), this.link.start()]);

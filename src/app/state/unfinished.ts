@@ -65,7 +65,9 @@ export class UnfinishedRecords {
     let stored: Unfinished[];
     do {
       seen = this.#changes;
-      const all = await this.#keeper.all().catch(() => []);
+      const all = await this.#keeper.all().catch(() => null);
+      // What was known before is not forgotten because the storage fails.
+      if (!all) return;
       const elsewhere = await Promise.all(all.map((record) => this.#isElsewhere(record)));
       stored = all.filter((_, index) => !elsewhere[index]);
       // What was changed meanwhile is not in what was loaded.

@@ -65,19 +65,21 @@ export function browserStorage(name?: string): Storage {
 
 /** The same storage, each call of which ends in time: with what it gives, or with a StorageError. */
 export function limited(storage: Storage, watch: StorageWatch): Storage {
-  const questions = new StorageQuestions(watch);
-  const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>): Keeper<T> => ({
-    save: (record) => questions.ask(SHELF_CALLS.save, () => keeper.save(record)),
-    remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
-    load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
-    all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
-  });
+  const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>, name: string): Keeper<T> => {
+    const questions = new StorageQuestions(watch, name);
+    return {
+      save: (record) => questions.ask(SHELF_CALLS.save, () => keeper.save(record)),
+      remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
+      load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
+      all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),
+    };
+  };
   return {
-    drafts: inTime(storage.drafts),
-    unfinished: inTime(storage.unfinished),
-    backups: inTime(storage.backups),
-    ports: inTime(storage.ports),
-    aside: inTime(storage.aside),
-    erase: () => questions.ask('change', () => storage.erase()),
+    drafts: inTime(storage.drafts, 'drafts'),
+    unfinished: inTime(storage.unfinished, 'unfinished'),
+    backups: inTime(storage.backups, 'backups'),
+    ports: inTime(storage.ports, 'ports'),
+    aside: inTime(storage.aside, 'aside'),
+    erase: () => new StorageQuestions(watch, 'all').ask('change', () => storage.erase()),
   };
 }

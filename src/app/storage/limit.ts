@@ -63,9 +63,9 @@ export async function within<T>(work: Promise<T> | (() => Promise<T>), ms: numbe
 /** Told how the storage does. */
 export interface StorageWatch {
   /** Something was given back, or kept: also when it came too late for whoever had asked. */
-  answered(kind: StorageCall): void;
+  answered(shelf: string, kind: StorageCall): void;
   /** Something was refused, or has not come for a while. */
-  failed(kind: StorageCall, code: StorageErrorCode): void;
+  failed(shelf: string, kind: StorageCall, code: StorageErrorCode): void;
 }
 
 /** What can be asked of the storage: to give something back, or to keep something, or to throw it away. */
@@ -76,30 +76,35 @@ const SAID_AFTER = 3000;
 /** So long a storage has that did not answer before: nobody has to wait for it again and again. */
 const SHORT_LIMIT = 250;
 
-/** Asks a storage, and waits no longer than makes sense by what it did before. */
+/** Asks one shelf of a storage, and waits no longer than makes sense by what it did before. */
 export class StorageQuestions {
   readonly #watch: StorageWatch;
+  readonly #shelf: string;
   #limit = STORAGE_LIMIT;
+  #changes: Promise<unknown> = Promise.resolve();
 
-  constructor(watch: StorageWatch) {
+  constructor(watch: StorageWatch, shelf: string) {
     this.#watch = watch;
+    this.#shelf = shelf;
   }
 
   /** @throws StorageError */
   async ask<T>(kind: StorageCall, work: () => Promise<T>): Promise<T> {
     const limit = this.#limit;
-    const say = setTimeout(() => this.#watch.failed(kind, 'slow'), Math.min(limit, SAID_AFTER));
-    const answer = (async () => work())();
+    const say = setTimeout(() => this.#watch.failed(this.#shelf, kind, 'slow'), Math.min(limit, SAID_AFTER));
+    // A change that comes late must not undo the one after it: they go one by one, however long that takes.
+    const answer = kind === 'change' ? this.#changes.then(work) : (async () => work())();
+    if (kind === 'change') this.#changes = answer.catch(() => {});
     answer.then(
       () => {
         clearTimeout(say);
         this.#limit = STORAGE_LIMIT;
-        this.#watch.answered(kind);
+        this.#watch.answered(this.#shelf, kind);
       },
       (cause) => {
         clearTimeout(say);
         this.#limit = STORAGE_LIMIT;
-        this.#watch.failed(kind, StorageError.of(cause).code);
+        this.#watch.failed(this.#shelf, kind, StorageError.of(cause).code);
       },
     );
     try {
