@@ -26,7 +26,10 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
   [
     'indexedDB.open that never answers',
     () => {
-      IDBFactory.prototype.open = () => new EventTarget() as IDBOpenDBRequest;
+      const { open } = IDBFactory.prototype;
+      IDBFactory.prototype.open = function (name) {
+        return Object.assign(open.call(this, `other ${name}`), { addEventListener: () => {} });
+      };
     },
     /Its storage does not answer/,
   ],
