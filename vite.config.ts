@@ -1,11 +1,19 @@
 import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
 
-/** Where the built page lies. */
-const SITE = new URL('dist/site/', import.meta.url);
+/** Where the built page lies: in dist/site, but where `--outDir` says otherwise. */
+let site = '';
+
+const whereBuilt: Plugin = {
+  name: 'where-built',
+  configResolved: ({ root, build }) => {
+    site = resolve(root, build.outDir);
+  },
+};
 
 /** All that the built page may do: run its own scripts, styles and pictures. It can reach no address on any network. */
 const contentSecurityPolicy = [
@@ -35,7 +43,7 @@ const securityPolicy: Plugin = {
 
 /** What the bytes of a built file must be, as a browser checks it. */
 function integrityOf(url: string): string {
-  const bytes = readFileSync(new URL(url, SITE));
+  const bytes = readFileSync(resolve(site, url));
   return `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
 }
 
@@ -88,7 +96,7 @@ export default defineConfig({
   base: './',
   appType: 'mpa',
   define: { 'import.meta.env.VITE_VERSION': JSON.stringify(version) },
-  plugins: [preact({ include: [/\.tsx$/] }), securityPolicy, offline],
+  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, securityPolicy, offline],
   build: {
     outDir: '../../dist/site',
     emptyOutDir: true,
