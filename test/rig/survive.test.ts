@@ -139,7 +139,8 @@ async function halfWritten(): Promise<{ rig: Rig; pilot: Pilot }> {
   const { rig, pilot } = await connected();
   await pilot.type(values(1));
   await pilot.review();
-  const covered = rig.coverAfter(60, 'fromPage');
+  // The fresh reading takes 63 bytes, SETTIMERS 31, each SETSERVO 12.
+  const covered = rig.coverAfter(63 + 31 + 12 + 8, 'fromPage');
   await pilot.startWriting();
   await covered;
   const [time, , , last] = held(rig);
