@@ -61,7 +61,7 @@ describe('the line', () => {
     await app.button('Pause').click();
     const before = await app.line.locator('tbody tr').count();
     await app.readAgain();
-    await app.text('Paused. 8 entries since.').waitFor();
+    await app.text('Paused. 12 entries since.').waitFor();
     expect(await app.line.locator('tbody tr').count()).toBe(before);
     await app.button('Go on').click();
     await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 8);
@@ -82,7 +82,7 @@ describe('copying', () => {
     const text = await app.page.evaluate(() => navigator.clipboard.readText());
     expect(text.split('\n')[1]).toMatch(/^# Sidus Timer \d+\.\d+\.\d+$/);
     expect(text).toContain('# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos');
-    expect(parseCapture(text)).toHaveLength(10);
+    expect(parseCapture(text)).toHaveLength(14);
   });
 
   test('is done by hand where the clipboard is refused', async () => {
@@ -95,7 +95,7 @@ describe('copying', () => {
     const marked = await dialog
       .getByRole('textbox')
       .evaluate((area: HTMLTextAreaElement) => area.value.slice(area.selectionStart, area.selectionEnd));
-    expect(parseCapture(marked)).toHaveLength(10);
+    expect(parseCapture(marked)).toHaveLength(14);
     await app.page.keyboard.press('Escape');
     await dialog.waitFor({ state: 'hidden' });
   });

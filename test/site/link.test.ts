@@ -109,9 +109,9 @@ describe('the adapter comes back', () => {
     ]);
     expect(await conflicts.locator('tbody tr').locator('th, td').allInnerTexts()).toEqual([
       'DT time',
-      '3:00',
-      '3:30',
-      '4:00',
+      '3:00 min',
+      '3:30 min',
+      '4:00 min',
     ]);
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
