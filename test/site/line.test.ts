@@ -64,7 +64,7 @@ describe('the line', () => {
     await app.text('Paused. 12 entries since.').waitFor();
     expect(await app.line.locator('tbody tr').count()).toBe(before);
     await app.button('Go on').click();
-    await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 8);
+    await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 12);
   });
 
   test('refuses a bad file with the line that is wrong', async () => {

@@ -89,7 +89,11 @@ function extend(
   };
   selection.extendTo(next);
   const table = from.closest('table');
-  if (table) cellAt(table, next)?.scrollIntoView({ block: 'nearest' });
+  const cell = table && cellAt(table, next);
+  const toSight = (): void => cell?.scrollIntoView({ block: 'nearest' });
+  toSight();
+  // The bar that a range brings is as high as it is only a frame later.
+  requestAnimationFrame(() => requestAnimationFrame(toSight));
 }
 
 /** To the next cell that way which can be edited; at the edge the focus stays. */
