@@ -1,5 +1,13 @@
-import type { Hardware } from './hardware.js';
 import type { InputSignals, MockDevice, OpenedOptions, ReadErrorKind, SetSignals, WriteErrorKind } from './types.js';
+
+/** What lies between the device and the page, as far as the device can reach it. */
+export interface PortSide {
+  readonly outputSignals: SetSignals;
+  readonly cable: { sendToPage(bytes: Uint8Array): void; behindToPage(callback: () => void): void };
+  readonly receiver: { readonly lost: number; fail(kind: ReadErrorKind): void };
+  readonly transmitter: { pull(): void; failNext(error: WriteErrorKind | Error, after: number): void };
+  setInputSignals(signals: Partial<InputSignals>): void;
+}
 
 /** The device's end of the cable: what has arrived and who waits for more. */
 export class Device implements MockDevice {
@@ -7,24 +15,24 @@ export class Device implements MockDevice {
   onopenchange: ((opened: OpenedOptions | null) => void) | null = null;
   busy: boolean;
   failSignals = false;
-  readonly #hardware: Hardware;
+  readonly #port: PortSide;
   #unplugged = false;
   /** Bytes written here while there was no cable. */
   #unsent = 0;
   #arrived: Uint8Array[] = [];
   #readers: ((bytes: Uint8Array) => void)[] = [];
 
-  constructor(hardware: Hardware, busy: boolean) {
-    this.#hardware = hardware;
+  constructor(port: PortSide, busy: boolean) {
+    this.#port = port;
     this.busy = busy;
   }
 
   get signals(): SetSignals {
-    return this.#hardware.outputSignals;
+    return this.#port.outputSignals;
   }
 
   get lost(): number {
-    return this.#unsent + this.#hardware.receiver.lost;
+    return this.#unsent + this.#port.receiver.lost;
   }
 
   /** Whether a read waits for bytes that have not come. */
@@ -38,26 +46,26 @@ export class Device implements MockDevice {
     if (this.#unplugged) return Promise.resolve(new Uint8Array());
     return new Promise((resolve) => {
       this.#readers.push(resolve);
-      this.#hardware.transmitter.pull();
+      this.#port.transmitter.pull();
     });
   }
 
   write(bytes: ArrayLike<number>): void {
     if (this.#unplugged) this.#unsent += bytes.length;
-    else this.#hardware.cable.sendToPage(Uint8Array.from(bytes));
+    else this.#port.cable.sendToPage(Uint8Array.from(bytes));
   }
 
   error(kind: ReadErrorKind): void {
-    const { cable, receiver } = this.#hardware;
+    const { cable, receiver } = this.#port;
     cable.behindToPage(() => receiver.fail(kind));
   }
 
   setSignals(signals: Partial<InputSignals>): void {
-    this.#hardware.setInputSignals(signals);
+    this.#port.setInputSignals(signals);
   }
 
   failNextWrite(error: WriteErrorKind | Error = 'system', after = 0): void {
-    this.#hardware.transmitter.failNext(error, after);
+    this.#port.transmitter.failNext(error, after);
   }
 
   /** Bytes reach the device. */
