@@ -24,7 +24,7 @@ export default defineConfig({
           environment: 'node',
           include: [
             'test/{line,protocol,program,client,simulator,mock-serial,serial,fuzz,package}/**/*.test.ts',
-            'test/readme*.test.ts',
+            'test/{readme,docs}*.test.ts',
           ],
           globalSetup: 'test/tools/pack-folder.js',
           // Nothing waits here, but properties take their time on a busy machine.

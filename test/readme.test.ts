@@ -3,9 +3,10 @@ import { join } from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { Consumer, packed, root } from './tools/pack.js';
 
-const readme = readFileSync(join(root, 'README.md'), 'utf8');
-/** The examples of the README, in their order. */
-const examples = [...readme.matchAll(/```ts\n(.*?)```/gs)].map(([, code]) => code as string);
+/** The examples of the README and of the page about the package, in their order. */
+const examples = ['README.md', 'docs/package.md']
+  .map((file) => readFileSync(join(root, file), 'utf8'))
+  .flatMap((text) => [...text.matchAll(/```ts\n(.*?)```/gs)].map(([, code]) => code as string));
 
 let home: string;
 let consumer: Consumer;
@@ -41,18 +42,22 @@ describe('the packed package', () => {
   }, 60_000);
 });
 
-describe('the examples of the README', () => {
-  it('are two, and do what their comments say', () => {
-    expect(examples).toHaveLength(2);
-    for (const [index, code] of examples.entries()) consumer.write(`example-${index}.js`, code);
-    consumer.run(process.execPath, 'example-0.js');
-    const said = [...(examples[1] as string).matchAll(/console\.log\(.*\/\/ (.*)/g)].map(([, comment]) => comment);
-    expect(consumer.run(process.execPath, 'example-1.js').trim().split('\n')).toEqual(said);
+describe('the examples of the README and the docs', () => {
+  it('are three, and do what their comments say', () => {
+    expect(examples).toHaveLength(3);
+    for (const [index, code] of examples.entries()) {
+      consumer.write(`example-${index}.js`, code);
+      const said = [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].map(([, comment]) => comment);
+      const lines = consumer.run(process.execPath, `example-${index}.js`).trim().split('\n');
+      expect(
+        lines.filter((line) => line !== ''),
+        `example ${index}`,
+      ).toEqual(said);
+    }
   });
 
   it('show the frames that the package makes', () => {
-    const [first] = examples as [string];
-    const shown = /Uint8Array ((?:[0-9a-f]{2} )+[0-9a-f]{2})/.exec(first)?.[1];
+    const shown = /Uint8Array ((?:[0-9a-f]{2} )+[0-9a-f]{2})/.exec(examples.join('\n'))?.[1];
     const script = `import { encodeFrame } from 'sidus-timer/protocol'; console.log(Buffer.from(encodeFrame(0x6b)).toString('hex'));`;
     expect(consumer.run(process.execPath, '--input-type=module', '--eval', script).trim()).toBe(
       shown?.replaceAll(' ', ''),

@@ -1,4 +1,4 @@
-// The states of the page that docs/screens.md shows, and how each is reached. Run by pictures.js.
+// The states of the page that pictures are taken of, and how each is reached. Run by pictures.js.
 
 /** @typedef {import('playwright').Page} Page */
 
@@ -68,9 +68,10 @@ async function follow(page) {
   await connect(page);
   await open(page, 'Bench');
   await promise(page);
-  await page.getByRole('switch').click();
-  await page.getByRole('switch', { checked: true }).waitFor();
+  await page.getByRole('switch', { name: 'Servos follow' }).click();
+  await page.getByRole('switch', { name: 'Servos follow', checked: true }).waitFor();
   await enter(page, 'Function 4, S1', '60');
+  await press(page, 'Move the servos to function 4');
   await page.getByText('Tried: 1 position').first().waitFor();
 }
 
@@ -90,7 +91,21 @@ async function conflict(page) {
   await page.getByRole('dialog').waitFor();
 }
 
-/** In the order of docs/screens.md. @type {Readonly<Record<string, State>>} */
+/** What README and docs show: state, size and theme. A test holds this list against them. */
+export const inDocs = [
+  'changed-desktop-light',
+  'start-phone-light',
+  'changed-phone-sun',
+  'range-desktop-light',
+  'write-desktop-light',
+  'verified-phone-light',
+  'bench-desktop-light',
+  'memories-desktop-dark',
+  'interrupted-desktop-light',
+  'line-desktop-dark',
+];
+
+/** @type {Readonly<Record<string, State>>} */
 export const states = {
   start: {
     title: 'Before anything is connected',
@@ -221,7 +236,7 @@ export const states = {
     title: 'What was tried: keep it or put it back',
     reach: async (page) => {
       await follow(page);
-      await page.getByRole('switch').click();
+      await page.getByRole('switch', { name: 'Servos follow' }).click();
       await page.getByRole('button', { name: 'Keep it' }).first().waitFor();
       await settled(page);
     },
@@ -311,6 +326,20 @@ export const states = {
     title: 'The timer holds something else than was read',
     bench: { granted: true },
     reach: conflict,
+  },
+  uncertain: {
+    title: 'A write was cut off: what the timer holds is not known',
+    bench: { granted: true },
+    reach: async (page) => {
+      await change(page, connectPort);
+      await press(page, 'Write…');
+      await page.evaluate(() => window.workbench.unplugAt('SETTIMERS'));
+      await promise(page);
+      await page.getByRole('button', { name: 'Write 2 changes' }).click();
+      await page.getByRole('alert').getByText('It is not certain what the timer holds.').waitFor();
+      await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+      await toTop(page);
+    },
   },
   interrupted: {
     title: 'A write was interrupted',

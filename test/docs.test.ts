@@ -1,0 +1,69 @@
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { root } from './tools/pack.js';
+import { inDocs } from './tools/picture-states.js';
+import { importsBetween, levels, pictures } from './tools/rooms.js';
+
+const texts = [
+  ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'test/rig/README.md'],
+  ...readdirSync(join(root, 'docs'))
+    .filter((file) => file.endsWith('.md'))
+    .map((file) => `docs/${file}`),
+];
+
+/** Each relative link of a text, with the heading it goes to. */
+function linksOf(file: string): { path: string; heading: string | undefined }[] {
+  const text = readFileSync(join(root, file), 'utf8').replace(/```.*?```/gs, '');
+  return [...text.matchAll(/\]\((?!\w+:)([^)#\s]*)(?:#([^)\s]+))?\)/g)].map(([, path, heading]) => ({
+    path: path === '' ? file : join(dirname(file), path as string),
+    heading,
+  }));
+}
+
+/** The headings of a text as links to them are spelt. */
+function headingsOf(file: string): string[] {
+  const text = readFileSync(join(root, file), 'utf8');
+  return [...text.matchAll(/^#+ (.*)$/gm)].map(([, title]) =>
+    (title as string)
+      .toLowerCase()
+      .replace(/[^\p{L}\p{N}\s_-]/gu, '')
+      .replaceAll(' ', '-'),
+  );
+}
+
+describe('the docs', () => {
+  it.each(texts)('%s links to what is there', (file) => {
+    for (const { path, heading } of linksOf(file)) {
+      expect(existsSync(join(root, path)), `${file}: ${path}`).toBe(true);
+      if (heading) expect(headingsOf(path), `${file}: ${path}`).toContain(heading);
+    }
+  });
+
+  it('show each of the pictures that are kept, and keep no other', () => {
+    const shown = texts.flatMap(linksOf).map(({ path }) => path);
+    const kept = readdirSync(join(root, 'docs/pictures')).map((file) => file.replace('.webp', ''));
+    expect(kept.sort()).toEqual([...inDocs].sort());
+    for (const name of inDocs) expect(shown, name).toContain(`docs/pictures/${name}.webp`);
+  });
+
+  it('draw the rooms as they are: node test/tools/rooms.js draws them anew', () => {
+    for (const [file, picture] of Object.entries(pictures)) {
+      expect(readFileSync(join(root, file), 'utf8'), file).toBe(picture());
+    }
+  });
+});
+
+describe('the picture of the rooms', () => {
+  it('finds the imports of a room', () => {
+    expect(importsBetween('src').get('program')).toEqual(new Map([['protocol', expect.any(Number)]]));
+  });
+
+  it('refuses imports that go round', () => {
+    const round = new Map([
+      ['a', new Map([['b', 1]])],
+      ['b', new Map([['a', 1]])],
+    ]);
+    expect(() => levels(round)).toThrow('imports go round: a -> b -> a');
+  });
+});
