@@ -377,7 +377,14 @@ describe('a paste', () => {
       fc.asyncProperty(rows, fc.constantFrom('Function 2 time', 'Function 9, S3', 'Start, S1'), async (table, name) => {
         const before = editor.working.value;
         field(name).focus();
-        await paste(table.map((row) => row.join('\t')).join('\n'));
+        const text = table.map((row) => row.join('\t')).join('\n');
+        await paste(text);
+        if (text.trim() === '') {
+          expect(screen.queryByRole('dialog', { name: 'Paste' })).toBeNull();
+          expect(screen.getByText(/There is no text to paste/)).toBeTruthy();
+          expect(editor.working.value).toBe(before);
+          return;
+        }
         const dialog = screen.getByRole('dialog', { name: 'Paste' });
         const promised = [...dialog.querySelectorAll('.paste-changes li')].map(({ textContent }) => textContent);
         const apply = within(dialog).getByRole<HTMLButtonElement>('button', { name: /^Paste/ });
@@ -401,7 +408,8 @@ describe('a paste', () => {
         if (promised.length > 0) expect(editor.working.value).toEqual(before);
         await idle();
       }),
-      { numRuns: 25 },
+      // Found by chance: nothing but empty cells.
+      { numRuns: 25, examples: [[[['', '']], 'Function 2 time']] },
     );
   });
 });

@@ -38,8 +38,16 @@ export function tableClipboard({ editor, selection, pasting, obstacle }: Clipboa
   const paste = (event: ClipboardEvent): void => {
     const text = event.clipboardData?.getData('text/plain') ?? '';
     const range = selection.range.value;
+    if (!range || text === '') return;
+    obstacle.value = null;
+    if (text.trim() === '') {
+      // Cells with nothing in them: as typing they would only empty the field.
+      event.preventDefault();
+      obstacle.value = messages.value.edits.table.range.clipboardEmpty;
+      return;
+    }
     // One value into one cell is typing.
-    if (!range || text === '' || !(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
+    if (!(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
     event.preventDefault();
     pasting.value = { range, text };
   };
