@@ -108,6 +108,22 @@ describe('a frame by hand', () => {
     expect(editor.baseline.value?.positions[1]?.[4]).toBe(70);
   });
 
+  it('that selects a memory leaves open which one flies next, until the timer has said it', async () => {
+    const { form, session, timer } = await atForm();
+    form.edit({ command: 'SETMEMORY', data: '02' });
+    await form.send();
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') timer.core.sleep();
+    };
+    await run(form.confirm());
+    expect(session.nextFlight.word.value).toEqual({ code: 'unknown', asked: null, home: 0 });
+    timer.core.onAnswer = undefined;
+    timer.core.press();
+    await idle();
+    await run(session.read());
+    expect(session.nextFlight.word.value).toEqual({ code: 'other', memory: 2, home: 0 });
+  });
+
   it('may do anything when its letter is no request of the table, or when a question carries data', async () => {
     const { form } = await atForm();
     for (const letter of ['79', '62', '00', 'ff']) {

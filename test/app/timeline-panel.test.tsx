@@ -199,7 +199,7 @@ describe('the memories side by side', () => {
   it('are shown once they were read, each as a small picture, and picked with one click', async () => {
     const { timer } = await read();
     expect(document.querySelectorAll('.overview .timeline.small')).toHaveLength(4);
-    expect(overview().getByText('DT 3:30')).toBeTruthy();
+    expect(overview().getByText('DT 3:30 min')).toBeTruthy();
     await press('Make M3 fly next');
     expect(timer.core.memory).toBe(2);
     expect(overview().queryByRole('button', { name: 'Make M3 fly next' })).toBeNull();
@@ -212,7 +212,7 @@ describe('the memories side by side', () => {
     await idle();
     expect(overview().getByText('1 value differs.')).toBeTruthy();
     const cells = [...document.querySelectorAll('.overview .difference tbody td')].map((cell) => cell.textContent);
-    expect(cells).toEqual(['3:30', '4:30']);
+    expect(cells).toEqual(['3:30 min', '4:30 min']);
     fireEvent.click(overview().getByRole('button', { name: 'Copy M2 to M4…' }));
     await idle();
     const dialog = within(screen.getByRole('dialog'));

@@ -122,7 +122,14 @@ export class FrameForm {
       this.#result.value = null;
     });
     const mayStore = effect === 'stores' || effect === 'unknown';
-    if (mayStore) session.editor.fresh.value = false;
+    const maySelect = effect === 'unknown' || frame.code === COMMANDS.SETMEMORY.request;
+    batch(() => {
+      if (mayStore) session.editor.fresh.value = false;
+      if (!maySelect) return;
+      // Until the reading below has said which memory is current it is not known which one flies next.
+      session.memoryOpen.value = true;
+      session.nextFlight.leave(null);
+    });
     try {
       const answer = connection.client.send(frame.code, frame.data);
       if (effect !== 'reads') session.servoMoves.mayMove();

@@ -66,6 +66,9 @@ export interface SessionOptions {
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
 }
 
+/** Milliseconds between two looks at what is kept, when something came back during the first. */
+const LOOK_AGAIN = 1000;
+
 /** One pilot, one wire, one program on the screen. */
 export class Session {
   readonly editor = new Editor();
@@ -156,7 +159,8 @@ export class Session {
     this.#lookAgain = this.#bringing !== null;
     this.#bringing ??= this.#bringBack().finally(() => {
       this.#bringing = null;
-      if (this.#lookAgain) void this.bringBack();
+      // Not at once: a shelf that answers one call and fails another would keep the page busy for ever.
+      if (this.#lookAgain) setTimeout(() => void this.bringBack(), LOOK_AGAIN);
     });
     return this.#bringing;
   }
