@@ -8,7 +8,7 @@ export interface Heard {
    * belongs to no frame.
    */
   readonly kind: 'text' | 'noise' | 'echo';
-  /** The last of it, {@link SAMPLE} bytes at most; none of an echo. */
+  /** The last of it, 64 bytes at most; none of an echo. */
   readonly sample: Uint8Array;
   /** The rate at which it was heard, bits a second. */
   readonly baudRate: number;
