@@ -48,7 +48,7 @@ function integrityOf(url: string): string {
 }
 
 const offline = VitePWA({
-  // A new version waits until the pilot takes it: src/app/offline.ts.
+  // A new version waits until the pilot takes it: src/app/browser/offline.ts.
   registerType: 'prompt',
   injectRegister: false,
   includeManifestIcons: false,

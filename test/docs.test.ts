@@ -2,6 +2,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { root } from './tools/pack.js';
+import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
 import { importsBetween, levels, pictures } from './tools/rooms.js';
 
@@ -65,5 +66,42 @@ describe('the picture of the rooms', () => {
       ['b', new Map([['a', 1]])],
     ]);
     expect(() => levels(round)).toThrow('imports go round: a -> b -> a');
+  });
+});
+
+describe('the order of the page', () => {
+  it.each([
+    ['a feature that looks up', 'bench/stand.ts', '../shell/header.js', 'app/bench may not use app/shell'],
+    ['a feature that knows another', 'memories/copy.ts', '../bench/stand.js', 'app/memories may not use app/bench'],
+    [
+      'what lies below and looks up',
+      'editing/units.ts',
+      '../session/session.js',
+      'app/editing may not use app/session',
+    ],
+    [
+      'a folder in a folder',
+      'timeline/preview/flight.ts',
+      '../../program/presets.js',
+      'app/timeline may not use app/program',
+    ],
+    [
+      'a folder without a place',
+      'parts/header.tsx',
+      '../ui/modal.js',
+      'the folder parts is not in the order of the page',
+    ],
+    ['a room past its door', 'session/link.ts', '../../serial/ports.js', 'a room is entered through its index.js'],
+    ['the simulator', 'session/link.ts', '../../simulator/index.js', 'only connect/simulated-timer.ts may'],
+  ])('refuses %s', (_, file, path, why) => {
+    expect(breaches(file, `import { a } from '${path}';`)).toEqual([expect.stringContaining(why)]);
+    expect(breaches(file, `const a = await import('${path}');`)).toEqual([expect.stringContaining(why)]);
+  });
+
+  it('lets imports run down', () => {
+    expect(breaches('program/table.tsx', "import { a } from '../ui/modal.js';")).toEqual([]);
+    expect(breaches('program/table.tsx', "import '../bench/b.js';")).toEqual([]);
+    expect(breaches('connect/simulated-timer.ts', "import { a } from '../../simulator/index.js';")).toEqual([]);
+    expect(breaches('timeline/preview/flight.ts', "import { a } from '../scale.js';")).toEqual([]);
   });
 });

@@ -1,15 +1,15 @@
+import { StartScreen } from './connect/start-screen.js';
+import { LinePanel } from './line/line-panel.js';
+import { LeaveDialog } from './memories/leave-dialog.js';
+import { MemoriesDialog } from './memories/memories-dialog.js';
 import { messages } from './messages/index.js';
 import { type AppModels, Models } from './models.js';
-import { Header } from './parts/header.js';
-import { RecoveryPanel } from './parts/recovery-panel.js';
-import { ThemeChoice } from './parts/theme-choice.js';
-import { EraseDialog } from './screens/erase-dialog.js';
-import { LeaveDialog } from './screens/leave-dialog.js';
-import { LinePanel } from './screens/line-panel.js';
-import { MemoriesDialog } from './screens/memories-dialog.js';
-import { ProgramScreen } from './screens/program-screen.js';
-import { StartScreen } from './screens/start-screen.js';
-import { WriteDialog } from './screens/write-dialog.js';
+import { EraseDialog } from './settings/erase-dialog.js';
+import { ThemeChoice } from './settings/theme-choice.js';
+import { Header } from './shell/header.js';
+import { ProgramPage } from './shell/program-page.js';
+import { RecoveryPanel } from './write/recovery-panel.js';
+import { WriteDialog } from './write/write-dialog.js';
 
 export function App({ models }: { models: AppModels }) {
   const { session } = models;
@@ -19,7 +19,7 @@ export function App({ models }: { models: AppModels }) {
       <Header />
       <main>
         <RecoveryPanel />
-        {hasProgram ? <ProgramScreen /> : <StartScreen />}
+        {hasProgram ? <ProgramPage /> : <StartScreen />}
         <LinePanel />
       </main>
       <footer class="foot">

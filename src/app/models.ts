@@ -1,22 +1,23 @@
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import type { Platform } from './platform.js';
-import { Bench } from './state/bench.js';
-import { Erase, type Erasers } from './state/erase.js';
-import { Follow } from './state/follow.js';
-import { Keeping, type Lack } from './state/keeping.js';
-import { Leaving } from './state/leaving.js';
-import { Memories } from './state/memories.js';
-import type { TabChannel } from './state/other-tabs.js';
-import { Preferences } from './state/preferences.js';
-import { Recover } from './state/recover.js';
-import { Session, type SessionOptions } from './state/session.js';
-import type { SetAside } from './state/set-aside.js';
-import { Tabs } from './state/tabs.js';
-import { Theme } from './state/theme.js';
-import { UpdateOffer } from './state/update-offer.js';
-import { WriteFlow } from './state/write-flow.js';
+import { Bench } from './bench/bench.js';
+import { Follow } from './bench/follow.js';
+import type { Lack } from './browser/doors.js';
+import type { TabChannel } from './browser/other-tabs.js';
+import type { Platform } from './browser/platform.js';
+import { Leaving } from './memories/leaving.js';
+import { Memories } from './memories/memories.js';
+import { Keeping } from './session/keeping.js';
+import { Preferences } from './session/preferences.js';
+import { Session, type SessionOptions } from './session/session.js';
+import type { SetAside } from './session/set-aside.js';
+import { Tabs } from './session/tabs.js';
+import { Erase, type Erasers } from './settings/erase.js';
+import { Theme } from './settings/theme.js';
+import { UpdateOffer } from './shell/update-offer.js';
 import { limited } from './storage/index.js';
+import { Recover } from './write/recover.js';
+import { WriteFlow } from './write/write-flow.js';
 
 /** The models that the screens read and call. */
 export interface AppModels {

@@ -1,15 +1,15 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
-import { lacksOf, openDoors, tabNumberOf, tried } from './browser.js';
-import { browserErasers } from './erasers.js';
+import { lacksOf, openDoors, tabNumberOf, tried } from './browser/doors.js';
+import { registerOffline } from './browser/offline.js';
+import { platformOf } from './browser/platform.js';
+import { onWake } from './browser/wake.js';
+import { plugRecording, plugSimulatedTimer } from './connect/simulated-timer.js';
 import { type AppModels, createModels } from './models.js';
-import { registerOffline } from './offline.js';
-import { FramedPage, isFramed } from './parts/framed-page.js';
-import { platformOf } from './platform.js';
-import { plugRecording, plugSimulatedTimer } from './simulated-timer.js';
+import { browserErasers } from './settings/erasers.js';
+import { FramedPage, isFramed } from './shell/framed-page.js';
 import { browserStorage } from './storage/index.js';
-import { onWake } from './wake.js';
 
 /**
  * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or never answers

@@ -1,4 +1,4 @@
-import { SiteCache, type SiteFile } from './worker-cache.js';
+import { SiteCache, type SiteFile } from './browser/worker-cache.js';
 
 /** As much of a service worker's world as is used here; the types of a page do not have it. */
 interface WorkerEvent extends Event {

@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
 import type { ProgramField, TimerProgram } from '../../src/program/index.js';
-import { type AppBench, appBench, connectedBench, idle } from './bench.js';
+import { type AppBench, appBench, connectedBench, idle } from './bench/bench.js';
 import { DOORS, type Door, FAULTS, type FaultName, FaultyStore } from './faults.js';
 
 const DT: ProgramField = { kind: 'time', column: 10 };

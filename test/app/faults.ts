@@ -1,5 +1,5 @@
 import { SHELF_CALLS, SHELVES } from '../../src/app/storage/index.js';
-import { MemoryStore } from './bench.js';
+import { MemoryStore } from './bench/bench.js';
 
 type ShelfName = (typeof SHELVES)[number];
 type CallName = keyof typeof SHELF_CALLS;

@@ -1,6 +1,6 @@
 import { fireEvent, render, screen, within } from '@testing-library/preact';
 import { App } from '../../src/app/app.js';
-import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
+import { type AppBench, appBench, type BenchOptions, idle } from './bench/bench.js';
 
 /** The whole screen, as the page starts. */
 export async function opened(options: BenchOptions = {}): Promise<AppBench> {

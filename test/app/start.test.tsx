@@ -1,10 +1,10 @@
 import { render, screen } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../src/app/app.js';
-import { TabNumber } from '../../src/app/state/tab-number.js';
+import { TabNumber } from '../../src/app/browser/tab-number.js';
 import { SHELF_CALLS, SHELVES, StorageError } from '../../src/app/storage/index.js';
 import type { ProgramField } from '../../src/program/index.js';
-import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench.js';
+import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench/bench.js';
 
 const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
 const CALLS = Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[];

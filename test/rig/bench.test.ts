@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { HOLD } from '../../src/app/state/hold.js';
+import { HOLD } from '../../src/app/ui/hold.js';
 import { COMMANDS, type CommandName, encodeFrame } from '../../src/protocol/index.js';
 import { Pilot } from './pilot.js';
 import { Rig, type RigOptions } from './rig.js';

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { parseTime } from '../../src/app/units.js';
+import { parseTime } from '../../src/app/editing/units.js';
 import { AppPage } from './app-page.js';
 
 /** What other programs put on the clipboard, and people too; and how many changes it makes at function 1, and at function 8 of S2. */

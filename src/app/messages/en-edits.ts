@@ -1,8 +1,8 @@
 import type { FindingCode } from '../../program/index.js';
-import type { RefusalCode } from '../edit/edits.js';
-import type { StepCode } from '../edit/history.js';
-import type { PasteProblemCode } from '../edit/paste.js';
-import type { UnreadableReason } from '../units.js';
+import type { RefusalCode } from '../editing/edits.js';
+import type { StepCode } from '../editing/history.js';
+import type { PasteProblemCode } from '../editing/paste.js';
+import type { UnreadableReason } from '../editing/units.js';
 
 type Params = Readonly<Record<string, string>>;
 

@@ -1,5 +1,4 @@
-import type { System, UnsupportedReason } from '../platform.js';
-import type { StepCode } from '../trouble.js';
+import type { System, UnsupportedReason } from '../browser/platform.js';
 import type { Said } from './en-notices.js';
 
 const systems: Record<System, string> = {
@@ -54,7 +53,7 @@ const unsupported: Record<UnsupportedReason, Said> = {
   },
 };
 
-const steps: Record<StepCode, string> = {
+const steps = {
   'close-tabs': 'Close other tabs and windows that show this program, or press Disconnect in them.',
   'programs-windows':
     'Close programs that use serial ports: Arduino IDE, PuTTY, Tera Term, RealTerm, CoolTerm, Betaflight Configurator, Cura, PrusaSlicer. Some stay in the corner of the taskbar: end them there or in the Task Manager.',

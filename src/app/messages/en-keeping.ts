@@ -1,5 +1,4 @@
-import type { Place } from '../state/erase.js';
-import type { Lack } from '../state/keeping.js';
+import type { Lack } from '../browser/doors.js';
 import type { SHELVES, StorageErrorCode } from '../storage/index.js';
 
 /** While the browser does not keep, or give back, what it should. */
@@ -47,7 +46,7 @@ const places = {
   settings: 'colours, presets and other choices',
   ports: 'the right to use serial ports',
   offline: 'the page for use without a network',
-} satisfies Record<Place | 'storage', string>;
+};
 
 /** Everything that is kept on this device goes. */
 export const erase = {
@@ -67,7 +66,7 @@ export const erase = {
     'It is not known what a timer holds since a write was cut off. Without its note nobody can say so: read that timer before you fly.',
   start: 'Delete everything',
   running: 'Deleting',
-  failed: (left: readonly (Place | 'storage')[]) =>
+  failed: (left: readonly (keyof typeof places)[]) =>
     `This could not be deleted: ${left.map((place) => places[place]).join(', ')}. Close other tabs of this page and try again, or delete its data in the settings of the browser.`,
 };
 

@@ -1,5 +1,5 @@
 import type { FindingCode } from '../../program/index.js';
-import type { UnreadableReason } from '../units.js';
+import type { UnreadableReason } from '../editing/units.js';
 import { bench, overview, theme } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';

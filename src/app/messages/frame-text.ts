@@ -11,7 +11,7 @@ import {
   type Reply,
   type Request,
 } from '../../protocol/index.js';
-import { formatTime } from '../units.js';
+import { formatTime } from '../editing/units.js';
 import { columnLabel, messages, timerName } from './index.js';
 
 /** As much of what passed on the line as its words need. */

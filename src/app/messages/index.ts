@@ -10,11 +10,11 @@ import {
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { type KnownPort, portKind } from '../../serial/index.js';
-import { formatValue } from '../edit/content.js';
-import type { Obstacle } from '../edit/edits.js';
-import type { GridField } from '../edit/grid.js';
-import type { StepName } from '../edit/history.js';
-import type { PasteProblem } from '../edit/paste.js';
+import { formatValue } from '../editing/content.js';
+import type { Obstacle } from '../editing/edits.js';
+import type { GridField } from '../editing/grid.js';
+import type { StepName } from '../editing/history.js';
+import type { PasteProblem } from '../editing/paste.js';
 import {
   type Figure,
   formatFigure,
@@ -23,7 +23,7 @@ import {
   plainSeconds,
   type Question,
   spokenParts,
-} from '../units.js';
+} from '../editing/units.js';
 import { en } from './en.js';
 
 export type { TimelineFacts } from './en.js';

@@ -1,8 +1,8 @@
 import * as v from 'valibot';
 import { sameLayout, type TimerProgram } from '../../program/index.js';
 import { columnCount, type Identity, MAX_TIME, requireIdentity } from '../../protocol/index.js';
-import type { Content } from '../edit/content.js';
-import { type History, MAX_STEPS, STEP_CODES } from '../edit/history.js';
+import type { Content } from '../editing/content.js';
+import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
 
 /*
  * What is stored is checked as strictly as what comes over a wire: an error of another version, of the browser or of a disk must not

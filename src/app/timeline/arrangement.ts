@@ -1,6 +1,6 @@
 import { columnKind, type ProgramField, type TimerProgram } from '../../program/index.js';
-import { endOf, marksOf, motorStopOf, type Stage, stagesOf } from './flight.js';
 import { heightsOf, highestOf, Layout, type LinePaths, pathsOf, spread, type View } from './layout.js';
+import { endOf, marksOf, motorStopOf, type Stage, stagesOf } from './preview/flight.js';
 import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
 

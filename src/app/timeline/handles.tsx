@@ -1,12 +1,12 @@
 import type { ComponentChildren } from 'preact';
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { formatTime } from '../editing/units.js';
 import { fieldLabel, messages } from '../messages/index.js';
-import { formatTime } from '../units.js';
 import { type Arrangement, FLAG, type Flag } from './arrangement.js';
 import { limitsOf, type OnEdit } from './drag.js';
-import { timeOf } from './flight.js';
 import type { HandleKeys } from './keys.js';
 import { servoClass } from './layers.js';
+import { timeOf } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
 
 export interface HandlesProps {

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal, useSignal } from '@preact/signals';
 import type { RefObject } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
-import { tried } from '../browser.js';
+import { tried } from '../browser/doors.js';
 import { between, type Scale, sameScale } from './scale.js';
 
 /** Before anything has been measured. */

@@ -1,7 +1,7 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Arrangement } from './arrangement.js';
 import { Edit, limitsOf, type OnEdit, stepped } from './drag.js';
-import { marksOf } from './flight.js';
+import { marksOf } from './preview/flight.js';
 import type { Scale } from './scale.js';
 import type { TimelineModel } from './view-model.js';
 

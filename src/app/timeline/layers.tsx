@@ -1,8 +1,8 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { type Arrangement, FLAG } from './arrangement.js';
-import { marksOf, motorStopOf, reachedAt, stagesOf } from './flight.js';
 import { linesOf, spread } from './layout.js';
+import { marksOf, motorStopOf, reachedAt, stagesOf } from './preview/flight.js';
 import { shortTime } from './ticks.js';
 
 interface PictureProps {

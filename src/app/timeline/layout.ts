@@ -1,6 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
-import { type Stage, stagesOf } from './flight.js';
+import { type Stage, stagesOf } from './preview/flight.js';
 import type { Scale } from './scale.js';
 
 /** The part of the time axis that is in view, in places of its scale. */

@@ -1,8 +1,8 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { formatTime } from '../editing/units.js';
 import { columnLabel, fieldLabel, messages } from '../messages/index.js';
-import { formatTime } from '../units.js';
-import { motorStopOf, reachedAt } from './flight.js';
 import { servoClass } from './layers.js';
+import { motorStopOf, reachedAt } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
 
 interface ReadoutProps {

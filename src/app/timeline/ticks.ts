@@ -1,4 +1,4 @@
-import { formatTime } from '../units.js';
+import { formatTime } from '../editing/units.js';
 import type { Scale } from './scale.js';
 
 /** Round times, each a whole number of the next: hundredths of a second. */

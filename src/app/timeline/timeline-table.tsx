@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
+import { formatTime } from '../editing/units.js';
 import { columnLabel, messages } from '../messages/index.js';
-import { formatTime } from '../units.js';
-import { motorStopOf, stagesOf } from './flight.js';
+import { motorStopOf, stagesOf } from './preview/flight.js';
 
 /** The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is opened. */
 export function TimelineTable({ program }: { program: TimerProgram }) {

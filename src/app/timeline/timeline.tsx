@@ -3,12 +3,12 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../../program/in
 import { messages } from '../messages/index.js';
 import { arrange, measuresOf, scaleOf } from './arrangement.js';
 import type { OnEdit } from './drag.js';
-import { timeOf } from './flight.js';
 import { Handles } from './handles.js';
 import { useGlide, useStable, useWidth } from './hooks.js';
 import { HandleKeys, pictureKey } from './keys.js';
 import { Crosshair, Picture } from './layers.js';
 import { PointerControl, type Target } from './pointer.js';
+import { timeOf } from './preview/flight.js';
 import { descriptionOf, Moment, MomentLegend, Spoken } from './readout.js';
 import { TimelineNotes, TimelineTable } from './timeline-table.js';
 import { EvenSeconds, Tools } from './tools.js';

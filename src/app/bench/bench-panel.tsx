@@ -1,0 +1,173 @@
+import { useSignal } from '@preact/signals';
+import { useId } from 'preact/hooks';
+import { columnCount, type Identity } from '../../protocol/index.js';
+import { columnLabel, messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { HoldButton } from '../ui/hold-button.js';
+import { SafetyCheck } from '../write/safety-check.js';
+import { doneText } from './bench-text.js';
+import { FollowSwitch } from './follow-panel.js';
+
+/** The timer on the bench: servos to a function, servos that follow, the motor. Nothing of it goes out before the pilot has said that it is safe. */
+export function BenchPanel() {
+  const { session } = useModels();
+  const { bench: words } = messages.value;
+  const open = useSignal(false);
+  const identity = session.editor.identity.value;
+  if (!identity) return null;
+  return (
+    <details
+      class="bench"
+      onToggle={(event) => {
+        open.value = event.currentTarget.open;
+      }}
+    >
+      <summary>{words.title}</summary>
+      {open.value && <Controls identity={identity} />}
+    </details>
+  );
+}
+
+function Controls({ identity }: { identity: Identity }) {
+  const { session } = useModels();
+  const { bench: words } = messages.value;
+  const connected = session.connection.value !== null;
+  return (
+    <>
+      <p class="hint">{connected ? words.lead : words.notConnected}</p>
+      {connected && <SafetyCheck />}
+      <Said identity={identity} />
+      {connected && <Columns identity={identity} />}
+      {connected && <FollowSwitch identity={identity} />}
+      {connected && identity.timerClass === 'Q' && <Motor />}
+      {connected && <Experimental />}
+    </>
+  );
+}
+
+/** What was done last, said when it is done. */
+function Said({ identity }: { identity: Identity }) {
+  const { bench } = useModels();
+  const { value } = bench.done;
+  return (
+    <p class={`bench-said ${value && !value.certain ? 'bad-text' : ''}`} role="status">
+      {doneText(identity, value, bench.stand.at.value)}
+    </p>
+  );
+}
+
+/** Start to DT, and steps from one to the next. */
+function Columns({ identity }: { identity: Identity }) {
+  const { bench } = useModels();
+  const { bench: words } = messages.value;
+  const ready = bench.ready.value;
+  const at = bench.stand.at.value;
+  const action = bench.done.value?.action;
+  const last = at ?? (action?.kind === 'move' ? action.column : null);
+  const count = columnCount(identity);
+  const go = (column: number) => () => void (ready && bench.moveTo(column));
+  return (
+    <fieldset class="bench-columns">
+      <legend>{words.columns}</legend>
+      <div class="bench-steps">
+        {[
+          { name: words.previous, to: last === null ? null : last - 1, path: 'M12 4L6 10L12 16' },
+          { name: words.next, to: last === null ? 0 : last + 1, path: 'M8 4L14 10L8 16' },
+        ].map(({ name, to, path }) => {
+          const can = ready && to !== null && to >= 0 && to < count;
+          return (
+            // Not disabled: it would lose the focus while the servos move.
+            <button type="button" key={name} aria-disabled={!can} onClick={can ? go(to) : undefined}>
+              <svg class="icon" width="20" height="20" aria-hidden="true">
+                <path d={path} />
+              </svg>
+              {name}
+            </button>
+          );
+        })}
+      </div>
+      <div class="bench-grid">
+        {Array.from({ length: count }, (_, column) => (
+          <button
+            type="button"
+            key={columnLabel(identity, column)}
+            aria-label={columnLabel(identity, column)}
+            aria-pressed={column === at}
+            aria-disabled={!ready}
+            onClick={go(column)}
+          >
+            {column === 0 || column === identity.functions ? columnLabel(identity, column) : column}
+          </button>
+        ))}
+      </div>
+    </fieldset>
+  );
+}
+
+function Motor() {
+  const { bench } = useModels();
+  const { bench: words } = messages.value;
+  const id = useId();
+  return (
+    <section class="bench-motor">
+      <h2>{words.motor}</h2>
+      <p class="bad-text" id={id}>
+        {words.unlockHint}
+      </p>
+      <HoldButton
+        label={words.unlock}
+        holding={words.unlockHold}
+        describedBy={id}
+        disabled={!bench.ready.value}
+        onHeld={() => void bench.unlock()}
+      />
+    </section>
+  );
+}
+
+/** What is not documented, asked for twice. */
+function Experimental() {
+  const { bench } = useModels();
+  const { bench: words } = messages.value;
+  const asked = useSignal(false);
+  return (
+    <details class="bench-experimental">
+      <summary>{words.experimental}</summary>
+      <p class="hint">{words.jumpHint}</p>
+      <div class="buttons">
+        {asked.value ? (
+          <>
+            <button
+              type="button"
+              disabled={!bench.ready.value}
+              onClick={() => {
+                asked.value = false;
+                void bench.jump();
+              }}
+            >
+              {words.jumpSure}
+            </button>
+            <button
+              type="button"
+              onClick={() => {
+                asked.value = false;
+              }}
+            >
+              {words.cancel}
+            </button>
+          </>
+        ) : (
+          <button
+            type="button"
+            disabled={!bench.ready.value}
+            onClick={() => {
+              asked.value = true;
+            }}
+          >
+            {words.jump}
+          </button>
+        )}
+      </div>
+    </details>
+  );
+}

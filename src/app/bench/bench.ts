@@ -1,0 +1,92 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { TimerError } from '../../client/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import type { JobOptions, Session } from '../session/session.js';
+import { ServoStand } from './servo-stand.js';
+
+/** What may happen on the bench when the timer is told so. */
+export type BenchAction = { readonly kind: 'move'; readonly column: number } | { readonly kind: 'unlock' | 'jump' };
+
+/** What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out all the same. */
+export interface Done {
+  readonly action: BenchAction;
+  readonly certain: boolean;
+}
+
+/** Servos and motor, moved from the page: only what the pilot asks for, one command at a time. */
+export class Bench {
+  /** The last thing that was done with the timer that is connected. */
+  readonly done = signal<Done | null>(null, { name: 'done' });
+  readonly stand: ServoStand;
+  /** Whether anything may be begun: a timer that does nothing else, and a pilot who has said that it is safe. */
+  readonly ready: ReadonlySignal<boolean>;
+  readonly #session: Session;
+
+  /** @param isElsewhere whether a write or a job over several memories is at work. */
+  constructor(session: Session, isElsewhere: () => boolean) {
+    this.#session = session;
+    this.stand = new ServoStand(session);
+    this.ready = computed(
+      () => session.connection.value !== null && session.safe.value && !session.busy.value && !isElsewhere(),
+    );
+    session.connection.subscribe(() => {
+      // What may have happened is said until something else is done: the timer may be back before it was read.
+      if (this.done.peek()?.certain) this.done.value = null;
+    });
+    session.safe.subscribe((safe) => {
+      // What waits for its turn on the wire does not go out any more.
+      const job = session.job.peek();
+      if (!safe && job?.kind === 'bench') job.stop.abort();
+    });
+    session.servoMoves.count.subscribe(() => {
+      batch(() => {
+        this.done.value = null;
+        this.stand.lose();
+      });
+    });
+  }
+
+  /** Moves the servos to a column, 0 start to NF. @returns whether the timer has acknowledged it. */
+  async moveTo(column: number): Promise<boolean> {
+    return await this.#act({ kind: 'move', column });
+  }
+
+  /** Frees the motor of a class Q timer: a propeller may start. */
+  async unlock(): Promise<boolean> {
+    return this.#session.editor.working.value?.identity.timerClass === 'Q' && (await this.#act({ kind: 'unlock' }));
+  }
+
+  /** Sends the jump, whose effect is not documented. */
+  async jump(): Promise<boolean> {
+    return await this.#act({ kind: 'jump' });
+  }
+
+  /** Within a job: sends it, once, and notes what is known of it then. */
+  async carryOut(action: BenchAction, connection: TimerConnection, options: JobOptions): Promise<void> {
+    const { client } = connection;
+    options.stillOn();
+    // They are on their way, unless they go to the very place where they stand.
+    if (action.kind !== 'move' || action.column !== this.stand.at.peek()) this.stand.lose();
+    try {
+      if (action.kind === 'move') await client.moveToFunction(action.column, options);
+      else if (action.kind === 'unlock') await client.unlockMotor(options);
+      else await client.jump(options);
+    } catch (error) {
+      const isSent = error instanceof TimerError && (error.code === 'port-lost' || (error.details.sent ?? 0) > 0);
+      this.stand.lose();
+      if (isSent) this.done.value = { action, certain: false };
+      throw error;
+    }
+    if (this.#session.connection.peek() !== connection) return;
+    batch(() => {
+      this.done.value = { action, certain: true };
+      if (action.kind === 'move') this.stand.moved(connection, action.column);
+    });
+  }
+
+  async #act(action: BenchAction): Promise<boolean> {
+    if (!this.ready.value) return false;
+    this.done.value = null;
+    return await this.#session.run('bench', null, (connection, options) => this.carryOut(action, connection, options));
+  }
+}

@@ -1,0 +1,51 @@
+import { fieldKey } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { useSteady } from '../ui/use-steady.js';
+import { columnInSentence, standText } from './bench-text.js';
+
+/** While the servos follow: the mark of the function where they stand, as far as that is known. */
+export function ServosHere({ column }: { readonly column: number }) {
+  const { bench, follow } = useModels();
+  const here = useSteady(() => follow.on.value && bench.stand.at.value === column, [bench, follow, column]);
+  return here ? <span class="servos-here">{messages.value.bench.here}</span> : null;
+}
+
+interface ServosOfferProps {
+  readonly identity: Identity;
+  readonly column: number;
+  /** How many columns the table has. */
+  readonly width: number;
+}
+
+/** Under a function of which positions wait for the servos: the way to bring them there. */
+export function ServosOffer({ identity, column, width }: ServosOfferProps) {
+  const { bench, follow } = useModels();
+  const { bench: words } = messages.value;
+  const waits = useSteady(() => follow.awaited.value.has(column), [follow, column]);
+  if (!waits) return null;
+  return (
+    <tr class="row-notes servos-offer">
+      <td colSpan={width}>
+        <div>
+          <p>
+            {words.waits} {standText(identity, bench.stand.at.value)}
+          </p>
+          <button
+            type="button"
+            onClick={({ currentTarget, detail }) => {
+              // The button goes away: whoever came to it by keys goes back to the field.
+              const field = follow.waitingAt(column);
+              const input = field && currentTarget.closest('table')?.querySelector(`[data-field='${fieldKey(field)}']`);
+              follow.bring(column);
+              if (detail === 0 && input instanceof HTMLElement) input.focus();
+            }}
+          >
+            {words.bring(columnInSentence(identity, column))}
+          </button>
+        </div>
+      </td>
+    </tr>
+  );
+}

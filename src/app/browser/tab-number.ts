@@ -1,0 +1,139 @@
+import { signal } from '@preact/signals';
+import * as v from 'valibot';
+import { loadSetting, saveSetting } from './settings.js';
+
+/** As much of `navigator.locks` as is used here. */
+export interface Locks {
+  request(
+    name: string,
+    options: { readonly ifAvailable: true } | { readonly signal: AbortSignal },
+    work: (lock: unknown) => Promise<void> | undefined,
+  ): Promise<unknown>;
+}
+
+/** Where a tab keeps its number through a reload. */
+export interface TabMemory {
+  load(): number | null;
+  save(number: number): void;
+}
+
+const NAME = 'tab';
+/** So long a page that is loaded again waits at most for the one before it to let go, in milliseconds. */
+const RELOAD_WAIT = 1000;
+/** So long the browser has to say whether a number is free, in milliseconds. */
+const ANSWER_WAIT = 3000;
+
+/** No other tab sees it, but for one that is copied from this one. */
+export const tabMemory: TabMemory = {
+  load: () => loadSetting(NAME, v.pipe(v.number(), v.safeInteger(), v.minValue(1)), 'sessionStorage'),
+  save: (number) => saveSetting(NAME, number, 'sessionStorage'),
+};
+
+/**
+ * The number of this tab among those of the program, from 1: what is worked on is kept for each by itself. A tab has its number until it is
+ * closed, also over a reload; then the number is free, with what was kept under it. Without locks all tabs are 1. Where the browser does not
+ * say who has which, the tab takes a number that nobody else can have, and nothing of another tab.
+ */
+export class TabNumber {
+  /** Whether the browser tells its tabs apart; false as soon as it has failed to say it. */
+  readonly told = signal(true, { name: 'tabsTold' });
+  readonly #locks: Locks | null;
+  readonly #memory: TabMemory;
+  /** The browser has left a question open. */
+  #silent = false;
+  #number: number | null = null;
+
+  constructor(locks: Locks | null, memory: TabMemory) {
+    this.#locks = locks;
+    this.#memory = memory;
+    if (!locks) this.told.value = false;
+  }
+
+  get value(): number {
+    return this.#number ?? 1;
+  }
+
+  /** Takes the number that this tab had before it was loaded again. The page before may still have it, or a tab that this one was copied from. */
+  async takeBefore(): Promise<void> {
+    const before = this.#memory.load();
+    if (before === null) return;
+    const stop = new AbortController();
+    const giveUp = setTimeout(() => stop.abort(), RELOAD_WAIT);
+    if (await this.#lock(before, { signal: stop.signal })) this.#number = before;
+    clearTimeout(giveUp);
+  }
+
+  /** @returns whether this tab has this number, or has none and could take it. */
+  async take(number: number): Promise<boolean> {
+    if (this.#number === null && (await this.#lock(number, { ifAvailable: true }))) this.#have(number);
+    return this.#number === number;
+  }
+
+  /** Takes the lowest number that is free, unless this tab has one. */
+  async takeAny(): Promise<void> {
+    for (let number = 1; this.#number === null; number++) {
+      await this.take(number);
+      if (this.#silent && this.#number === null) this.#have(this.#memory.load() ?? Date.now());
+    }
+  }
+
+  /** Whether another tab could take this number; false where the browser does not say. */
+  async isFree(number: number): Promise<boolean> {
+    return number !== this.#number && (await this.#ask(number, { ifAvailable: true }, Promise.resolve())) === 'taken';
+  }
+
+  /** Whether another tab has this number; false where the browser does not say. */
+  async isElsewhere(number: number): Promise<boolean> {
+    return number !== this.#number && (await this.#ask(number, { ifAvailable: true }, Promise.resolve())) === 'held';
+  }
+
+  #have(number: number): void {
+    this.#number = number;
+    this.#memory.save(number);
+  }
+
+  async #lock(number: number, options: Parameters<Locks['request']>[1]): Promise<boolean> {
+    return (await this.#ask(number, options)) === 'taken';
+  }
+
+  /**
+   * @param until for so long it is held, if it could be taken. Default: until the page is gone.
+   * @returns `held`: by another tab.
+   */
+  #ask(
+    number: number,
+    options: Parameters<Locks['request']>[1],
+    until: Promise<void> = new Promise(() => {}),
+  ): Promise<'taken' | 'held' | 'unknown'> {
+    if (this.#silent) return Promise.resolve('unknown');
+    return new Promise((resolve) => {
+      let over = false;
+      const end = (what: 'taken' | 'held' | 'unknown'): void => {
+        over = true;
+        clearTimeout(giveUp);
+        resolve(what);
+      };
+      const giveUp = setTimeout(() => {
+        this.#silent = true;
+        this.told.value = false;
+        end('unknown');
+      }, ANSWER_WAIT);
+      const work = (lock: unknown): Promise<void> | undefined => {
+        // What comes too late is given back.
+        if (lock === null || over) return void end('held');
+        end('taken');
+        return until;
+      };
+      // A browser that keeps nothing for this page has no locks for it either.
+      const failed = (error?: unknown): void => {
+        // Waited for in vain: that is an answer.
+        const isAnswer = (error as { name?: unknown } | undefined)?.name === 'AbortError';
+        if (!isAnswer) this.told.value = false;
+        end(isAnswer ? 'held' : 'ifAvailable' in options && number === 1 ? 'taken' : 'unknown');
+      };
+      const request = async (): Promise<unknown> =>
+        this.#locks ? this.#locks.request(`sidus-timer/${NAME}/${number}`, options, work) : failed();
+      request().catch(failed);
+    });
+  }
+}

@@ -1,0 +1,42 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+
+/**
+ * Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port for when the
+ * one used before is the wrong one.
+ */
+export function ConnectButtons({ large = false }: { large?: boolean }) {
+  const { session } = useModels();
+  const { header, program } = messages.value;
+  const notice = session.notice.value;
+  const timerClass = session.editor.working.value?.identity.timerClass;
+  const again = session.simulated.value
+    ? (['Q', 'B'] as const).find((simulated) => simulated === timerClass)
+    : undefined;
+  const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
+  const choice = failed || session.link.ports.value.length > 0;
+  return (
+    <>
+      {!session.link.unavailable && (
+        <button
+          type="button"
+          class={large ? 'primary large' : 'primary'}
+          disabled={session.engaged.value}
+          onClick={() => void session.connect()}
+        >
+          {session.connection.value ? program.read : header.connect}
+        </button>
+      )}
+      {again && (
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.trySimulated(again)}>
+          {header.simulatedTimer}
+        </button>
+      )}
+      {choice && (
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.connect(true)}>
+          {header.choosePort}
+        </button>
+      )}
+    </>
+  );
+}

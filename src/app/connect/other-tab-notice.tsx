@@ -1,0 +1,35 @@
+import { useSignal } from '@preact/signals';
+import type { OtherTab, TakeOver } from '../browser/other-tabs.js';
+import { messages } from '../messages/index.js';
+
+interface OtherTabNoticeProps {
+  readonly tab: OtherTab;
+  /** Asks that tab for its port. What follows when it has let go is for whoever gives this. */
+  readonly onTakeOver: () => Promise<TakeOver>;
+}
+
+/** Another tab of this program holds the port: which one, and may this one have it. */
+export function OtherTabNotice({ tab, onTakeOver }: OtherTabNoticeProps) {
+  const { otherTab } = messages.value;
+  const answer = useSignal<TakeOver | 'asking' | null>(tab.writing ? 'writing' : null);
+  const take = async (): Promise<void> => {
+    answer.value = 'asking';
+    answer.value = await onTakeOver();
+  };
+  return (
+    <div class="notice bad">
+      <p>
+        <strong>{otherTab.holds(tab.what, clockTime(tab.since))}</strong>{' '}
+        {answer.value && answer.value !== 'released' && otherTab[answer.value]}
+      </p>
+      <button type="button" disabled={answer.value === 'asking'} onClick={() => void take()}>
+        {otherTab.takeOver}
+      </button>
+    </div>
+  );
+}
+
+function clockTime(time: number): string {
+  const date = new Date(time);
+  return [date.getHours(), date.getMinutes()].map((part) => String(part).padStart(2, '0')).join(':');
+}

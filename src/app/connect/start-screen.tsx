@@ -1,0 +1,50 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { NoticeText } from '../ui/notice-text.js';
+import { AboutTimer } from './about-timer.js';
+import { ConnectButtons } from './connect-buttons.js';
+import { PortList, SerialSettingsForm } from './port-list.js';
+import { connectionSaid, TroubleHelp } from './trouble-help.js';
+
+/** Before anything was read: Connect, or try a simulated timer. */
+export function StartScreen() {
+  const { session, platform } = useModels();
+  const { start, classNames } = messages.value;
+  const { unavailable } = session.link;
+  return (
+    <div class="start-screen">
+      <h1>{start.title}</h1>
+      <p class="lead">{start.lead}</p>
+      {unavailable ? (
+        <div class="notice bad">
+          <NoticeText said={connectionSaid(unavailable, platform)} />
+          <TroubleHelp code={unavailable} platform={platform} info={null} />
+        </div>
+      ) : (
+        <div class="start-connect">
+          <ConnectButtons large />
+          <p class="hint">{start.connectHint}</p>
+        </div>
+      )}
+      {!unavailable && <PortList />}
+      {!unavailable && <SerialSettingsForm />}
+      <AboutTimer />
+      <section class="start-simulated">
+        <h2>{start.simulatedTitle}</h2>
+        <p>{start.simulatedLead}</p>
+        <div class="buttons">
+          {(['Q', 'B'] as const).map((timerClass) => (
+            <button
+              type="button"
+              key={timerClass}
+              disabled={session.engaged.value}
+              onClick={() => void session.trySimulated(timerClass)}
+            >
+              {start.simulated(classNames[timerClass] ?? timerClass)}
+            </button>
+          ))}
+        </div>
+      </section>
+    </div>
+  );
+}

@@ -1,0 +1,61 @@
+import type { ConnectionErrorCode } from '../../serial/index.js';
+import { type Platform, whyUnsupported } from '../browser/platform.js';
+import { messages, type Said } from '../messages/index.js';
+import { CopyText } from '../ui/copy-text.js';
+import { helpFor, type PortInfo, type Step } from './trouble.js';
+
+interface TroubleHelpProps {
+  readonly code: ConnectionErrorCode;
+  readonly platform: Platform;
+  /** What the port says of itself that the trouble is about; null when none was chosen. */
+  readonly info: PortInfo | null;
+  /** The address of the page. */
+  readonly address?: string;
+}
+
+/** What to do, step by step, folded up under the notice: for this system first, for the others folded up once more. */
+export function TroubleHelp({ code, platform, info, address = location.href }: TroubleHelpProps) {
+  const { title, on, systems } = messages.value.help;
+  const { here, elsewhere } = helpFor(code, { platform, info, address });
+  if (here.length === 0) return null;
+  return (
+    <details key={code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
+      <summary>{title}</summary>
+      <Steps steps={here} />
+      {elsewhere.map(({ system, steps }) => (
+        <details key={system}>
+          <summary>{on(systems[system])}</summary>
+          <Steps steps={steps} />
+        </details>
+      ))}
+    </details>
+  );
+}
+
+/** The sentence about a trouble: for a browser without Web Serial the one that is about this browser. */
+export function connectionSaid(code: ConnectionErrorCode, platform: Platform): Said {
+  const { connection, help } = messages.value;
+  const reason = code === 'unsupported' ? whyUnsupported(platform) : null;
+  return reason ? help.unsupported[reason] : connection[code];
+}
+
+function Steps({ steps }: { steps: readonly Step[] }) {
+  const { help } = messages.value;
+  return (
+    <ol>
+      {steps.map(({ code, copy }) => (
+        <li key={code}>
+          <p>{help.steps[code]}</p>
+          {copy.map((text) => (
+            <CopyText key={text} text={text} />
+          ))}
+        </li>
+      ))}
+    </ol>
+  );
+}
+
+/** Opened in the head of the page, which lets go of the top of the window while it is as long as this: it must not go out of sight. */
+function keepInSight(help: HTMLDetailsElement): void {
+  if (help.open) help.closest('.top')?.scrollIntoView();
+}

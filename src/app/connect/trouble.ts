@@ -1,0 +1,244 @@
+import type { ConnectionErrorCode, SerialPortLike } from '../../serial/index.js';
+import type { Browser, Platform, System } from '../browser/platform.js';
+
+/** What a port says of itself. */
+export type PortInfo = ReturnType<SerialPortLike['getInfo']>;
+
+/** Where the trouble is. */
+export interface Situation {
+  readonly platform: Platform;
+  /** The port that it is about; null when there is none, or none is known. */
+  readonly info: PortInfo | null;
+  /** The address of this page. */
+  readonly address: string;
+}
+
+/** One thing to do. Its sentence stands in messages/, found by this code. */
+export type StepCode =
+  | 'close-tabs'
+  | 'programs-windows'
+  | 'programs-mac'
+  | 'programs-linux'
+  | 'programs-android'
+  | 'holder-mac'
+  | 'holder-linux'
+  | 'modem-manager'
+  | 'group'
+  | 'group-arch'
+  | 'udev-rule'
+  | 'chromium-snap'
+  | 'firefox-snap'
+  | 'linux-container'
+  | 'replug'
+  | 'cable'
+  | 'drivers-windows'
+  | 'pl2303-windows'
+  | 'drivers-mac'
+  | 'accessory-mac'
+  | 'kernel-linux'
+  | 'brltty'
+  | 'android-cable'
+  | 'pair-windows'
+  | 'pair-mac'
+  | 'pair-linux'
+  | 'pair-chromeos'
+  | 'pair-android'
+  | 'firefox-bluetooth'
+  | 'bluetooth-one'
+  | 'bluetooth-again'
+  | 'usb-power'
+  | 'wake'
+  | 'near'
+  | 'battery'
+  | 'other-port'
+  | 'rate'
+  | 'usual-settings'
+  | 'report'
+  | 'ask-again'
+  | 'site-permission'
+  | 'site-permission-firefox'
+  | 'site-permission-mobile'
+  | 'managed'
+  | 'brave-flag'
+  | 'brave-relaunch'
+  | 'https'
+  | 'this-computer'
+  | 'own-tab'
+  | 'policy-header'
+  | 'policy-frame';
+
+/** What goes with some steps, to copy. A step whose commands cannot be given here is left out. */
+const COMMANDS: Partial<Readonly<Record<StepCode, (situation: Situation) => readonly string[] | null>>> = {
+  'holder-mac': () => ['lsof /dev/cu.*'],
+  'holder-linux': () => ['sudo fuser -v /dev/ttyUSB* /dev/ttyACM*'],
+  group: () => ['sudo usermod -a -G dialout $USER'],
+  'group-arch': () => ['sudo usermod -a -G uucp $USER'],
+  'udev-rule': ({ info }) => udevCommands(info),
+  'chromium-snap': () => ['sudo snap connect chromium:raw-usb'],
+  'kernel-linux': () => ['sudo dmesg | grep -i tty | tail'],
+  brltty: () => ['sudo apt remove brltty'],
+  'site-permission': ({ platform }) => settingsPage(platform.browser, 'settings/content/serialPorts'),
+  'site-permission-firefox': () => ['about:addons'],
+  managed: ({ platform }) => settingsPage(platform.browser, 'policy'),
+  'brave-flag': () => ['brave://flags/#brave-web-serial-api'],
+  https: ({ address }) => httpsAddress(address),
+  'own-tab': ({ address }) => [address],
+  'policy-header': () => ['Permissions-Policy: serial=(self)'],
+  'policy-frame': () => ['allow="serial"'],
+};
+
+/** What helps everywhere, before and after what helps on each system. */
+interface Plan {
+  readonly first?: readonly StepCode[];
+  readonly systems?: Partial<Readonly<Record<System, readonly StepCode[]>>>;
+  readonly last?: readonly StepCode[];
+}
+
+const BLUETOOTH: Plan = { first: ['bluetooth-one', 'bluetooth-again'] };
+
+/** The browsers that Ubuntu installs in a cage of their own. */
+const SNAPS: Partial<Readonly<Record<Browser, readonly StepCode[]>>> = {
+  chrome: ['chromium-snap'],
+  firefox: ['firefox-snap'],
+};
+
+const PLANS: Readonly<Record<ConnectionErrorCode, (situation: Situation) => Plan>> = {
+  unsupported: ({ platform: { browser, mobile } }) =>
+    browser === 'brave' && !mobile ? { first: ['brave-flag', 'brave-relaunch'] } : {},
+  insecure: () => ({ first: ['https', 'this-computer'] }),
+  policy: () => ({ first: ['own-tab', 'policy-header', 'policy-frame'] }),
+  'nothing-chosen': ({ platform }) => ({
+    first: platform.mobile ? [] : ['cable'],
+    systems: {
+      windows: ['drivers-windows', 'pl2303-windows', 'pair-windows'],
+      mac: ['accessory-mac', 'drivers-mac', 'pair-mac'],
+      linux: ['kernel-linux', 'brltty', ...(SNAPS[platform.browser] ?? []), 'pair-linux'],
+      chromeos: ['linux-container', 'pair-chromeos'],
+      android: ['pair-android', 'android-cable'],
+    },
+    last: platform.browser === 'firefox' ? ['firefox-bluetooth'] : [],
+  }),
+  'not-allowed': ({ platform: { browser, mobile } }) => {
+    if (mobile) return { first: ['ask-again', 'site-permission-mobile'] };
+    if (browser === 'firefox') return { first: ['ask-again', 'site-permission-firefox'] };
+    return { first: ['ask-again', 'site-permission', 'managed'] };
+  },
+  busy: ({ platform, info }) =>
+    isBluetooth(info)
+      ? { ...BLUETOOTH, last: ['close-tabs'] }
+      : {
+          first: ['close-tabs'],
+          systems: {
+            windows: ['programs-windows'],
+            mac: ['programs-mac', 'holder-mac'],
+            linux: [
+              'modem-manager',
+              'programs-linux',
+              'holder-linux',
+              'group',
+              'group-arch',
+              'udev-rule',
+              ...(platform.browser === 'chrome' ? (['chromium-snap'] as const) : []),
+            ],
+            chromeos: ['linux-container'],
+            android: ['programs-android'],
+          },
+          last: ['replug'],
+        },
+  'bad-settings': () => ({ first: ['rate', 'usual-settings'] }),
+  unplugged: ({ info }) =>
+    isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { linux: ['brltty'], chromeos: ['linux-container'] } },
+  'no-answer': () => ({ first: ['wake', 'near', 'battery', 'other-port', 'rate'] }),
+  'bad-reply': () => ({ first: ['near', 'other-port', 'rate', 'report'] }),
+  lost: ({ info }) =>
+    isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { windows: ['usb-power'], linux: ['brltty'] } },
+};
+
+/** One thing to do, with the lines to copy that it speaks of. */
+export interface Step {
+  readonly code: StepCode;
+  readonly copy: readonly string[];
+}
+
+export interface Help {
+  /** For the system that the pilot sits at. */
+  readonly here: readonly Step[];
+  /** For the others: a pilot may help another one, and a system may be taken for another. */
+  readonly elsewhere: readonly { readonly system: System; readonly steps: readonly Step[] }[];
+}
+
+/** What to do about a trouble. Empty where its sentence says all. */
+export function helpFor(code: ConnectionErrorCode, situation: Situation): Help {
+  const { first = [], systems = {}, last = [] } = PLANS[code](situation);
+  const { system } = situation.platform;
+  const steps = (codes: readonly StepCode[]): readonly Step[] =>
+    codes.flatMap((code) => {
+      const copy = COMMANDS[code] ? COMMANDS[code](situation) : [];
+      return copy ? [{ code, copy }] : [];
+    });
+  return {
+    here: steps([...first, ...(systems[system] ?? []), ...last]),
+    elsewhere: Object.entries(systems)
+      .filter(([other]) => other !== system)
+      .map(([other, codes]) => ({ system: other as System, steps: steps(codes) })),
+  };
+}
+
+/**
+ * The udev rule that lets whoever sits at the computer use this adapter, and keeps ModemManager from asking it whether it is a modem.
+ * @returns null for a port that has no USB numbers.
+ */
+export function udevRule(info: PortInfo | null): string | null {
+  const vendor = hex(info?.usbVendorId);
+  const product = hex(info?.usbProductId);
+  if (vendor === null || product === null) return null;
+  // For ModemManager both its word for a whole device and, since 1.10, the one for a port: it looks for either at the port.
+  return [
+    'SUBSYSTEM=="tty"',
+    `ATTRS{idVendor}=="${vendor}"`,
+    `ATTRS{idProduct}=="${product}"`,
+    'TAG+="uaccess"',
+    'ENV{ID_MM_DEVICE_IGNORE}="1"',
+    'ENV{ID_MM_PORT_IGNORE}="1"',
+  ].join(', ');
+}
+
+function udevCommands(info: PortInfo | null): readonly string[] | null {
+  const rule = udevRule(info);
+  if (rule === null) return null;
+  return [
+    // 60: systemd gives a tagged port to the person at the screen in rule 73, ModemManager looks in rules 77 to 80.
+    `echo '${rule}' | sudo tee -a /etc/udev/rules.d/60-sidus-timer.rules`,
+    'sudo udevadm control --reload && sudo udevadm trigger --subsystem-match=tty',
+  ];
+}
+
+function hex(id: number | undefined): string | null {
+  if (id === undefined || !Number.isInteger(id) || id < 0 || id > 0xffff) return null;
+  return id.toString(16).padStart(4, '0');
+}
+
+function isBluetooth(info: PortInfo | null): boolean {
+  return info?.bluetoothServiceClassId !== undefined;
+}
+
+/** Pages of its settings that a browser opens only when they are typed. */
+const SCHEMES: Partial<Readonly<Record<Browser, string>>> = {
+  chrome: 'chrome',
+  edge: 'edge',
+  opera: 'opera',
+  brave: 'brave',
+};
+
+function settingsPage(browser: Browser, page: string): readonly string[] | null {
+  const scheme = SCHEMES[browser];
+  return scheme === undefined ? null : [`${scheme}://${page}`];
+}
+
+/** Where this page should be to be found by https. A host that was given a port of its own rarely has another one for that. */
+function httpsAddress(address: string): readonly string[] | null {
+  const url = new URL(address);
+  if (url.protocol !== 'http:' || url.port !== '') return null;
+  url.protocol = 'https:';
+  return [url.href];
+}

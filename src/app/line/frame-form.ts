@@ -1,0 +1,166 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import {
+  COMMANDS,
+  type Command,
+  type CommandName,
+  commandOf,
+  encodeFrame,
+  type Frame,
+  type Layout,
+  MAX_DATA,
+} from '../../protocol/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import type { Session } from '../session/session.js';
+
+/** Why what was typed is no byte, or no data. */
+export type FrameFault = 'not-hex' | 'odd-digits' | 'not-a-byte' | 'too-long';
+
+/** Edited; or asked for, and to be confirmed; or under way. */
+export type FrameStep = 'edit' | 'confirm' | 'sending';
+
+/** What became of the frame that was sent last: its reply, or null when none came. */
+export interface FrameResult {
+  readonly reply: Frame | null;
+}
+
+/** A frame that is sent by hand. What may do more than read is asked for twice, and goes out once. */
+export class FrameForm {
+  /** A command, or null for a letter of one's own. */
+  readonly command = signal<CommandName | null>('GETSWVER', { name: 'command' });
+  readonly letter = signal('', { name: 'letter' });
+  readonly data = signal('', { name: 'data' });
+  readonly step: ReadonlySignal<FrameStep> = computed(() => {
+    if (this.#sending.value) return 'sending';
+    const asking = this.#asking.value;
+    return asking && asking === this.#session.connection.value ? 'confirm' : 'edit';
+  });
+  readonly result: ReadonlySignal<FrameResult | null>;
+  readonly letterFault: ReadonlySignal<FrameFault | null> = computed(() =>
+    this.command.value || /^(0x)?[0-9a-f]{2}$/i.test(this.letter.value.trim()) ? null : 'not-a-byte',
+  );
+  readonly dataFault: ReadonlySignal<FrameFault | null> = computed(() => {
+    const parsed = parseHex(this.data.value);
+    return typeof parsed === 'string' ? parsed : null;
+  });
+  /** The frame as it stands in the form; null while something in it is wrong. */
+  readonly frame: ReadonlySignal<Frame | null> = computed(() => {
+    const data = parseHex(this.data.value);
+    if (this.letterFault.value || typeof data === 'string') return null;
+    const { value: name } = this.command;
+    return { code: name ? COMMANDS[name].request : Number.parseInt(this.letter.value, 16), data };
+  });
+  /** Its bytes on the wire. */
+  readonly bytes: ReadonlySignal<Uint8Array | null> = computed(
+    () => this.frame.value && encodeFrame(this.frame.value.code, this.frame.value.data),
+  );
+  /** What it may do to the timer. */
+  readonly effect: ReadonlySignal<Command['effect']> = computed(() =>
+    this.frame.value ? effectOf(this.frame.value) : 'unknown',
+  );
+  /** Whether there is a frame, and a wire that is free for it. */
+  readonly ready: ReadonlySignal<boolean> = computed(
+    () => this.frame.value !== null && this.#session.connection.value !== null && !this.#session.busy.value,
+  );
+  readonly #session: Session;
+  /** The connection on which it was asked for once. Another one may be to another timer. */
+  readonly #asking = signal<TimerConnection | null>(null, { name: 'asking' });
+  readonly #sending = signal(false, { name: 'sending' });
+  readonly #result = signal<FrameResult | null>(null, { name: 'result' });
+
+  constructor(session: Session) {
+    this.#session = session;
+    this.result = this.#result;
+  }
+
+  /** What is known of the timer: how frames are to be read. */
+  get layout(): Layout {
+    const client = this.#session.connection.value?.client;
+    return client ? { identity: client.identity ?? undefined, quirks: client.quirksAssumed } : {};
+  }
+
+  /** Takes what was chosen or typed. Whatever was asked for before is asked for no longer. */
+  edit(change: { readonly command?: CommandName | null; readonly letter?: string; readonly data?: string }): void {
+    if (this.#sending.value) return;
+    batch(() => {
+      if (change.command !== undefined) this.command.value = change.command;
+      if (change.letter !== undefined) this.letter.value = change.letter;
+      if (change.data !== undefined) this.data.value = change.data;
+      this.#asking.value = null;
+      this.#result.value = null;
+    });
+  }
+
+  /** Sends a frame that only reads; asks to confirm any other. */
+  async send(): Promise<void> {
+    if (!this.ready.value || this.step.value !== 'edit') return;
+    if (this.effect.value === 'reads') return await this.#send();
+    batch(() => {
+      this.#asking.value = this.#session.connection.value;
+      this.#result.value = null;
+    });
+  }
+
+  /** Sends, once, what was asked for. */
+  async confirm(): Promise<void> {
+    if (this.ready.value && this.step.value === 'confirm') await this.#send();
+  }
+
+  /** Takes back what was asked for. */
+  cancel(): void {
+    this.#asking.value = null;
+  }
+
+  async #send(): Promise<void> {
+    const session = this.#session;
+    const connection = session.connection.value;
+    const frame = this.frame.value;
+    if (!connection || !frame) return;
+    const effect = this.effect.value;
+    batch(() => {
+      this.#asking.value = null;
+      this.#sending.value = true;
+      this.#result.value = null;
+    });
+    const mayStore = effect === 'stores' || effect === 'unknown';
+    const maySelect = effect === 'unknown' || frame.code === COMMANDS.SETMEMORY.request;
+    batch(() => {
+      if (mayStore) session.editor.fresh.value = false;
+      if (!maySelect) return;
+      // Until the reading below has said which memory is current it is not known which one flies next.
+      session.memoryOpen.value = true;
+      session.nextFlight.leave(null);
+    });
+    try {
+      const answer = connection.client.send(frame.code, frame.data);
+      if (effect !== 'reads') session.servoMoves.mayMove();
+      this.#result.value = { reply: await answer };
+    } catch (error) {
+      // A lost port says so itself, once.
+      if (session.connection.value === connection) session.report(error);
+    } finally {
+      this.#sending.value = false;
+    }
+    // What is on the screen may be out of date, also when no reply came.
+    if (mayStore && session.connection.value === connection) await session.read();
+  }
+}
+
+/** What a frame may do; a request that only reads does so when it is as the table has it. */
+function effectOf({ code, data }: Frame): Command['effect'] {
+  const command = commandOf(code);
+  if (command?.direction !== 'request') return 'unknown';
+  const { effect } = COMMANDS[command.name];
+  return effect === 'reads' && data.length > 0 ? 'unknown' : effect;
+}
+
+/** Bytes in hex, two digits each, with or without spaces between them. */
+function parseHex(text: string): Uint8Array | FrameFault {
+  const words = text
+    .split(/[\s,]+/)
+    .filter(Boolean)
+    .map((word) => word.replace(/^0x/i, ''));
+  if (words.some((word) => !/^[0-9a-f]+$/i.test(word))) return 'not-hex';
+  if (words.some((word) => word.length % 2 !== 0)) return 'odd-digits';
+  const digits = words.join('').match(/../g) ?? [];
+  return digits.length > MAX_DATA ? 'too-long' : Uint8Array.from(digits, (byte) => Number.parseInt(byte, 16));
+}

@@ -1,0 +1,119 @@
+import { useRef } from 'preact/hooks';
+import { saveFile } from '../browser/save-file.js';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { CopyButton } from '../ui/copy-button.js';
+import { CopyReport } from './copy-report.js';
+import type { LineFilter, LineView } from './line-view.js';
+import { captureText } from './recording.js';
+import { captureNotes } from './report.js';
+
+/** What can be done with the log: stop and go, empty, copy, save, load; what is shown of it. */
+export function LineTools({ view }: { view: LineView }) {
+  const { line } = messages.value;
+  const used = !view.unused.value;
+  const live = used && view.recording.value === null;
+  return (
+    <>
+      <div class="line-tools">
+        {live && (
+          <>
+            <button type="button" onClick={() => (view.paused.value ? view.goOn() : view.pause())}>
+              {view.paused.value ? line.goOn : line.pause}
+            </button>
+            <button type="button" onClick={() => view.clear()}>
+              {line.clear}
+            </button>
+          </>
+        )}
+        {used && (
+          <CopyButton label={line.copy} text={() => captureText(view.found.value, captureNotes(view.found.value))} />
+        )}
+        {live && (
+          <button type="button" disabled={view.all.value.length === 0} onClick={() => save(view)}>
+            {line.save}
+          </button>
+        )}
+        <LoadButton view={view} />
+        <CopyReport />
+      </div>
+      {used && <LineChoice view={view} />}
+      <p class="line-came" role="status">
+        {live && view.paused.value && line.came(view.came.value)}
+      </p>
+    </>
+  );
+}
+
+function LineChoice({ view }: { view: LineView }) {
+  const { line } = messages.value;
+  return (
+    <div class="line-choice">
+      <label>
+        <span>{line.filter}</span>
+        <select
+          value={view.filter.value}
+          onChange={(event) => (view.filter.value = event.currentTarget.value as LineFilter)}
+        >
+          {Object.entries(line.filters).map(([filter, name]) => (
+            <option key={filter} value={filter}>
+              {name}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label class="search">
+        <span>{line.search}</span>
+        <input
+          type="search"
+          autocomplete="off"
+          spellcheck={false}
+          placeholder={line.searchHint}
+          value={view.search.value}
+          onInput={(event) => (view.search.value = event.currentTarget.value)}
+        />
+      </label>
+      {view.recording.value === null && <Counts />}
+    </div>
+  );
+}
+
+function Counts() {
+  const { session } = useModels();
+  const { out, in: incoming, damaged, errors } = session.log.counts.value;
+  return <p class="hint">{messages.value.line.counts(out, incoming, damaged, errors)}</p>;
+}
+
+function LoadButton({ view }: { view: LineView }) {
+  const { line } = messages.value;
+  const field = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <button type="button" onClick={() => field.current?.click()}>
+        {line.load}
+      </button>
+      <input
+        ref={field}
+        type="file"
+        hidden
+        accept=".txt,text/plain"
+        aria-label={line.load}
+        onChange={({ currentTarget }) => {
+          const file = currentTarget.files?.[0];
+          if (file) void view.load(file);
+          // The same file again is to be read again.
+          currentTarget.value = '';
+        }}
+      />
+    </>
+  );
+}
+
+function save(view: LineView): void {
+  const { line } = messages.value;
+  const records = view.toSave();
+  const identity = records.at(-1)?.layout.identity;
+  const kind = identity ? `${identity.timerClass}${identity.firmware}` : line.unidentified;
+  // A class may be any printable character.
+  saveFile(line.fileName(kind.replaceAll(/[^a-z0-9]/gi, '_')), captureText(records, captureNotes(records)));
+}

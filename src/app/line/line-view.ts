@@ -1,0 +1,113 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import type { LineLog, LineRecord } from '../session/line-log.js';
+import { type Recording, RecordingError, readRecording } from './recording.js';
+
+/** Which entries are shown: all, frames and pieces of one direction, or what was damaged. */
+export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
+
+/** More rows than a pilot scrolls through. */
+const MOST_SHOWN = 500;
+
+/** What of the line is looked at: live, standing still, or a recording; all of it or what is searched for. */
+export class LineView {
+  readonly filter = signal<LineFilter>('all', { name: 'filter' });
+  /** What names, meanings or bytes must contain. */
+  readonly search = signal('', { name: 'search' });
+  readonly recording: ReadonlySignal<Recording | null>;
+  /** Why the file that was given last is no recording. */
+  readonly fault: ReadonlySignal<RecordingError | null>;
+  readonly paused: ReadonlySignal<boolean> = computed(() => this.#still.value !== null);
+  /** How many entries came since the picture stands still. */
+  readonly came: ReadonlySignal<number> = computed(() =>
+    this.#still.value ? this.#log.newest.value - this.#still.value.newest : 0,
+  );
+  /** All entries of the picture, oldest first. */
+  readonly all: ReadonlySignal<readonly LineRecord[]> = computed(
+    () => this.#recording.value?.records ?? this.#still.value?.entries ?? this.#log.entries.value,
+  );
+  /** Those of them that are asked for, oldest first. */
+  readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() => {
+    const isAskedFor = test(this.filter.value, this.search.value);
+    return this.all.value.filter(isAskedFor);
+  });
+  /** Those of them that there is room for, newest first. */
+  readonly shown: ReadonlySignal<readonly LineRecord[]> = computed(() => this.found.value.slice(-MOST_SHOWN).reverse());
+  /** There is nothing to look at yet: nothing was ever on the line, and no recording was loaded. */
+  readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
+  readonly #log: LineLog;
+  readonly #recording = signal<Recording | null>(null, { name: 'recording' });
+  readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
+  readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
+
+  constructor(log: LineLog) {
+    this.#log = log;
+    this.recording = this.#recording;
+    this.fault = this.#fault;
+  }
+
+  /** Lets the picture stand still while the log goes on. */
+  pause(): void {
+    this.#still.value = { entries: this.#log.entries.value, newest: this.#log.newest.value };
+  }
+
+  goOn(): void {
+    this.#still.value = null;
+  }
+
+  clear(): void {
+    batch(() => {
+      this.#log.clear();
+      this.goOn();
+    });
+  }
+
+  /** Shows the recording in a file in the place of the line, or says why it is none. */
+  async load(file: File): Promise<void> {
+    this.#fault.value = null;
+    try {
+      this.#recording.value = await readRecording(file);
+    } catch (error) {
+      if (!(error instanceof RecordingError)) throw error;
+      this.#fault.value = error;
+    }
+  }
+
+  /** Forgets that a file was refused. */
+  dismissFault(): void {
+    this.#fault.value = null;
+  }
+
+  /** Shows the line again. */
+  back(): void {
+    this.#recording.value = null;
+  }
+
+  /** All that is kept of the line, with what a replay of it needs. */
+  toSave(): readonly LineRecord[] {
+    return this.#log.introduced(this.all.value);
+  }
+}
+
+function test(filter: LineFilter, search: string): (record: LineRecord) => boolean {
+  const words = search.trim().toLowerCase();
+  const hex = hexIn(words);
+  return (record) =>
+    isOfKind(record, filter) &&
+    (words === '' || textOf(record).includes(words) || (hex !== null && hexOf(record.bytes).includes(hex)));
+}
+
+function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter): boolean {
+  if (filter === 'all') return true;
+  return filter === 'damaged' ? rejected !== null || error !== null : direction === filter;
+}
+
+function textOf(record: LineRecord): string {
+  return `${frameName(record)} ${describeFrame(record, record.layout)}`.toLowerCase();
+}
+
+/** Whole bytes in hex, however they are spaced; null for anything else. */
+function hexIn(text: string): string | null {
+  const digits = text.replaceAll(/\s/g, '');
+  return /^(?:[0-9a-f]{2})+$/.test(digits) ? (digits.match(/../g) ?? []).join(' ') : null;
+}

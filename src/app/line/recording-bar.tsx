@@ -1,0 +1,44 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import type { LineView } from './line-view.js';
+
+/** What is looked at when it is not the line, and what can be done with it; or why a file is no recording. */
+export function RecordingBar({ view }: { view: LineView }) {
+  const { session } = useModels();
+  const { line, dismiss } = messages.value;
+  const recording = view.recording.value;
+  const fault = view.fault.value;
+  const replay = (): void => {
+    if (!recording) return;
+    view.back();
+    void session.tryRecording(recording.entries);
+  };
+  return (
+    <>
+      {fault && (
+        <div class="notice bad" role="alert">
+          <p>{line.recordingFaults[fault.fault](fault.line)}</p>
+          <button type="button" class="quiet" onClick={() => view.dismissFault()}>
+            {dismiss}
+          </button>
+        </div>
+      )}
+      {recording && (
+        <div class="notice recording" role="status">
+          <p>
+            <strong>{line.recording(recording.name, recording.records.length)}</strong> {line.recordingLead}{' '}
+            {recording.replayable ? line.replayHint : line.cannotReplay}
+          </p>
+          <div class="buttons">
+            <button type="button" disabled={session.engaged.value || !recording.replayable} onClick={replay}>
+              {line.replay}
+            </button>
+            <button type="button" onClick={() => view.back()}>
+              {line.back}
+            </button>
+          </div>
+        </div>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,125 @@
+import type { AssumedQuirks, LineErrorKind, QuirkCode, QuirkParams } from '../../client/index.js';
+import type { Identity } from '../../protocol/index.js';
+import type { OpenedSettings, PortKind } from '../../serial/index.js';
+import { tried } from '../browser/doors.js';
+import { version } from '../browser/version.js';
+import { identityText } from '../messages/frame-text.js';
+import { messages } from '../messages/index.js';
+import type { LineCounts, LineRecord } from '../session/line-log.js';
+import type { Session } from '../session/session.js';
+import { captureText } from './recording.js';
+
+/** How many of the last entries go into a report. */
+const ENTRIES = 60;
+
+/** What is known of the port. Nothing in it tells one adapter, or its owner, from another of its kind. */
+export interface PortFacts {
+  readonly kind: PortKind;
+  /** The name under which settings are remembered, such as `usb:0403:6001`. */
+  readonly key: string;
+  readonly settings: OpenedSettings;
+}
+
+/** What a maintainer needs to know, and nothing about a person: no names, no dates, no places. */
+export interface ReportFacts {
+  readonly version: string;
+  /** Names and versions of the browser. */
+  readonly browser: string;
+  readonly platform: string;
+  /** Whether the page runs as an installed app. */
+  readonly installed: boolean;
+  /** Null while no port is open. */
+  readonly port: PortFacts | null;
+  readonly simulated: boolean;
+  readonly identity: Identity | null;
+  readonly quirksFound: ReadonlyMap<QuirkCode, QuirkParams>;
+  readonly quirksAssumed: AssumedQuirks;
+  readonly counts: LineCounts;
+  /** Errors of the line on this connection, by kind. */
+  readonly lineErrors: ReadonlyMap<LineErrorKind, number>;
+  /** How many requests went out again on this connection; null without one. */
+  readonly repeats: number | null;
+  /** How many frames came on this connection that nobody asked for. */
+  readonly strays: number;
+  /** See `TimerClient.delay`. */
+  readonly delay: number | null;
+  /** What was last on the line, oldest first. */
+  readonly entries: readonly LineRecord[];
+}
+
+/** The report: a capture with all else as comments, so that it can be loaded and replayed as it is. */
+export function reportText(facts: ReportFacts): string {
+  const { report, name, line } = messages.value;
+  const { port, identity, counts } = facts;
+  const timer = report.timer(identity && identityText(identity));
+  const notes = [
+    report.program(name, facts.version),
+    report.browser(facts.browser, facts.platform),
+    report.page(facts.installed),
+    port ? report.port(port.kind, port.key, settingsText(port.settings)) : report.noPort,
+    facts.simulated ? `${timer}, ${report.simulated}` : timer,
+    report.found([...facts.quirksFound].map(([code, params]) => [code, ...pairs(Object.entries(params))].join(' '))),
+    report.assumed(pairs(Object.entries(facts.quirksAssumed))),
+    report.line(line.counts(counts.out, counts.in, counts.damaged, counts.errors), facts.repeats),
+    report.errors(pairs([...facts.lineErrors])),
+    report.unasked(facts.strays, facts.delay),
+  ];
+  return captureText(facts.entries, notes);
+}
+
+/** What stands at the top of a saved line: enough to read it by. */
+export function captureNotes(records: readonly LineRecord[]): string[] {
+  const { report, name } = messages.value;
+  const identity = records.at(-1)?.layout.identity;
+  return [report.program(name, version), report.timer(identity ? identityText(identity) : null)];
+}
+
+/** The facts of this session, of the browser and of the page. */
+export function gatherFacts({ log, link, connection: { value: connection } }: Session): ReportFacts {
+  const client = connection?.client;
+  const kept = log.entries.value;
+  return {
+    version,
+    ...browserFacts(),
+    installed: tried(() => matchMedia('(display-mode: standalone)').matches) ?? false,
+    port: connection && { kind: connection.kind, key: connection.portKey, settings: connection.settings },
+    simulated: link.simulated.value,
+    identity: client?.identity ?? kept.at(-1)?.layout.identity ?? null,
+    quirksFound: client?.quirksFound ?? new Map(),
+    quirksAssumed: client?.quirksAssumed ?? {},
+    counts: log.counts.value,
+    lineErrors: client?.lineErrors ?? new Map(),
+    repeats: client?.repeats ?? null,
+    strays: client?.strays ?? 0,
+    delay: client?.delay ?? null,
+    entries: log.introduced(kept.slice(-ENTRIES)),
+  };
+}
+
+/** What newer Chromiums tell of themselves in parts. */
+interface UserAgentData {
+  readonly brands: readonly { readonly brand: string; readonly version: string }[];
+  readonly platform: string;
+}
+
+function browserFacts(): Pick<ReportFacts, 'browser' | 'platform'> {
+  const { userAgent, platform, userAgentData } = navigator as Navigator & { readonly userAgentData?: UserAgentData };
+  if (!userAgentData) return { browser: userAgent, platform };
+  // A brand that is none is always among them, to keep pages from relying on the list.
+  const brands = userAgentData.brands.filter(({ brand }) => !/not.*brand/i.test(brand));
+  return {
+    browser: brands.map(({ brand, version: number }) => `${brand} ${number}`).join(', '),
+    platform: userAgentData.platform,
+  };
+}
+
+/** `9600 8N1, DTR low`: the lines only where they are not left to the browser. */
+function settingsText({ baudRate, dataBits, parity, stopBits, dtr, rts }: OpenedSettings): string {
+  const form = `${baudRate} ${dataBits}${parity.charAt(0).toUpperCase()}${stopBits}`;
+  const lines = Object.entries({ DTR: dtr, RTS: rts }).filter(([, level]) => level !== null);
+  return [form, ...lines.map(([name, level]) => `${name} ${level ? 'high' : 'low'}`)].join(', ');
+}
+
+function pairs(values: readonly (readonly [string, unknown])[]): string[] {
+  return values.map(([name, value]) => `${name} ${value}`);
+}

@@ -1,0 +1,71 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { Modal } from '../ui/modal.js';
+import { ProgressLine } from '../ui/progress-line.js';
+import { UncertainNote } from '../write/uncertain-band.js';
+import { nextFlightText } from './next-flight-line.js';
+
+/** Says once more which memory will fly when it is not the one of the time of connect, before the connection ends. */
+export function LeaveDialog() {
+  const { leaving } = useModels();
+  const question = leaving.question.value;
+  return (
+    <Modal
+      open={question !== null}
+      title={messages.value.nextFlight.leaving.title}
+      titleId="leave-title"
+      head={<UncertainNote />}
+      held={question?.goingBack === true}
+      onEscape={() => leaving.stay()}
+    >
+      <Question />
+    </Modal>
+  );
+}
+
+function Question() {
+  const { leaving, session } = useModels();
+  const { nextFlight: words, memoryName, program, write } = messages.value;
+  const question = leaving.question.value;
+  const { home, word } = session.nextFlight;
+  if (!question) return null;
+  if (question.goingBack) {
+    return (
+      <>
+        <ProgressLine label={program.selecting} progress={session.job.value?.progress ?? null} />
+        <div class="buttons">
+          <button type="button" onClick={() => leaving.stay()}>
+            {write.stop}
+          </button>
+        </div>
+      </>
+    );
+  }
+  const homeName = home.value === null ? null : memoryName(home.value);
+  const canGoBack = word.value !== null && homeName !== null && session.connection.value && !session.busy.value;
+  return (
+    <>
+      {question.failed && homeName && (
+        <p class="notice bad" role="alert">
+          {words.leaving.failed(homeName)}
+        </p>
+      )}
+      <p role="status">
+        <strong>{word.value ? nextFlightText(word.value, 'will') : homeName && words.leaving.as(homeName)}</strong>
+      </p>
+      <div class="buttons">
+        {canGoBack && (
+          <button type="button" class="primary" onClick={() => void leaving.backAndDisconnect()}>
+            {words.leaving.back(homeName)}
+          </button>
+        )}
+        <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
+          {words.leaving.disconnect}
+        </button>
+        <button type="button" class="quiet" onClick={() => leaving.stay()}>
+          {words.leaving.stay}
+        </button>
+      </div>
+    </>
+  );
+}

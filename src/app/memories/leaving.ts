@@ -1,0 +1,79 @@
+import { effect, type ReadonlySignal, signal } from '@preact/signals';
+import type { Job, Session } from '../session/session.js';
+import type { Memories } from './memories.js';
+
+/** What the pilot is asked before the connection ends. */
+export interface Question {
+  /** The memory of the time of connect is being made current again. */
+  readonly goingBack: boolean;
+  /** That was tried, and did not come to its end. */
+  readonly failed: boolean;
+}
+
+/** Jobs that select memories. */
+const SELECTING: ReadonlySet<Job['kind']> = new Set(['select', 'look', 'memories']);
+
+/** Ends the connection, and not before the pilot knows which memory will fly. */
+export class Leaving {
+  /** Null while there is nothing to ask. */
+  readonly question: ReadonlySignal<Question | null>;
+  readonly #question = signal<Question | null>(null, { name: 'leaving' });
+  readonly #session: Session;
+  readonly #memories: Memories;
+
+  constructor(session: Session, memories: Memories) {
+    this.#session = session;
+    this.#memories = memories;
+    this.question = this.#question;
+    effect(() => {
+      if (session.link.state.value.status === 'off') this.#question.value = null;
+    });
+  }
+
+  /** Disconnects; asks before where another memory flies next than at connect. */
+  async disconnect(): Promise<void> {
+    const { job, nextFlight } = this.#session;
+    // What has selected another memory is given the time to come back: the port would be closed on its way.
+    if (job.value && SELECTING.has(job.value.kind) && !job.value.stop.signal.aborted) {
+      job.value.stop.abort();
+      await this.#jobEnd();
+    }
+    if (nextFlight.word.value) this.#question.value = { goingBack: false, failed: false };
+    else await this.#session.disconnect();
+  }
+
+  /** Makes the memory of the time of connect current again, and disconnects when the timer has said that it is. */
+  async backAndDisconnect(): Promise<void> {
+    const { nextFlight } = this.#session;
+    const { home } = nextFlight;
+    if (this.#question.value?.goingBack !== false || home.value === null) return;
+    this.#question.value = { goingBack: true, failed: false };
+    await this.#memories.fly(home.value);
+    if (!nextFlight.word.value) await this.#session.disconnect();
+    // The connection may have ended meanwhile.
+    else if (this.#question.value) this.#question.value = { goingBack: false, failed: true };
+  }
+
+  /** Disconnects: the pilot knows which memory flies next. */
+  async disconnectAsItIs(): Promise<void> {
+    if (this.#question.value?.goingBack === false) await this.#session.disconnect();
+  }
+
+  /** Stays connected; while the way back is under way, stops it. */
+  stay(): void {
+    if (this.#question.value?.goingBack) this.#session.job.value?.stop.abort();
+    else this.#question.value = null;
+  }
+
+  #jobEnd(): Promise<void> {
+    return new Promise((resolve) => {
+      const stop = effect(() => {
+        if (this.#session.job.value) return;
+        queueMicrotask(() => {
+          stop();
+          resolve();
+        });
+      });
+    });
+  }
+}

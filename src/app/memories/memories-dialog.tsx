@@ -1,0 +1,233 @@
+import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import { useModels } from '../models.js';
+import { openValues } from '../session/knowledge.js';
+import { Modal } from '../ui/modal.js';
+import { NoticeText } from '../ui/notice-text.js';
+import { ProgressLine } from '../ui/progress-line.js';
+import { MoveServosCheck } from '../write/move-servos-check.js';
+import { SafetyCheck } from '../write/safety-check.js';
+import { UncertainNote } from '../write/uncertain-band.js';
+import { ValueTable } from '../write/value-table.js';
+import {
+  isGood,
+  type MemoriesOutcome,
+  type MemoriesStep,
+  type MemoryChange,
+  type MemoryEnd,
+  type Plan,
+} from './memories.js';
+import { nextFlightText } from './next-flight-line.js';
+
+/** So many values that are not certain are named. */
+const SHOWN = 4;
+
+/** A job over several memories: what it is, how far it has come, what became of it. */
+export function MemoriesDialog() {
+  const { memories } = useModels();
+  const current = memories.current.value;
+  const { plans } = messages.value.memories;
+  return (
+    <Modal
+      open={current !== null}
+      title={current ? plans[current.plan.kind].title : ''}
+      titleId="memories-title"
+      head={<UncertainNote />}
+      held={memories.held}
+      onEscape={() => memories.escape()}
+    >
+      {current?.step === 'review' && <Review current={current} />}
+      {current?.step === 'running' && <Running current={current} />}
+      {current?.step === 'unkept' && <Unkept />}
+      {current?.step === 'done' && <Result current={current} />}
+    </Modal>
+  );
+}
+
+type StepOf<Step extends MemoriesStep['step']> = Extract<MemoriesStep, { step: Step }>;
+
+function Review({ current: { plan, changes } }: { current: StepOf<'review'> }) {
+  const { session, memories } = useModels();
+  const { memories: words, write } = messages.value;
+  // Reading changes nothing: only a write asks whether the model is held.
+  const ready = plan.kind === 'back-up' || session.safe.value;
+  const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
+  return (
+    <>
+      <p>{lead(plan)}</p>
+      {changes.map((change) => (
+        <Difference key={change.memory} change={change} folded={changes.length > 1} />
+      ))}
+      {movesServos && <MoveServosCheck />}
+      {plan.kind !== 'back-up' && <SafetyCheck />}
+      <div class="buttons">
+        <button type="button" class="primary" disabled={!ready} onClick={() => void memories.start()}>
+          {words.start[plan.kind]}
+        </button>
+        <button type="button" onClick={() => memories.dismiss()}>
+          {write.cancel}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** What changes in one memory: DT and motor stop first, then all values that differ. */
+function Difference({ change: { memory, before, goal, changes }, folded }: { change: MemoryChange; folded: boolean }) {
+  const { memories: words, write, memoryName, edits } = messages.value;
+  const { identity } = before;
+  const held = keyFigures(before);
+  const name = memoryName(memory);
+  const figures = keyFigures(goal).map(({ label, text }, index) => {
+    const was = held[index]?.text ?? text;
+    return was === text ? words.stays(label, text) : edits.change(label, was, text);
+  });
+  const table = changes.length > 0 && (
+    <ValueTable
+      identity={identity}
+      names={[write.from, write.to]}
+      rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+      lastCounts
+    />
+  );
+  return (
+    <section class="memory-difference" aria-label={name}>
+      <p>
+        <strong>{words.figures(name, figures)}</strong>
+      </p>
+      {changes.length === 0 && <p>{words.same(name)}</p>}
+      {folded && table ? (
+        <details>
+          <summary>{words.changes(changes.length)}</summary>
+          {table}
+        </details>
+      ) : (
+        table
+      )}
+    </section>
+  );
+}
+
+function lead(plan: Plan): string {
+  const { memories: words, memoryName } = messages.value;
+  if (plan.kind === 'back-up') return words.plans['back-up'].lead;
+  if (plan.kind === 'copy') return words.plans.copy.lead(memoryName(plan.from), memoryName(plan.to));
+  const names = plan.backups.flatMap(({ program: { memory } }) => (memory === null ? [] : [memoryName(memory)]));
+  return words.plans.restore.lead(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
+}
+
+function Running({ current }: { current: StepOf<'running'> }) {
+  const { memories } = useModels();
+  const { memories: words, write, memoryName } = messages.value;
+  const { progress, stopping } = current;
+  const memory = progress?.memory ?? null;
+  const stage = progress ? write.stages[progress.stage] : words.plans[current.plan.kind].title;
+  const label = memory === null ? stage : words.stage(stage, memoryName(memory));
+  return (
+    <>
+      <ProgressLine label={stopping ? write.stopping : label} progress={progress} />
+      <div class="buttons">
+        <button type="button" aria-disabled={stopping} onClick={() => memories.dismiss()}>
+          {write.stop}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** Nothing has been written into this memory, and nothing is before the pilot has answered. */
+function Unkept() {
+  const { memories } = useModels();
+  const { write } = messages.value;
+  return (
+    <>
+      <div class="notice bad" role="alert">
+        <NoticeText said={write.unkept} />
+      </div>
+      <div class="buttons">
+        <button type="button" onClick={() => memories.answer(true)}>
+          {write.withoutCopy}
+        </button>
+        <button type="button" class="primary" onClick={() => memories.answer(false)}>
+          {write.notWithout}
+        </button>
+      </div>
+    </>
+  );
+}
+
+function Result({ current }: { current: StepOf<'done'> }) {
+  const { memories, session } = useModels();
+  const { memories: words, write } = messages.value;
+  const { plan, outcome, kept } = current;
+  const { ends, saved, unkept, stopped } = outcome;
+  const again = unkept || stopped === 'stale';
+  return (
+    <>
+      <div class={`notice ${isGood(outcome) && kept ? 'good' : 'bad'}`} role="alert">
+        {stopped && <NoticeText said={stoppedText(stopped)} />}
+        {saved > 0 && <p>{words.saved(saved)}</p>}
+        {ends.map((end) => (
+          <p key={end.memory}>{endText(end)}</p>
+        ))}
+        {unkept && <NoticeText said={write.move.unkept} />}
+        {!kept && <p>{words.notKept}</p>}
+      </div>
+      {plan.kind !== 'back-up' && <Current />}
+      <div class="buttons">
+        {again && (
+          <button
+            type="button"
+            class="primary"
+            disabled={!session.connection.value || session.busy.value}
+            onClick={() => void memories.open(plan)}
+          >
+            {unkept ? write.move.again : words.again}
+          </button>
+        )}
+        <button type="button" class={again ? '' : 'primary'} onClick={() => memories.dismiss()}>
+          {write.close}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** Which memory flies next after all this, as soon as that is known. */
+function Current() {
+  const { session } = useModels();
+  const { nextFlight, memoryName } = messages.value;
+  const { memoryOpen, connection, busy, editor } = session;
+  const memory = editor.baseline.value?.memory ?? null;
+  const word = session.nextFlight.word.value;
+  if (busy.value) return null;
+  const isKnown = connection.value && !memoryOpen.value && memory !== null;
+  const said = word
+    ? nextFlightText(word, connection.value ? 'now' : 'last')
+    : isKnown
+      ? nextFlight.other(memoryName(memory))
+      : nextFlight.unknown;
+  return <p role="status">{said}</p>;
+}
+
+/** What one memory holds, as far as that is known. */
+function endText({ memory, state, known, change }: MemoryEnd): string {
+  const { memories: words, memoryName } = messages.value;
+  const name = memoryName(memory);
+  if (state === 'verified' && known.state === 'read') {
+    const figures = keyFigures(known.program).map(({ label, text }) => words.figure(label, text));
+    return words.verified(name, clockText(known.at), [...figures, words.changes(change?.changes.length ?? 0)]);
+  }
+  if (state !== 'unknown' || known.state !== 'uncertain') return words.ends[state](name);
+  const open = openValues(known).map(({ field, from, to }) => {
+    const [either, or] = [from, to].map((value) => figureText(known.before.identity, field, value ?? 0));
+    return words.either(fieldLabel(known.before.identity, field), either ?? '', or ?? '');
+  });
+  return words.uncertain(name, open.slice(0, SHOWN), open.length - SHOWN);
+}
+
+function stoppedText(stopped: NonNullable<MemoriesOutcome['stopped']>): Said {
+  const { memories: words, timer, notes } = messages.value;
+  if (stopped === 'unexpected') return notes.unexpected;
+  return stopped === 'aborted' ? words.stopped : timer[stopped];
+}

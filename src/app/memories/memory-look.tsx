@@ -1,0 +1,121 @@
+import type { TimerProgram } from '../../program/index.js';
+import { clockText, columnLabel, figureText, messages } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import { useModels } from '../models.js';
+import { type Known, openValues } from '../session/knowledge.js';
+import { Timeline } from '../timeline/timeline.js';
+import { ValueTable } from '../write/value-table.js';
+
+/** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
+export function MemoryLook({ memory }: { readonly memory: number }) {
+  const { session, memories } = useModels();
+  const { look: words, memoryName } = messages.value;
+  const { editor, memoryOpen, connection, busy } = session;
+  const name = memoryName(memory);
+  const known = session.knowledge.of(memory);
+  const current = memoryOpen.value ? null : (editor.baseline.value?.memory ?? null);
+  // Not while a job runs; but the focus stays, which a disabled button would lose.
+  const isBusy = busy.value || !connection.value;
+  const noWayBack = !memoryOpen.value && current === null;
+  return (
+    <section class="memory-look" aria-labelledby="look-title">
+      <div role="status">
+        <h2 id="look-title">{headline(known, name)}</h2>
+      </div>
+      {current !== null && <p class="hint">{words.lead(memoryName(current))}</p>}
+      <div class="buttons">
+        <button
+          type="button"
+          aria-disabled={isBusy}
+          disabled={noWayBack}
+          onClick={() => void (!isBusy && memories.look(memory))}
+        >
+          {words.look(name)}
+        </button>
+        <button type="button" aria-disabled={isBusy} onClick={() => void (!isBusy && memories.fly(memory))}>
+          {words.fly(name)}
+        </button>
+        {current !== null && (
+          <button type="button" class="quiet" onClick={() => memories.show(current)}>
+            {words.show(memoryName(current))}
+          </button>
+        )}
+      </div>
+      {noWayBack && <p class="hint">{words.noWayBack}</p>}
+      {current !== null && <p class="hint">{words.hint(name, memoryName(current))}</p>}
+      {known.state === 'read' && (
+        <>
+          <p class="held-figures">
+            {keyFigures(known.program).map(({ label, text }) => (
+              <span key={label}>
+                {label} <strong>{text}</strong>
+              </span>
+            ))}
+          </p>
+          <HeldTable program={known.program} caption={words.tableCaption(name)} />
+        </>
+      )}
+      {known.state === 'uncertain' && (
+        <ValueTable
+          identity={known.before.identity}
+          names={[words.either, words.or]}
+          rows={openValues(known).map(({ field, from, to }) => ({ field, values: [from, to] }))}
+        />
+      )}
+    </section>
+  );
+}
+
+/** What was last read of a memory over time, with nothing to take hold of. */
+export function MemoryPicture({ memory }: { readonly memory: number }) {
+  const { session } = useModels();
+  const { look: words, memoryName } = messages.value;
+  const known = session.knowledge.of(memory);
+  if (known.state === 'unread') return null;
+  const title = words.picture(memoryName(memory));
+  if (known.state === 'read') return <Timeline program={known.program} title={title} />;
+  return <Timeline program={known.before} overlay={{ program: known.goal, name: words.or }} title={title} />;
+}
+
+/** “M3, read 14:32”. */
+function headline(known: Known, name: string): string {
+  const { look: words } = messages.value;
+  if (known.state === 'read') return words.read(name, clockText(known.at));
+  return known.state === 'unread' ? words.notRead(name) : words.uncertain(name);
+}
+
+/** All times and positions of a program: to be read, not to be changed. */
+function HeldTable({ program, caption }: { readonly program: TimerProgram; readonly caption: string }) {
+  const { program: words, servoName } = messages.value;
+  const { identity, timers, positions } = program;
+  return (
+    <table class="held">
+      <caption class="visually-hidden">{caption}</caption>
+      <thead>
+        <tr>
+          <th scope="col">{words.column}</th>
+          <th scope="col">{words.time}</th>
+          {positions.map((_, servo) => (
+            <th scope="col" key={servoName(servo)}>
+              {servoName(servo)}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {timers.map((time, column) => {
+          const label = columnLabel(identity, column);
+          return (
+            <tr key={label}>
+              <th scope="row">{label}</th>
+              <td>{figureText(identity, { kind: 'time', column }, time)}</td>
+              {positions.map((row, servo) => (
+                <td key={servoName(servo)}>{row[column]}</td>
+              ))}
+            </tr>
+          );
+        })}
+      </tbody>
+    </table>
+  );
+}

@@ -1,0 +1,67 @@
+import { TimerError } from '../../client/index.js';
+import type { TimerProgram } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import type { JobOptions, Session } from '../session/session.js';
+
+/** Away from the memory that is current and back to it: what is noted on the way, and what is known at its end. */
+export class MemoryWalk {
+  /** Whether the browser has kept which memory to come back to. */
+  kept = true;
+  readonly #session: Session;
+  /** The memory to come back to, while it is left. */
+  #home: number | null = null;
+
+  constructor(session: Session) {
+    this.#session = session;
+  }
+
+  /** Reads some memories, or all; the one that was current is so again. */
+  async read(
+    { client, identity }: TimerConnection,
+    options: JobOptions & { readonly memories?: readonly number[] },
+  ): Promise<readonly TimerProgram[]> {
+    const onHome = (home: number): Promise<void> => this.leave(identity, home);
+    const { programs, home } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
+      await this.cameHome(identity, this.#home, error);
+      throw error;
+    });
+    options.stillOn();
+    for (const program of programs) this.#session.knowledge.read(program);
+    await this.cameHome(identity, home, null);
+    return programs;
+  }
+
+  /** Another memory is about to be selected: the one to come back to is noted. */
+  async leave(identity: Identity, home: number): Promise<void> {
+    const { recovery, simulated, memoryOpen, nextFlight } = this.#session;
+    this.#home = home;
+    // A job that has not come back before is remembered until its own home is current again.
+    const isNoted = recovery.offer.value?.kind === 'memories';
+    if (!isNoted && !(await recovery.leave(identity, home, simulated.value))) this.kept = false;
+    memoryOpen.value = true;
+    nextFlight.leave(null);
+  }
+
+  /** The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer answers by now. */
+  async cameHome(identity: Identity, home: number | null, stopped: unknown): Promise<void> {
+    const { recovery, simulated, memoryOpen, nextFlight, editor } = this.#session;
+    const wasLeft = this.#home !== null;
+    this.#home = null;
+    const isOpen = stopped instanceof TimerError && ['memory-left', 'other-timer'].includes(stopped.code);
+    if (home === null || isOpen) return;
+    nextFlight.found(home);
+    memoryOpen.value = home !== editor.baseline.value?.memory;
+    if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.cameHome(identity, simulated.value);
+  }
+
+  /** Asks which memory is current where a job has left that open. */
+  async findCurrent(): Promise<void> {
+    const { notice, memoryOpen, connection } = this.#session;
+    if (!memoryOpen.value || !connection.value) return;
+    const said = notice.value;
+    await this.#session.read();
+    // A reading that has nothing to say does not take back what stopped the job.
+    notice.value ??= said;
+  }
+}

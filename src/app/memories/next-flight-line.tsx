@@ -1,0 +1,40 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import type { NextFlightWord } from '../session/next-flight.js';
+
+/** Says that another memory flies next than at connect, or that it is not known which; with the way back. */
+export function NextFlightLine() {
+  const { session, memories } = useModels();
+  const { nextFlight: words, memoryName } = messages.value;
+  const word = session.nextFlight.word.value;
+  const isConnected = session.connection.value !== null;
+  // While a job goes from memory to memory there is nothing to say yet. What an interrupted job left says so itself.
+  if (!word || session.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
+  const { home } = word;
+  return (
+    <div class="notice bad next-flight" role="alert">
+      <p>
+        <strong>{nextFlightText(word, isConnected ? 'now' : 'last')}</strong>
+      </p>
+      {home !== null && isConnected && (
+        <button type="button" onClick={() => void memories.fly(home)}>
+          {words.back(memoryName(home))}
+        </button>
+      )}
+    </div>
+  );
+}
+
+/**
+ * The same in words.
+ * @param when `now`: what the timer has said. `will`: what it leads to. `last`: what it had said before the connection went.
+ */
+export function nextFlightText(word: NextFlightWord, when: 'now' | 'will' | 'last'): string {
+  const { nextFlight: words, memoryName } = messages.value;
+  const said =
+    word.code === 'other'
+      ? [{ now: words.other, will: words.will, last: words.last }[when](memoryName(word.memory))]
+      : [words.unknown, ...(word.asked === null ? [] : [words.asked(memoryName(word.asked))])];
+  const home = word.home === null ? words.homeUnknown : words.home(memoryName(word.home));
+  return [...said, home].join(' ');
+}

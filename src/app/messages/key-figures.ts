@@ -1,0 +1,37 @@
+import { columnKind, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { figureText, messages } from './index.js';
+
+/** A value that a pilot looks at first. */
+export interface KeyFigure {
+  readonly field: ProgramField;
+  /** “DT”, “motor stop”. */
+  readonly label: string;
+  /** With its unit: “3:00 min”. */
+  readonly text: string;
+}
+
+/** What a pilot looks at first: DT, and on class Q the motor stop. */
+export function keyFields({ timerClass, functions }: Identity): ProgramField[] {
+  const dt: ProgramField = { kind: 'time', column: functions };
+  return timerClass === 'Q' ? [dt, { kind: 'time', column: 0 }] : [dt];
+}
+
+/** What such a field is called in a sentence: “DT”, “motor stop”; null for any other. */
+export function keyName(identity: Identity, field: ProgramField): string | null {
+  const { knowledge: words } = messages.value;
+  if (field.kind !== 'time') return null;
+  const kind = columnKind(identity, field.column);
+  if (kind === 'dt') return words.dt;
+  return kind === 'start' && identity.timerClass === 'Q' ? words.motorStop : null;
+}
+
+/** The key figures of a program. */
+export function keyFigures(program: TimerProgram): readonly KeyFigure[] {
+  const { identity } = program;
+  return keyFields(identity).map((field) => ({
+    field,
+    label: keyName(identity, field) ?? '',
+    text: figureText(identity, field, valueAt(program, field) ?? 0),
+  }));
+}

@@ -1,0 +1,93 @@
+import { useSignal } from '@preact/signals';
+import { useRef } from 'preact/hooks';
+import type { ProgramField } from '../../program/index.js';
+import { columnCount, type Identity } from '../../protocol/index.js';
+import { copyServo, type Obstacle, reverseServo } from '../editing/edits.js';
+import { messages, obstacleText } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { attempt } from '../session/attempt.js';
+
+/** What can be done to all positions of a servo at once. */
+export function ColumnMenu({ identity, servo }: { readonly identity: Identity; readonly servo: number }) {
+  const { session } = useModels();
+  const { editor } = session;
+  const { edits, servoName } = messages.value;
+  const open = useSignal(false);
+  const problem = useSignal<string | null>(null);
+  const opener = useRef<HTMLButtonElement>(null);
+  const others = Array.from({ length: identity.servos }, (_, at) => at).filter((at) => at !== servo);
+
+  const close = (): void => {
+    open.value = false;
+    problem.value = null;
+    opener.current?.focus();
+  };
+  const done = (obstacle: Obstacle | null): void => {
+    if (obstacle) problem.value = `${edits.nothingDone} ${obstacleText(identity, obstacle)}`;
+    else close();
+  };
+  const copyTo = (to: number): void => {
+    const { value } = editor.working;
+    if (value) done(attempt(editor, copyServo(value, servo, to), { code: 'copy-servo', params: { from: servo, to } }));
+  };
+  const reverse = (): void => {
+    const { value } = editor.working;
+    if (value) {
+      done(attempt(editor, { values: reverseServo(value, servo) }, { code: 'reverse-servo', params: { servo } }));
+    }
+  };
+  const revert = (): void => {
+    const fields = Array.from(
+      { length: columnCount(identity) },
+      (_, column): ProgramField => ({ kind: 'position', servo, column }),
+    );
+    editor.revertFields(fields, { code: 'revert-column', params: { name: servoName(servo) } });
+    close();
+  };
+  return (
+    <span
+      class="column-menu"
+      role="toolbar"
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' || !open.value) return;
+        event.stopPropagation();
+        close();
+      }}
+      onFocusOut={(event) => {
+        if (event.relatedTarget instanceof Node && event.currentTarget.contains(event.relatedTarget)) return;
+        open.value = false;
+        problem.value = null;
+      }}
+    >
+      <button
+        ref={opener}
+        type="button"
+        class="menu-opener"
+        aria-label={edits.table.tools(servoName(servo))}
+        title={edits.table.tools(servoName(servo))}
+        aria-expanded={open.value}
+        onClick={() => (open.value = !open.value)}
+      />
+      {open.value && (
+        <span class="menu">
+          {others.map((to) => (
+            <button type="button" key={to} onClick={() => copyTo(to)}>
+              {edits.table.copyTo(servoName(to))}
+            </button>
+          ))}
+          <button type="button" onClick={reverse}>
+            {edits.table.reverse}
+          </button>
+          <button type="button" onClick={revert}>
+            {edits.table.revertColumn}
+          </button>
+          {problem.value && (
+            <span class="bad-text" role="alert">
+              {problem.value}
+            </span>
+          )}
+        </span>
+      )}
+    </span>
+  );
+}

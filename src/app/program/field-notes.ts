@@ -1,0 +1,56 @@
+import { type Finding, fieldKey, fieldsOf, type ProgramField, type Severity } from '../../program/index.js';
+import type { Editor } from '../editing/editor.js';
+import { findingText, messages } from '../messages/index.js';
+
+/** One thing to say about a field. */
+export interface FieldNote {
+  readonly field: ProgramField;
+  readonly severity: Severity;
+  readonly text: string;
+}
+
+/** What is to be said about one field: that its text is no value, else what the check found. */
+export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
+  const key = fieldKey(field);
+  const unreadable = editor.unreadable.value.get(key);
+  // While it is typed, `2` may become `2:30`.
+  if (unreadable?.either && !editor.asked.value.has(key)) return [];
+  if (unreadable) return [{ field, severity: 'error', text: messages.value.unreadable[unreadable.reason] }];
+  return editor.findings.value
+    .filter((finding) => finding.field && fieldKey(finding.field) === key)
+    .map((finding) => ({ field, severity: finding.severity, text: findingText(finding) }));
+}
+
+/** The first field, start to DT, that cannot be written as it is, and why; null when none is in the way of a write. */
+export function firstInTheWay(editor: Editor): { readonly field: ProgramField; readonly text: string } | null {
+  const identity = editor.identity.value;
+  for (const field of identity ? fieldsOf(identity) : []) {
+    const unreadable = editor.unreadable.value.get(fieldKey(field));
+    const text = unreadable
+      ? messages.value.unreadable[unreadable.reason]
+      : notesFor(editor, field).find(({ severity }) => severity === 'error')?.text;
+    if (text !== undefined) return { field, text };
+  }
+  return null;
+}
+
+/** Everything that is to be said about the fields, and about the program as a whole. */
+export function allNotes(
+  editor: Editor,
+): { field: ProgramField | null; severity: Severity; text: string; finding: Finding | null }[] {
+  const typed = editor.unreadable.value;
+  const unreadable = [...typed.values()].filter(
+    ({ field, either }) => !either || editor.asked.value.has(fieldKey(field)),
+  );
+  return [
+    ...unreadable.map(({ field, reason }) => ({
+      field,
+      severity: 'error' as const,
+      text: messages.value.unreadable[reason],
+      finding: null,
+    })),
+    ...editor.findings.value
+      .filter(({ field }) => !field || !typed.has(fieldKey(field)))
+      .map((finding) => ({ field: finding.field, severity: finding.severity, text: findingText(finding), finding })),
+  ];
+}

@@ -1,0 +1,87 @@
+import { createContext, type RefObject } from 'preact';
+import { useContext, useEffect, useRef } from 'preact/hooks';
+import type { StepOptions } from '../editing/edits.js';
+import { messages } from '../messages/index.js';
+import type { Selection } from './selection.js';
+
+export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
+
+/** So far a wheel turns for one step, in the pixels that browsers count in: half a notch of most mice. */
+const NOTCH = 50;
+
+/**
+ * The wheel with Alt steps the field that has the focus, ten steps with Shift. Without Alt, and over any other field, it moves the page: who
+ * only wants to see what is further down changes no value.
+ */
+export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
+  const latest = useRef(onStep);
+  latest.current = onStep;
+  useEffect(() => {
+    const { current } = input;
+    let turned = 0;
+    const turn = (event: WheelEvent): void => {
+      if (!event.altKey || event.ctrlKey || document.activeElement !== current) return;
+      event.preventDefault();
+      // Browsers turn the wheel sideways while Shift is held.
+      turned += event.deltaY || event.deltaX;
+      if (Math.abs(turned) < NOTCH) return;
+      latest.current(turned < 0 ? 1 : -1, { tenfold: event.shiftKey });
+      turned = 0;
+    };
+    // Preact would listen passively, and the page would move too.
+    current?.addEventListener('wheel', turn, { passive: false });
+    return () => current?.removeEventListener('wheel', turn);
+  }, [input]);
+}
+
+/** Alt with an arrow steps a field, ten steps with Shift. @returns whether this key did. */
+export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): boolean {
+  const direction = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
+  if (direction === 0 || !(event.altKey || alone) || event.ctrlKey || event.metaKey) return false;
+  event.preventDefault();
+  onStep(direction, { tenfold: event.shiftKey });
+  return true;
+}
+
+/** What is selected in the table that a field stands in; null elsewhere. */
+export const TableSelection = createContext<Selection | null>(null);
+
+interface FieldToolsProps {
+  readonly label: string;
+  readonly onStep: OnStep;
+  /** Absent when there is nothing to put back. */
+  readonly onRevert?: (() => void) | undefined;
+}
+
+/**
+ * At the field that has the focus: back to what the timer holds, and for a thumb, which has no arrows and no wheel, a step down and a step
+ * up; in the table also a way to select. The focus stays, until more is to be selected: then the keyboard makes room for it.
+ */
+export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
+  const { down, up, putBack, selectRange, signs } = messages.value.edits.field;
+  const selection = useContext(TableSelection);
+  const pick = (picked: Selection): void => {
+    picked.picking.value = true;
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  };
+  return (
+    <span class="field-tools" onPointerDown={(event) => event.preventDefault()}>
+      <button type="button" class="step" tabIndex={-1} aria-label={down(label)} onClick={() => onStep(-1)}>
+        {signs.down}
+      </button>
+      <button type="button" class="step" tabIndex={-1} aria-label={up(label)} onClick={() => onStep(1)}>
+        {signs.up}
+      </button>
+      {onRevert && (
+        <button type="button" tabIndex={-1} aria-label={putBack(label)} onClick={onRevert}>
+          {signs.putBack}
+        </button>
+      )}
+      {selection && (
+        <button type="button" class="select-range" tabIndex={-1} onClick={() => pick(selection)}>
+          {selectRange}
+        </button>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,39 @@
+import { useComputed } from '@preact/signals';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { ValueField } from './value-field.js';
+
+/** DT is always in sight; on Q the motor stop beside it. */
+export function LargeFigures() {
+  const { session } = useModels();
+  const { program } = messages.value;
+  const { editor } = session;
+  const identity = editor.identity.value;
+  const isShort = editor.findings.value.some(({ code }) => code === 'dt-short');
+  const hasThrottle = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
+  if (!identity) return null;
+  return (
+    <div class="figures">
+      <div class="figure">
+        <span class="figure-name">
+          {program.dt} {isShort && <strong class="badge loud">{program.shortDt}</strong>}
+        </span>
+        <ValueField field={{ kind: 'time', column: identity.functions }} label={program.dt} place="large" />
+      </div>
+      {identity.timerClass === 'Q' && (
+        <div class="figure">
+          <span class="figure-name">{program.motorStop}</span>
+          <ValueField field={{ kind: 'time', column: 0 }} label={program.motorStop} place="large" />
+        </div>
+      )}
+      {hasThrottle && (
+        <div class="figure minor">
+          <span class="figure-name">
+            {program.idleThrottle} <span class="hint">{program.idleThrottleUnit}</span>
+          </span>
+          <ValueField field={{ kind: 'idleThrottle' }} label={program.idleThrottle} place="large" notesShown />
+        </div>
+      )}
+    </div>
+  );
+}

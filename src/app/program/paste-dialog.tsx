@@ -1,0 +1,106 @@
+import type { Signal } from '@preact/signals';
+import { fieldKey } from '../../program/index.js';
+import type { GridRange } from '../editing/grid.js';
+import { pasted, previewPaste } from '../editing/paste.js';
+import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { Modal } from '../ui/modal.js';
+import { UncertainNote } from '../write/uncertain-band.js';
+
+/** A text that is to be pasted, and where. */
+export interface Pasting {
+  readonly range: GridRange;
+  readonly text: string;
+}
+
+/** So many problems are told one by one. */
+const TOLD = 8;
+
+/** What a paste would do, before it does it. */
+export function PasteDialog({ pasting }: { readonly pasting: Signal<Pasting | null> }) {
+  const { pasting: words } = messages.value.edits;
+  const { value } = pasting;
+  const close = (): void => {
+    pasting.value = null;
+  };
+  return (
+    <Modal
+      open={value !== null}
+      title={words.title}
+      titleId="paste-title"
+      head={<UncertainNote />}
+      held={false}
+      onEscape={close}
+    >
+      {value && <Preview pasting={value} close={close} />}
+    </Modal>
+  );
+}
+
+function Preview({ pasting: { range, text }, close }: { readonly pasting: Pasting; readonly close: () => void }) {
+  const { session } = useModels();
+  const { editor } = session;
+  const { program, edits, servoName } = messages.value;
+  const { pasting: words } = edits;
+  const working = editor.working.value;
+  if (!working) return null;
+  const { identity } = working;
+  const servos = Array.from({ length: identity.servos }, (_, servo) => servoName(servo));
+  const headings = [program.time, edits.table.interval, ...servos];
+  // The program may change while the dialog is open, as when a timer comes back: what is shown is what will be done.
+  const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
+  const { changes, problems, readings, ignored } = preview;
+  const apply = (): void => {
+    const values = pasted(preview, true);
+    editor.apply(values, { code: 'paste', params: { count: changes.length } });
+    close();
+  };
+  return (
+    <>
+      <p>{words.lead(changes.length)}</p>
+      {changes.length > 0 && (
+        <ul class="paste-changes">
+          {changes.map((change) => (
+            <li key={fieldKey(change.field)}>{changeText(identity, change)}</li>
+          ))}
+        </ul>
+      )}
+      {readings.length > 0 && (
+        <div class="notice">
+          <ul>
+            {readings.slice(0, TOLD).map(({ field, text, value }) => (
+              <li key={`${field.kind} ${field.column} ${text}`}>
+                {words.reading(gridLabel(identity, field), text, spokenTime(value))}
+              </li>
+            ))}
+          </ul>
+          {readings.length > TOLD && <p>{words.more(readings.length - TOLD)}</p>}
+        </div>
+      )}
+      {ignored > 0 && <p class="hint">{words.ignored(ignored)}</p>}
+      {problems.length > 0 && (
+        <div class="notice bad">
+          <p>
+            <strong>{words.problems}</strong>
+          </p>
+          <ul>
+            {problems.slice(0, TOLD).map((problem) => (
+              <li key={`${problem.row} ${problem.column} ${problem.code}`}>
+                {words.problem(problem.row + 1, problem.column + 1, problem.text, pasteProblemText(problem))}
+              </li>
+            ))}
+          </ul>
+          {problems.length > TOLD && <p>{words.more(problems.length - TOLD)}</p>}
+        </div>
+      )}
+      <div class="buttons">
+        <button type="button" class="primary" disabled={preview.values.length === 0} onClick={apply}>
+          {problems.length > 0 ? words.applyRest : words.apply}
+        </button>
+        <button type="button" onClick={close}>
+          {words.cancel}
+        </button>
+      </div>
+    </>
+  );
+}

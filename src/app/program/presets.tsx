@@ -1,0 +1,157 @@
+import { useComputed, useSignal } from '@preact/signals';
+import { useRef } from 'preact/hooks';
+import { fieldKey, type ProgramField } from '../../program/index.js';
+import { formatTime, type Question, readTime } from '../editing/units.js';
+import { messages, presetText } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { TimeQuestion } from './time-question.js';
+
+/** The DT of a contest or of a trimming flight with one tap; and the pilot's own. */
+export function DtPresets({ column }: { readonly column: number }) {
+  const { session, preferences } = useModels();
+  const { editor } = session;
+  const { presets: words } = messages.value.edits;
+  const changing = useSignal(false);
+  const field: ProgramField = { kind: 'time', column };
+  const key = fieldKey(field);
+  const current = useComputed(() => editor.working.value?.timers[column]).value;
+  return (
+    <div class="presets">
+      <fieldset class="chips">
+        <legend class="visually-hidden">{words.title}</legend>
+        {preferences.presets.value.map((value) =>
+          changing.value ? (
+            <button
+              type="button"
+              class="remove"
+              key={value}
+              aria-label={words.remove(presetText(value))}
+              onClick={() => preferences.removePreset(value)}
+            >
+              {presetText(value)}
+            </button>
+          ) : (
+            <button
+              type="button"
+              key={value}
+              aria-label={words.use(presetText(value))}
+              aria-current={value === current}
+              onClick={() => editor.apply([{ field, value }], { code: 'preset', params: { field: key } })}
+            >
+              {presetText(value)}
+            </button>
+          ),
+        )}
+        <button
+          type="button"
+          class="quiet"
+          aria-label={changing.value ? undefined : words.change}
+          title={changing.value ? undefined : words.change}
+          aria-expanded={changing.value}
+          onClick={() => (changing.value = !changing.value)}
+        >
+          {changing.value ? (
+            words.done
+          ) : (
+            <svg class="icon" width="20" height="20" aria-hidden="true">
+              <path d="M3 17L4 13L13.5 3.5L16.5 6.5L7 16ZM11.5 5.5L14.5 8.5" />
+            </svg>
+          )}
+        </button>
+      </fieldset>
+      {changing.value && <PresetSettings />}
+    </div>
+  );
+}
+
+/** A text that can be read in two ways, and what the chosen one is for. */
+interface Asked {
+  readonly label: string;
+  readonly either: Question['either'];
+  readonly use: (value: number) => boolean;
+}
+
+function PresetSettings() {
+  const { session, preferences } = useModels();
+  const { presets: words } = messages.value.edits;
+  const added = useSignal('');
+  const limitInput = useRef<HTMLInputElement>(null);
+  const limit = useSignal(formatTime(session.editor.shortDt.value));
+  const problem = useSignal<string | null>(null);
+  const asked = useSignal<Asked | null>(null);
+  const takeValue = (value: number, use: (value: number) => boolean): void => {
+    asked.value = null;
+    problem.value = use(value) ? null : words.refused;
+  };
+  const take = (text: string, label: string, use: (value: number) => boolean): void => {
+    const read = readTime(text, { isDt: true });
+    asked.value = 'either' in read ? { label, either: read.either, use } : null;
+    if ('value' in read) takeValue(read.value, use);
+    else problem.value = 'either' in read ? null : messages.value.unreadable[read.unreadable];
+  };
+  const add = (value: number): boolean => {
+    const isAdded = preferences.addPreset(value);
+    if (isAdded) added.value = '';
+    return isAdded;
+  };
+  const setLimit = (value: number): boolean => {
+    const isSet = preferences.setShortDt(value);
+    if (isSet) limit.value = formatTime(value);
+    return isSet;
+  };
+  return (
+    <form
+      class="tool-fields"
+      onSubmit={(event) => {
+        event.preventDefault();
+        // Enter in the field of the limit: it has taken that, and no preset is asked for.
+        if (added.value === '' && document.activeElement === limitInput.current) return;
+        take(added.value, words.add, add);
+      }}
+    >
+      <label>
+        {words.add}
+        <input
+          type="text"
+          inputMode="decimal"
+          autocomplete="off"
+          value={added.value}
+          onInput={(event) => {
+            added.value = event.currentTarget.value;
+            asked.value = null;
+          }}
+        />
+      </label>
+      <button type="submit">{words.addButton}</button>
+      <label>
+        {words.shortDt}
+        <input
+          ref={limitInput}
+          type="text"
+          inputMode="decimal"
+          autocomplete="off"
+          value={limit.value}
+          onChange={(event) => {
+            limit.value = event.currentTarget.value;
+            take(limit.value, words.shortDt, setLimit);
+          }}
+        />
+      </label>
+      {asked.value && (
+        <TimeQuestion
+          label={asked.value.label}
+          either={asked.value.either}
+          onAnswer={(value) => asked.value && takeValue(value, asked.value.use)}
+          onEscape={() => {
+            asked.value = null;
+          }}
+        />
+      )}
+      {problem.value && (
+        <p class="notes bad-text" role="alert">
+          {problem.value}
+        </p>
+      )}
+    </form>
+  );
+}

@@ -1,0 +1,258 @@
+import { type ReadonlySignal, useSignal } from '@preact/signals';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
+import { columnCount, type Identity } from '../../protocol/index.js';
+import { ServosHere, ServosOffer } from '../bench/servos-here.js';
+import { fillDown } from '../editing/edits.js';
+import { cellFor, FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
+import { columnLabel, fieldLabel, messages, obstacleText } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { attempt } from '../session/attempt.js';
+import { programKey } from '../session/keys.js';
+import { useHeight } from '../ui/use-height.js';
+import { useSteady } from '../ui/use-steady.js';
+import { ColumnMenu } from './column-menu.js';
+import { notesFor } from './field-notes.js';
+import { TableSelection } from './field-tools.js';
+import { IntervalField } from './interval-field.js';
+import { PasteDialog, type Pasting } from './paste-dialog.js';
+import { RangeBar } from './range-bar.js';
+import { useRangePointer } from './range-pointer.js';
+import { Selection } from './selection.js';
+import { tableClipboard } from './table-clipboard.js';
+import { cellAt, cellOf, onTableKey } from './table-keys.js';
+import { ValueField } from './value-field.js';
+
+/**
+ * Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet.
+ * @param marked the field whose handle is meant in the timeline: a signal, so that only its row is drawn anew.
+ */
+export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<ProgramField | null> }) {
+  const { session } = useModels();
+  const { editor } = session;
+  const { program, edits, servoName } = messages.value;
+  const selection = useMemo(() => new Selection(), []);
+  const pointer = useRangePointer(selection);
+  const pasting = useSignal<Pasting | null>(null);
+  const obstacle = useSignal<string | null>(null);
+  const table = useRef<HTMLTableElement>(null);
+  const foot = useRef<HTMLDivElement>(null);
+  useHeight(foot, '--range');
+  const identity = editor.identity.value;
+  const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
+  if (!identity) return null;
+  const columns = Array.from({ length: columnCount(identity) }, (_, column) => column);
+
+  /** A single cell is filled from the one above it. */
+  const fill = (): void => {
+    const { working } = editor;
+    const range = selection.range.value;
+    if (!range || !working.value) return;
+    const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
+    if (from.top < 0) return;
+    const edit = fillDown(working.value, from, { unreadable: editor.unreadable.value });
+    const count = 'values' in edit ? edit.values.length : 0;
+    const found = attempt(editor, edit, { code: 'fill', params: { count } });
+    obstacle.value = found && obstacleText(identity, found);
+  };
+  const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({ editor, selection, pasting, obstacle });
+  const toBar = (): void => foot.current?.querySelector('button')?.focus();
+  /** Whoever came to the buttons by keys goes back to the cell; a thumb does not want its keyboard. */
+  const done = (): void => {
+    const { value: cell } = selection.active;
+    const byKeys = foot.current?.contains(document.activeElement);
+    selection.collapse();
+    obstacle.value = null;
+    if (byKeys && cell && table.current) cellAt(table.current, cell)?.querySelector('input')?.focus();
+  };
+  return (
+    <div class="table-box">
+      <table
+        ref={table}
+        class={selection.picking.value ? 'program-table picking' : 'program-table'}
+        aria-describedby="table-keys"
+        onKeyDown={(event) => onTableKey(event, { editor, selection, fillDown: fill, toBar })}
+        onFocusIn={({ target }) => {
+          obstacle.value = null;
+          const cell = cellOf(target);
+          const active = selection.active.value;
+          if (!cell) return;
+          if (selection.picking.value) {
+            // It came in some other way, as by a long press or from a screen reader.
+            selection.extendTo(cell);
+            if (target instanceof HTMLElement) target.blur();
+          } else if (cell.row !== active?.row || cell.column !== active.column) selection.enter(cell);
+        }}
+        onInput={() => selection.collapse()}
+        {...pointer}
+        onCopy={copy}
+        onCut={cut}
+        onPaste={paste}
+      >
+        <caption class="visually-hidden">{program.tableCaption}</caption>
+        <thead>
+          <tr>
+            <th scope="col">{program.column}</th>
+            <th scope="col">{program.time}</th>
+            <th scope="col">{edits.table.interval}</th>
+            {servos.map((servo) => (
+              <th scope="col" key={servo} aria-label={servoName(servo)}>
+                {servoName(servo)}
+                <ColumnMenu identity={identity} servo={servo} />
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <TableSelection.Provider value={selection}>
+          <tbody>
+            {columns.map((column) => (
+              <ProgramRow key={column} {...{ identity, column, servos, selection, marked }} />
+            ))}
+          </tbody>
+        </TableSelection.Provider>
+      </table>
+      <p class="hint keys-hint" id="table-keys">
+        {edits.table.keys}
+      </p>
+      <div class="range-foot" ref={foot}>
+        <RangeBar
+          {...{ identity, selection }}
+          text={selectedText}
+          onPaste={() => void pasteCopied()}
+          onFill={fill}
+          onDone={done}
+        />
+        {obstacle.value && (
+          <p class="notes bad-text" role="alert">
+            {edits.nothingDone} {obstacle.value}
+          </p>
+        )}
+      </div>
+      <PasteDialog pasting={pasting} />
+    </div>
+  );
+}
+
+interface ProgramRowProps {
+  readonly identity: Identity;
+  readonly column: number;
+  readonly servos: readonly number[];
+  readonly selection: Selection;
+  readonly marked: ReadonlySignal<ProgramField | null>;
+}
+
+function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowProps) {
+  const { session } = useModels();
+  const { editor } = session;
+  const { about, program, edits, servoName } = messages.value;
+  const positions = useMemo(
+    () => servos.map((servo): ProgramField => ({ kind: 'position', servo, column })),
+    [servos, column],
+  );
+  const fields: ProgramField[] = [{ kind: 'time', column }, ...positions];
+  const { notes, changed } = useSteady(() => {
+    const keys = fields.map(fieldKey);
+    return {
+      notes: fields.flatMap((field) => notesFor(editor, field)),
+      changed: keys.some((key) => editor.changed.value.has(key) || editor.unreadable.value.has(key)),
+    };
+  }, [editor, positions]);
+  const selected = useSteady(() => {
+    const range = selection.shown.value;
+    return range && column >= range.top && column <= range.bottom ? range : null;
+  }, [selection, column]);
+  const markedAt = useSteady(() => {
+    const place = marked.value && cellFor(marked.value);
+    return place?.row === column ? place.column : null;
+  }, [marked, column]);
+  const name = columnLabel(identity, column);
+  const cell = (at: number, label: string) => {
+    const isSelected = selected && at >= selected.left && at <= selected.right;
+    const classes = `${isSelected ? 'selected' : ''} ${at === markedAt ? 'marked' : ''}`;
+    return { 'data-cell': at, 'data-name': label, class: classes.trim() };
+  };
+  const timeCell = cell(TIME_COLUMN, program.time);
+  return (
+    <>
+      <tr class={columnKind(identity, column)} data-column={column}>
+        <th scope="row">
+          {name}
+          <ServosHere column={column} />
+          {changed && (
+            <button
+              type="button"
+              class="put-back"
+              tabIndex={-1}
+              title={edits.table.revertRow(name)}
+              aria-label={edits.table.revertRow(name)}
+              onClick={() => editor.revertFields(fields, { code: 'revert-row', params: { column } })}
+            />
+          )}
+        </th>
+        <td {...timeCell} class={`time ${timeCell.class}`}>
+          <TimeCell identity={identity} column={column} />
+        </td>
+        <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
+          {column > 0 && <IntervalField column={column} label={edits.table.intervalOf(name)} />}
+        </td>
+        {positions.map((field, servo) => (
+          <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
+            <ValueField field={field} label={fieldLabel(identity, field)} place="table" />
+          </td>
+        ))}
+      </tr>
+      {notes.length > 0 && (
+        <tr class="row-notes">
+          <td colSpan={servos.length + 3}>
+            {notes.map(({ field, severity, text }) => (
+              <p key={`${fieldKey(field)} ${text}`} class={severity}>
+                <strong>{about(fieldLabel(identity, field))}</strong> {text}
+              </p>
+            ))}
+          </td>
+        </tr>
+      )}
+      <ServosOffer identity={identity} column={column} width={servos.length + 3} />
+    </>
+  );
+}
+
+/** Column 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
+function TimeCell({ identity, column }: { identity: Identity; column: number }) {
+  const { session } = useModels();
+  const { editor } = session;
+  const { program } = messages.value;
+  const unlocked = useSignal(false);
+  const shown = useSteady(
+    () => editor.working.value && programKey(editor.working.value, session.simulated.value),
+    [editor, session],
+  );
+  // It was asked for in the program that was on the screen then.
+  useEffect(() => {
+    unlocked.value = false;
+  }, [unlocked, shown]);
+  const field: ProgramField = { kind: 'time', column };
+  const label = fieldLabel(identity, field);
+  const isMotorStop = column === 0 && identity.timerClass === 'Q';
+  const reserved = column === 0 && !isMotorStop;
+  return (
+    <>
+      <ValueField field={field} label={label} place="table" readOnly={reserved && !unlocked.value} />
+      {isMotorStop && <span class="cell-name">{program.motorStop}</span>}
+      {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
+      {reserved && !unlocked.value && (
+        <button
+          type="button"
+          class="cell-name"
+          aria-label={program.editReserved}
+          onClick={(event) => {
+            unlocked.value = true;
+            event.currentTarget.closest('td')?.querySelector('input')?.focus();
+          }}
+        >
+          {program.reserved}
+        </button>
+      )}
+    </>
+  );
+}

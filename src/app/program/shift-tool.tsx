@@ -1,0 +1,95 @@
+import { useSignal } from '@preact/signals';
+import { columnCount } from '../../protocol/index.js';
+import { shiftFrom } from '../editing/edits.js';
+import { parseInterval } from '../editing/units.js';
+import { columnLabel, messages, obstacleText } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { attempt } from '../session/attempt.js';
+
+/** Moves a function and all later ones in time. */
+export function ShiftTool() {
+  const { session } = useModels();
+  const { editor } = session;
+  const { shift, nothingDone } = messages.value.edits;
+  const from = useSignal(1);
+  const amount = useSignal('0.50');
+  const moveDt = useSignal(false);
+  const problem = useSignal<string | null>(null);
+  const identity = editor.identity.value;
+  if (!identity) return null;
+  const first = identity.timerClass === 'Q' ? 0 : 1;
+  const columns = Array.from({ length: columnCount(identity) }, (_, column) => column).slice(first);
+  const column = Math.min(Math.max(from.value, first), identity.functions);
+
+  const move = (direction: 1 | -1): void => {
+    const parsed = parseInterval(amount.value);
+    if ('unreadable' in parsed) {
+      problem.value = messages.value.unreadable[parsed.unreadable];
+      return;
+    }
+    const by = direction * parsed.value;
+    const working = editor.working.value;
+    if (!working) return;
+    const edit = shiftFrom(working, column, by, { moveDt: moveDt.value });
+    const obstacle = attempt(editor, edit, { code: 'shift', params: { column, by } });
+    problem.value = obstacle && `${nothingDone} ${obstacleText(identity, obstacle)}`;
+  };
+  return (
+    <details class="tool shift-tool">
+      <summary>{shift.title}</summary>
+      <div class="tool-fields">
+        <label>
+          {shift.from}
+          <select
+            value={column}
+            onChange={(event) => {
+              from.value = Number(event.currentTarget.value);
+            }}
+          >
+            {columns.map((each) => (
+              <option key={each} value={each}>
+                {columnLabel(identity, each)}
+              </option>
+            ))}
+          </select>
+        </label>
+        <label>
+          {shift.by}
+          <input
+            type="text"
+            inputMode="decimal"
+            autocomplete="off"
+            value={amount.value}
+            onInput={(event) => {
+              amount.value = event.currentTarget.value;
+              problem.value = null;
+            }}
+          />
+        </label>
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={moveDt.value}
+            onChange={(event) => {
+              moveDt.value = event.currentTarget.checked;
+            }}
+          />
+          {shift.moveDt}
+        </label>
+        <div class="buttons">
+          <button type="button" onClick={() => move(-1)}>
+            {shift.earlier}
+          </button>
+          <button type="button" onClick={() => move(1)}>
+            {shift.later}
+          </button>
+        </div>
+      </div>
+      {problem.value && (
+        <p class="notes bad-text" role="alert">
+          {problem.value}
+        </p>
+      )}
+    </details>
+  );
+}

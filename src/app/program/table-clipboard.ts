@@ -1,0 +1,67 @@
+import type { Signal } from '@preact/signals';
+import { formatTable } from '../editing/clipboard-table.js';
+import type { Editor } from '../editing/editor.js';
+import { messages } from '../messages/index.js';
+import type { Pasting } from './paste-dialog.js';
+import type { Selection } from './selection.js';
+
+interface ClipboardUser {
+  readonly editor: Editor;
+  readonly selection: Selection;
+  /** Is given what is to be pasted: the pilot looks at it first. */
+  readonly pasting: Signal<Pasting | null>;
+  /** Is given why nothing is pasted. */
+  readonly obstacle: Signal<string | null>;
+}
+
+/** What the table exchanges with other programs: by the events of the keys, or by buttons. */
+export function tableClipboard({ editor, selection, pasting, obstacle }: ClipboardUser) {
+  const selectedText = (): string => {
+    const { working } = editor;
+    const range = selection.range.value;
+    return range && working.value ? formatTable(working.value, range) : '';
+  };
+  const copy = (event: ClipboardEvent): void => {
+    if (!selection.isWide.value || !event.clipboardData) return;
+    event.preventDefault();
+    event.clipboardData.setData('text/plain', selectedText());
+  };
+  /** No cell of a program can be empty: what is cut is only copied, but for a part of a text. */
+  const cut = (event: ClipboardEvent): void => {
+    copy(event);
+    const { target, clipboardData } = event;
+    if (event.defaultPrevented || !(target instanceof HTMLInputElement) || !clipboardData) return;
+    if (target.selectionStart !== 0 || target.selectionEnd !== target.value.length) return;
+    event.preventDefault();
+    clipboardData.setData('text/plain', target.value);
+  };
+  const paste = (event: ClipboardEvent): void => {
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    const range = selection.range.value;
+    if (!range || text === '') return;
+    obstacle.value = null;
+    if (text.trim() === '') {
+      // Cells with nothing in them: as typing they would only empty the field.
+      event.preventDefault();
+      obstacle.value = messages.value.edits.table.range.clipboardEmpty;
+      return;
+    }
+    // One value into one cell is typing.
+    if (!(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
+    event.preventDefault();
+    pasting.value = { range, text };
+  };
+  const pasteCopied = async (): Promise<void> => {
+    const range = selection.range.value;
+    const words = messages.value.edits.table.range;
+    obstacle.value = null;
+    try {
+      const text = await navigator.clipboard.readText();
+      if (range && text !== '') pasting.value = { range, text };
+      else obstacle.value = words.clipboardEmpty;
+    } catch {
+      obstacle.value = words.clipboardClosed;
+    }
+  };
+  return { selectedText, copy, cut, paste, pasteCopied };
+}

@@ -1,0 +1,135 @@
+import { useSignal } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
+import { fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
+import { dateText, messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { kindKey } from '../session/keys.js';
+import type { OnEdit } from '../timeline/drag.js';
+import { useLate } from '../timeline/hooks.js';
+import { FlightPreview } from '../timeline/preview/flight-preview.js';
+import { KeptLinkages } from '../timeline/preview/linkages.js';
+import { Player } from '../timeline/preview/player.js';
+import { Timeline, type TimelineProps } from '../timeline/timeline.js';
+
+/** What lies behind the program: what the timer holds, nothing, or a backup by its key. */
+const HELD = 'held';
+const NOTHING = 'nothing';
+/** So many backups can be chosen, newest first. */
+const CHOICES = 12;
+
+interface TimelinePanelProps {
+  /** The field that has the focus elsewhere on the screen. */
+  readonly selected: ProgramField | null;
+  readonly onSelect: (field: ProgramField) => void;
+  /** The mouse is over what can be taken hold of, or no longer. */
+  readonly onPoint: (field: ProgramField | null) => void;
+}
+
+/** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
+export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProps) {
+  const { session } = useModels();
+  const { preview } = messages.value;
+  const { editor } = session;
+  const player = useMemo(() => new Player(), []);
+  const behind = useSignal(HELD);
+  const open = useSignal(false);
+  const [late, catchUp] = useLate(editor.working);
+  const program = late?.identity === editor.identity.value ? late : editor.working.peek();
+  if (!program) return null;
+  return (
+    <div class="timeline-panel">
+      <PlayedTimeline
+        {...{ program, player, selected, onSelect, onPoint }}
+        overlay={useOverlay(program, behind.value)}
+        now={() => editor.working.peek() ?? program}
+        onEdit={(values, { final, back }) => {
+          // All of one movement is one step, named after the field; one that leads back is none.
+          const key = values.map(({ field }) => fieldKey(field)).join(' ');
+          const group = `move ${key}`;
+          const isNone = final && back && editor.abandon(group);
+          if (!isNone) editor.apply(values, { code: 'move-mark', params: { field: key } }, group);
+          // What is in hand stays in hand.
+          catchUp();
+          if (final) editor.settle();
+        }}
+      />
+      <Behind
+        program={program}
+        chosen={behind.value}
+        onChoose={(key) => {
+          behind.value = key;
+        }}
+      />
+      <details
+        class="flight"
+        onToggle={(event) => {
+          open.value = event.currentTarget.open;
+        }}
+      >
+        <summary>{preview.title}</summary>
+        {open.value && <KeptPreview program={program} player={player} />}
+      </details>
+    </div>
+  );
+}
+
+/** Drawn at each frame of a flight, so that nothing around it has to be. */
+function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player: Player; readonly onEdit: OnEdit }) {
+  const time = player.time.value;
+  const isUnderWay = time > 0 || player.playing.value;
+  return <Timeline {...props} cursor={isUnderWay ? time : null} />;
+}
+
+/** The second program and its name. */
+function useOverlay(program: TimerProgram, chosen: string): TimelineProps['overlay'] {
+  const { session } = useModels();
+  const { knowledge } = messages.value;
+  const { sure } = session.standing.value;
+  const held = session.editor.baseline.value;
+  const differs = session.editor.changes.value.length > 0;
+  const backup = session.backups.list.value.find(({ key }) => key === chosen);
+  return useMemo(() => {
+    if (chosen === HELD) {
+      return held && differs ? { program: held, name: knowledge.held[sure], uncertain: sure === 'not' } : null;
+    }
+    if (!backup || !sameLayout(backup.program.identity, program.identity)) return null;
+    return { program: backup.program, name: dateText(backup.savedAt) };
+  }, [chosen, held, differs, backup, program.identity, knowledge, sure]);
+}
+
+interface BehindProps {
+  readonly program: TimerProgram;
+  readonly chosen: string;
+  readonly onChoose: (key: string) => void;
+}
+
+function Behind({ program, chosen, onChoose }: BehindProps) {
+  const { session } = useModels();
+  const { timeline, backups: words, knowledge, memoryName, recovery } = messages.value;
+  const fitting = session.backups.list.value
+    .filter((backup) => sameLayout(backup.program.identity, program.identity))
+    .slice(0, CHOICES);
+  return (
+    <label class="timeline-choice">
+      {timeline.compareWith}
+      <select value={chosen} onChange={(event) => onChoose(event.currentTarget.value)}>
+        <option value={HELD}>{knowledge.held[session.standing.value.sure]}</option>
+        <option value={NOTHING}>{timeline.compareNothing}</option>
+        {fitting.map(({ key, savedAt, reason, simulated, program: { memory } }) => (
+          <option key={key} value={key}>
+            {`${memory === null ? recovery.unknownMemory : memoryName(memory)} · ${words.origin(dateText(savedAt), words.reasons[reason], simulated)}`}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+/** The preview, with what the servos move as the pilot has said for timers of this kind. */
+function KeptPreview({ program, player }: { readonly program: TimerProgram; readonly player: Player }) {
+  const { session } = useModels();
+  const { identity } = program;
+  const kind = kindKey(identity, session.simulated.value);
+  const linkages = useMemo(() => new KeptLinkages(kind, identity.servos), [kind, identity.servos]);
+  return <FlightPreview program={program} player={player} linkages={linkages.value.value} onLinkages={linkages.set} />;
+}

@@ -1,0 +1,59 @@
+import { fieldKey } from '../../program/index.js';
+import { fieldLabel, messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { useSteady } from '../ui/use-steady.js';
+import { firstInTheWay } from './field-notes.js';
+
+const NOTE = 'blocked-note';
+
+/** To the difference, and from there to the timer. Where a field is in the way it leads to that field. */
+export function WriteButton() {
+  const { session, write } = useModels();
+  const { editor } = session;
+  const isBlocked = editor.blocked.value;
+  const press = (): void => {
+    const cause = isBlocked ? firstInTheWay(editor) : null;
+    if (cause) lookAt(fieldKey(cause.field));
+    else void write.open();
+  };
+  return (
+    <button
+      type="button"
+      class={isBlocked ? 'blocked' : editor.changes.value.length > 0 ? 'primary' : ''}
+      // Not while a job runs; but the focus stays, also for when the dialog is closed.
+      aria-disabled={session.busy.value}
+      aria-describedby={isBlocked ? NOTE : undefined}
+      disabled={session.connection.value === null}
+      onClick={press}
+    >
+      {messages.value.program.write}
+    </button>
+  );
+}
+
+/** What is in the way of a write. A text that is still being typed is not. */
+export function BlockedNote() {
+  const { session } = useModels();
+  const { editor } = session;
+  const text = useSteady(() => {
+    const identity = editor.identity.value;
+    const cause = identity && firstInTheWay(editor);
+    if (!cause) return null;
+    const key = fieldKey(cause.field);
+    const isTyped = editor.unreadable.value.get(key)?.either && !editor.asked.value.has(key);
+    return isTyped ? null : messages.value.program.blocked(fieldLabel(identity, cause.field), cause.text);
+  }, [editor]);
+  if (text === null) return null;
+  return (
+    <p class="hint bad-text" id={NOTE} role="status">
+      {text}
+    </p>
+  );
+}
+
+/** The large figure where there is one, else the cell. */
+function lookAt(key: string): void {
+  const input = document.querySelector<HTMLInputElement>(`input[data-field="${CSS.escape(key)}"]`);
+  input?.focus({ preventScroll: true });
+  input?.scrollIntoView({ block: 'center' });
+}

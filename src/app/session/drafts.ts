@@ -1,0 +1,175 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
+import type { TabNumber } from '../browser/tab-number.js';
+import type { EditorContent } from '../editing/editor.js';
+import type { Draft, Keeper } from '../storage/index.js';
+import { programKey, workKey } from './keys.js';
+
+/** In the place of a key, before it is known under which number this tab keeps its work. */
+const EARLY = '';
+
+/**
+ * What a pilot works on, with what can be undone, by kind of timer, memory and tab: through a reload or a crash where the browser keeps
+ * anything, else for as long as the page is open. What was left in a tab that is closed falls to the next one that needs it.
+ */
+export class Drafts {
+  readonly #shelf: Keeper<Draft>;
+  readonly #tab: TabNumber;
+  readonly #open = new Map<string, Draft>();
+  /** Under these keys it is known what was kept before. */
+  readonly #seen = new Set<string>();
+  readonly #begun: Promise<void>;
+  #begin: () => void = () => {};
+  /** What was to be kept before it was known under which number. */
+  #early: (() => void) | null = null;
+  #hasBegun = false;
+  #saving: Promise<unknown> = Promise.resolve();
+  /** What this page has and the storage has not, by key. */
+  readonly #unsaved = signal<ReadonlySet<string>>(new Set(), { name: 'unsaved' });
+  /** Whether all that was typed would be there after a reload. */
+  readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
+
+  constructor(shelf: Keeper<Draft>, tab: TabNumber) {
+    this.#shelf = shelf;
+    this.#tab = tab;
+    this.#begun = new Promise((resolve) => {
+      this.#begin = resolve;
+    });
+  }
+
+  /**
+   * The one that was worked on last and was not written: in this tab, else in one that is closed. From its end on this tab has its number.
+   * @param wanted asked when it was found, which may take its time: whether it still has a place.
+   */
+  async latest(wanted: () => boolean): Promise<Draft | undefined> {
+    await this.#tab.takeBefore();
+    const edited = (await this.#all()).filter(isEdited);
+    let found: Draft | undefined;
+    for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
+    await this.#tab.takeAny();
+    for (const draft of edited) if (!found && (await this.#tab.isFree(draft.tab))) found = draft;
+    const draft = found && wanted() ? this.#adopt(found) : undefined;
+    this.#hasBegun = true;
+    this.#begin();
+    this.#early?.();
+    return draft;
+  }
+
+  /**
+   * What is kept of the work on a program like this.
+   * @param inherit another tab has left its timer to this one: its edits come along.
+   */
+  async of(program: TimerProgram, simulated: boolean, inherit = false): Promise<Draft | undefined> {
+    await this.#begun;
+    const key = workKey(program, simulated, this.#tab.value);
+    await this.#saving;
+    const own = this.#open.get(key) ?? (await this.#load(key).catch(() => undefined));
+    if (own) return this.#adopt(own);
+    const kind = programKey(program, simulated);
+    for (const draft of await this.#all()) {
+      if (programKey(draft.working, draft.simulated) !== kind) continue;
+      if (inherit || (await this.#tab.isFree(draft.tab))) return this.#adopt(draft);
+    }
+    return undefined;
+  }
+
+  /** Takes a draft over into this tab; an open one that had it keeps it too. */
+  #adopt(draft: Draft): Draft {
+    const tab = this.#tab.value;
+    const key = workKey(draft.working, draft.simulated, tab);
+    const own = { ...draft, key, tab };
+    if (draft.tab !== tab) {
+      this.#then(async () => {
+        await this.#save(own);
+        if (await this.#tab.isFree(draft.tab)) await this.#shelf.remove(draft.key);
+      });
+    } else {
+      this.#seen.add(key);
+    }
+    this.#open.set(key, own);
+    return own;
+  }
+
+  /** All that are kept, the latest first; none where the browser does not give them. */
+  async #all(): Promise<Draft[]> {
+    const all = await this.#shelf.all().catch((): Draft[] => []);
+    return all.sort((a, b) => b.savedAt - a.savedAt);
+  }
+
+  /** Keeps what is on the screen while there is anything to bring back, or to undo, and forgets it when there is not. */
+  readonly keep = (content: EditorContent, simulated: boolean): void => {
+    if (!this.#hasBegun) {
+      this.#early = () => this.keep(content, simulated);
+      this.#note(EARLY, false);
+      return;
+    }
+    this.#early = null;
+    this.#note(EARLY, true);
+    const tab = this.#tab.value;
+    const key = workKey(content.working, simulated, tab);
+    const draft: Draft = { key, ...content, savedAt: Date.now(), simulated, tab };
+    if (isEdited(draft) || draft.history?.past.length || draft.history?.future.length) {
+      this.#open.set(key, draft);
+      this.#keep(draft);
+    } else if (this.#open.delete(key)) {
+      this.#note(key, true);
+      this.#then(() => this.#shelf.remove(key));
+    }
+  };
+
+  /** Tries again to keep what the browser has not kept. */
+  keepAgain(): void {
+    for (const key of this.#unsaved.peek()) {
+      const draft = this.#open.get(key);
+      if (draft) this.#keep(draft);
+    }
+  }
+
+  #keep(draft: Draft): void {
+    this.#note(draft.key, false);
+    this.#then(async () => {
+      // One that has been followed by another before its turn has come is not saved.
+      if (this.#open.get(draft.key) !== draft) return;
+      await this.#save(draft);
+      if (this.#open.get(draft.key) === draft) this.#note(draft.key, true);
+    });
+  }
+
+  #note(key: string, isSaved: boolean): void {
+    if (this.#unsaved.peek().has(key) !== isSaved) return;
+    const unsaved = new Set(this.#unsaved.peek());
+    if (isSaved) unsaved.delete(key);
+    else unsaved.add(key);
+    this.#unsaved.value = unsaved;
+  }
+
+  async #load(key: string): Promise<Draft | undefined> {
+    const draft = await this.#shelf.load(key);
+    this.#seen.add(key);
+    return draft;
+  }
+
+  /** What the browser did not give back when it was asked for is not overwritten: it is kept as the work of a tab that is closed. */
+  async #save(draft: Draft): Promise<void> {
+    const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
+    if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {
+      const tab = Math.max(2, Math.floor(unseen.savedAt));
+      await this.#shelf.save({ ...unseen, key: workKey(unseen.working, unseen.simulated, tab), tab });
+    }
+    await this.#shelf.save(draft);
+  }
+
+  /** One thing after another. That the browser does not keep something it says itself, see `Keeping`. */
+  #then(work: () => Promise<unknown>): void {
+    this.#saving = this.#saving.then(work).catch(() => {});
+  }
+}
+
+function sameWork(a: Draft, b: Draft): boolean {
+  return differences(a.working, b.working).length === 0 && JSON.stringify(a.texts) === JSON.stringify(b.texts);
+}
+
+function isEdited({ baseline, working, texts }: Draft): boolean {
+  if (!sameLayout(baseline.identity, working.identity)) return false;
+  return Object.keys(texts).length > 0 || differences(baseline, working).length > 0;
+}

@@ -1,0 +1,50 @@
+import { signal } from '@preact/signals';
+import * as v from 'valibot';
+import { MAX_TIME } from '../../protocol/index.js';
+import { loadSetting, saveSetting } from '../browser/settings.js';
+import type { Editor } from '../editing/editor.js';
+
+/** DT from a trimming flight to a fly-off, in hundredths of a second. */
+const USUAL_PRESETS = [2000, 6000, 18000, 24000, 30000, 36000, 48000, 60000];
+const MOST_PRESETS = 24;
+
+const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
+const times = v.pipe(v.array(time), v.maxLength(MOST_PRESETS));
+
+/** What a pilot has set once for all timers: the presets of DT, and below which one it is called short. Times are hundredths of a second. */
+export class Preferences {
+  /** In rising order. */
+  readonly presets = signal<readonly number[]>(loadSetting('dt-presets', times) ?? USUAL_PRESETS);
+  readonly #editor: Editor;
+
+  constructor(editor: Editor) {
+    this.#editor = editor;
+    const shortDt = loadSetting('short-dt', time);
+    if (shortDt !== null) editor.shortDt.value = shortDt;
+  }
+
+  /** @returns false when the list is full or no timer could hold it. */
+  addPreset(value: number): boolean {
+    const presets = [...new Set([...this.presets.value, value])].sort((a, b) => a - b);
+    if (!v.is(times, presets)) return false;
+    this.#keep(presets);
+    return true;
+  }
+
+  removePreset(value: number): void {
+    this.#keep(this.presets.value.filter((preset) => preset !== value));
+  }
+
+  /** @returns false when no timer could hold such a time. */
+  setShortDt(value: number): boolean {
+    if (!v.is(time, value)) return false;
+    this.#editor.shortDt.value = value;
+    saveSetting('short-dt', value);
+    return true;
+  }
+
+  #keep(presets: readonly number[]): void {
+    this.presets.value = presets;
+    saveSetting('dt-presets', presets);
+  }
+}

@@ -1,0 +1,67 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { SHELVES } from '../storage/index.js';
+import { Modal } from '../ui/modal.js';
+import { UncertainNote } from '../write/uncertain-band.js';
+import type { Counts } from './erase.js';
+
+/** What would be deleted from this device, asked once. */
+export function EraseDialog() {
+  const { erase } = useModels();
+  const { erase: words, write } = messages.value;
+  const current = erase.current.value;
+  return (
+    <Modal
+      open={current !== null}
+      title={words.title}
+      titleId="erase-title"
+      head={<UncertainNote />}
+      held={current?.step === 'running'}
+      onEscape={() => erase.dismiss()}
+    >
+      {current?.step === 'review' && <Review counts={current.counts} />}
+      {current?.step === 'running' && <p role="status">{words.running}</p>}
+      {current?.step === 'failed' && (
+        <>
+          <div class="notice bad" role="alert">
+            <p>{words.failed(current.left)}</p>
+          </div>
+          <div class="buttons">
+            <button type="button" class="primary" onClick={() => erase.dismiss()}>
+              {write.close}
+            </button>
+          </div>
+        </>
+      )}
+    </Modal>
+  );
+}
+
+function Review({ counts }: { counts: Counts }) {
+  const { erase, session } = useModels();
+  const { erase: words, write } = messages.value;
+  return (
+    <>
+      <p>{words.lead}</p>
+      <ul>
+        {SHELVES.map((shelf) => (
+          <li key={shelf}>{words.counts[shelf](counts[shelf] === null ? words.unknown : String(counts[shelf]))}</li>
+        ))}
+        <li>{words.rest}</li>
+      </ul>
+      {session.knowledge.uncertain.value.length > 0 && (
+        <div class="notice bad" role="alert">
+          <p>{words.uncertain}</p>
+        </div>
+      )}
+      <div class="buttons">
+        <button type="button" class="danger" onClick={() => void erase.start()}>
+          {words.start}
+        </button>
+        <button type="button" onClick={() => erase.dismiss()}>
+          {write.cancel}
+        </button>
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,68 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import type { Session } from '../session/session.js';
+import { SHELVES, type Storage, within } from '../storage/index.js';
+
+/** What is kept outside of the storage of this page. */
+export type Place = 'settings' | 'ports' | 'offline';
+
+/** How each of these is emptied. */
+export type Erasers = Readonly<Record<Place, () => Promise<void>>>;
+
+/** How many records of each kind are kept; null where the browser does not say. */
+export type Counts = Readonly<Record<(typeof SHELVES)[number], number | null>>;
+
+export type EraseStep =
+  | { readonly step: 'review'; readonly counts: Counts }
+  | { readonly step: 'running' }
+  /** Some of it could not be deleted. */
+  | { readonly step: 'failed'; readonly left: readonly (Place | 'storage')[] };
+
+/** Deletes everything that this page keeps on this device; it is asked for once. */
+export class Erase {
+  readonly current: ReadonlySignal<EraseStep | null>;
+  readonly #current = signal<EraseStep | null>(null, { name: 'erase' });
+  readonly #session: Session;
+  readonly #storage: Storage;
+  readonly #erasers: Erasers;
+  readonly #reload: () => void;
+
+  /** @param reload begins the page afresh. */
+  constructor(session: Session, storage: Storage, erasers: Erasers, reload: () => void) {
+    this.current = this.#current;
+    this.#session = session;
+    this.#storage = storage;
+    this.#erasers = erasers;
+    this.#reload = reload;
+  }
+
+  /** Says what would go. */
+  async open(): Promise<void> {
+    const counted = SHELVES.map(async (shelf) => {
+      const records = await this.#storage[shelf].all().catch(() => null);
+      return [shelf, records?.length ?? null] as const;
+    });
+    const counts = Object.fromEntries(await Promise.all(counted)) as Record<(typeof SHELVES)[number], number | null>;
+    this.#current.value = { step: 'review', counts };
+  }
+
+  dismiss(): void {
+    if (this.#current.value?.step !== 'running') this.#current.value = null;
+  }
+
+  /** Deletes all of it and begins afresh; what could not be deleted is said, and the page stays as it is. */
+  async start(): Promise<void> {
+    if (this.#current.value?.step !== 'review') return;
+    this.#current.value = { step: 'running' };
+    await this.#session.disconnect();
+    // Nothing is left that would be kept again.
+    this.#session.editor.clear();
+    const left: (Place | 'storage')[] = [];
+    const jobs = [
+      ['storage', () => this.#storage.erase()] as const,
+      ...(Object.entries(this.#erasers) as [Place, () => Promise<void>][]),
+    ];
+    for (const [place, erase] of jobs) await within(erase).catch(() => left.push(place));
+    if (left.length === 0) this.#reload();
+    this.#current.value = left.length === 0 ? null : { step: 'failed', left };
+  }
+}

@@ -1,0 +1,28 @@
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { THEMES } from './theme.js';
+
+/** How the page looks, one tap each: whoever stands in the sun cannot read a menu. */
+export function ThemeChoice() {
+  const { theme } = useModels();
+  const { title, names } = messages.value.theme;
+  return (
+    <fieldset class="theme">
+      <legend>{title}</legend>
+      <div class="segments">
+        {THEMES.map((name) => (
+          <label key={name}>
+            <input
+              type="radio"
+              name="theme"
+              class="visually-hidden"
+              checked={name === theme.chosen.value}
+              onChange={() => theme.choose(name)}
+            />
+            <span>{names[name]}</span>
+          </label>
+        ))}
+      </div>
+    </fieldset>
+  );
+}

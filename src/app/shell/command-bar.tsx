@@ -1,0 +1,45 @@
+import { useRef } from 'preact/hooks';
+import { FollowNote } from '../bench/follow-panel.js';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { UndoButtons } from '../program/undo-buttons.js';
+import { BlockedNote, WriteButton } from '../program/write-button.js';
+import { useHeight } from '../ui/use-height.js';
+import { KnownLine } from './known-line.js';
+
+/** How the program stands to the timer, and the way to it and back. */
+export function CommandBar() {
+  const { session } = useModels();
+  const { program } = messages.value;
+  const { editor } = session;
+  const connected = session.connection.value !== null;
+  const bar = useRef<HTMLElement>(null);
+  useHeight(bar, '--actions');
+  return (
+    <section class="actions" ref={bar}>
+      <KnownLine />
+      {session.link.state.value.status === 'off' && !session.link.unavailable && (
+        <p class="hint">{program.notConnected}</p>
+      )}
+      <FollowNote />
+      <BlockedNote />
+      <UndoButtons />
+      <div class="buttons">
+        <WriteButton />
+        <button
+          type="button"
+          aria-disabled={session.busy.value}
+          disabled={!connected}
+          onClick={() => void session.read()}
+        >
+          {program.read}
+        </button>
+        {editor.dirty.value && (
+          <button type="button" class="quiet" disabled={session.busy.value} onClick={() => editor.revertAll()}>
+            {program.undoAll}
+          </button>
+        )}
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,61 @@
+import { saveFile } from '../browser/save-file.js';
+import { messages } from '../messages/index.js';
+import { useModels } from '../models.js';
+
+/** What this browser does not keep, as long as that is so; nothing when all is well. */
+export function KeepingNotice() {
+  const { keeping } = useModels();
+  const { keeping: words, dismiss } = messages.value;
+  const storage = keeping.storage.value;
+  const lacks = keeping.lacks.value;
+  if ((!storage && lacks.length === 0) || keeping.dismissed.value) return null;
+  return (
+    <div class="notice bad">
+      <p>
+        <strong>{words.title}</strong> {storage && words.storage[storage]}{' '}
+        {lacks.map((lack) => words.lacks[lack]).join(' ')}
+      </p>
+      <button type="button" class="quiet" onClick={() => keeping.dismiss()}>
+        {dismiss}
+      </button>
+    </div>
+  );
+}
+
+/** What was found in the storage and cannot be read. */
+export function AsideNotice() {
+  const { aside } = useModels();
+  const { aside: words, dismiss } = messages.value;
+  if (!aside.isNew.value) return null;
+  return (
+    <div class="notice bad">
+      <p>
+        <strong>{words.title(aside.list.value.length)}</strong> {words.kept} {aside.hasWrite && words.write}
+      </p>
+      <button type="button" onClick={() => saveFile('sidus-set-aside.json', aside.asText())}>
+        {words.save}
+      </button>
+      <button type="button" class="quiet" onClick={() => aside.dismiss()}>
+        {dismiss}
+      </button>
+    </div>
+  );
+}
+
+/** Backups that were deleted a moment ago can be put back. */
+export function RemovedNotice() {
+  const { session } = useModels();
+  const { removed: words } = messages.value;
+  const { length } = session.backups.removed.value;
+  if (length === 0) return null;
+  return (
+    <div class="notice">
+      <p>
+        <strong>{words.title(length)}</strong>
+      </p>
+      <button type="button" onClick={() => session.backups.undoRemove()}>
+        {words.undo}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,105 @@
+import type { Platform } from '../browser/platform.js';
+import { OtherTabNotice } from '../connect/other-tab-notice.js';
+import { connectionSaid, TroubleHelp } from '../connect/trouble-help.js';
+import { hexOf } from '../messages/frame-text.js';
+import { messages, readable, type Said } from '../messages/index.js';
+import { useModels } from '../models.js';
+import type { Notice } from '../session/notice.js';
+import { NoticeText } from '../ui/notice-text.js';
+import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
+
+const CALM: ReadonlySet<Notice['code']> = new Set([
+  'nothing-chosen',
+  'edits-restored',
+  'edits-kept',
+  'edits-set-aside',
+  'back-same',
+  'write-completed',
+  'nothing-written',
+  'taken-over',
+]);
+
+/** What the pilot should know now: said once, until it is dismissed or something else is to say. */
+export function NoticeBar() {
+  const { session, update, tabs, platform } = useModels();
+  const { dismiss, link, update: words } = messages.value;
+  const notice = session.notice.value;
+  const take = update.take.value;
+  const holder = tabs.holder.value;
+  return (
+    <div class="notices" role="status">
+      {take && (
+        <div class="notice">
+          <p>
+            <strong>{words.ready}</strong> {update.waitsFor.value && words.later[update.waitsFor.value]}
+          </p>
+          <button type="button" onClick={take}>
+            {words.take}
+          </button>
+        </div>
+      )}
+      <KeepingNotice />
+      <AsideNotice />
+      <RemovedNotice />
+      {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice />}
+      {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
+      {notice && (
+        <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
+          <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />
+          {notice.kind === 'connection' && notice.bytes && (
+            <p class="hint">{link.itSaid(hexOf(notice.bytes), readable(notice.bytes))}</p>
+          )}
+          {notice.code === 'select-unanswered' && (
+            <button
+              type="button"
+              disabled={session.busy.value || session.connection.value === null}
+              onClick={() => void session.assume({ bareChecksumRequests: true })}
+            >
+              {link.trySelectBare}
+            </button>
+          )}
+          <button type="button" class="quiet" onClick={() => (session.notice.value = null)}>
+            {dismiss}
+          </button>
+          {notice.kind === 'connection' && <TroubleHelp code={notice.code} platform={platform} info={notice.port} />}
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** What no reading can decide: how the timer writes its times. */
+function ByteOrderChoice() {
+  const { session } = useModels();
+  const { byteOrder } = messages.value;
+  return (
+    <div class="notice bad">
+      <NoticeText said={byteOrder} />
+      <div class="buttons">
+        <button
+          type="button"
+          disabled={session.busy.value}
+          onClick={() => void session.assume({ bigEndianTimes: false })}
+        >
+          {byteOrder.keep}
+        </button>
+        <button
+          type="button"
+          disabled={session.busy.value}
+          onClick={() => void session.assume({ bigEndianTimes: true })}
+        >
+          {byteOrder.exchange}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+/** @param uncertain whether it is not known what the memory on the screen holds. */
+function said(notice: Notice, platform: Platform, uncertain: boolean): Said {
+  const { timer, notes } = messages.value;
+  if (notice.kind === 'connection') return connectionSaid(notice.code, platform);
+  if (notice.kind === 'timer') return timer[notice.code];
+  // What a write has done that was cut off is not known before a reading.
+  return notes[uncertain && notice.code === 'edits-restored' ? 'edits-uncertain' : notice.code];
+}

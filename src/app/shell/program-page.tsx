@@ -1,0 +1,83 @@
+import { useComputed, useSignal } from '@preact/signals';
+import { useCallback } from 'preact/hooks';
+import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { BenchPanel } from '../bench/bench-panel.js';
+import { AboutTimer } from '../connect/about-timer.js';
+import { MemoriesOverview } from '../memories/memories-overview.js';
+import { BackupsPanel, MemoriesPanel } from '../memories/memories-panel.js';
+import { MemoryChoice } from '../memories/memory-choice.js';
+import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
+import { messages, timerName } from '../messages/index.js';
+import { useModels } from '../models.js';
+import { ChecksPanel } from '../program/checks-panel.js';
+import { LargeFigures } from '../program/large-figures.js';
+import { DtPresets } from '../program/presets.js';
+import { ProgramTable } from '../program/program-table.js';
+import { ShiftTool } from '../program/shift-tool.js';
+import { TimelinePanel } from '../program/timeline-panel.js';
+import { CommandBar } from './command-bar.js';
+
+/** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
+export function ProgramPage() {
+  const { session, memories, follow } = useModels();
+  const { program, header, about } = messages.value;
+  const identity = session.editor.identity.value;
+  const selected = useSignal<ProgramField | null>(null);
+  const pointed = useSignal<ProgramField | null>(null);
+  const marked = useComputed(() => pointed.value ?? selected.value);
+  const select = useCallback((field: ProgramField | null) => {
+    selected.value = field;
+  }, []);
+  const point = useCallback((field: ProgramField | null) => {
+    pointed.value = field;
+  }, []);
+  // What is typed while another memory is asked for would go into the one that is left.
+  const leaving = useComputed(() => session.job.value?.kind === 'select').value;
+  const looking = memories.looking.value;
+  if (!identity) return null;
+  return (
+    <div class="program">
+      <h1 class="visually-hidden">
+        {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
+      </h1>
+      <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
+        <MemoryChoice />
+        {looking === null ? (
+          <div class="of-memory" inert={leaving}>
+            <LargeFigures />
+            <DtPresets column={identity.functions} />
+            {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
+            <ProgramTable marked={marked} />
+            <ShiftTool />
+          </div>
+        ) : (
+          <MemoryLook memory={looking} />
+        )}
+        {/* It moves the servos to the functions of the current memory. */}
+        {(looking === null || follow.on.value) && <BenchPanel />}
+        <MemoriesPanel />
+        <MemoriesOverview />
+        <BackupsPanel />
+        <AboutTimer />
+      </div>
+      <aside class="program-side" inert={leaving}>
+        {looking === null ? (
+          <>
+            <TimelinePanel selected={selected.value} onSelect={select} onPoint={point} />
+            <ChecksPanel />
+          </>
+        ) : (
+          <MemoryPicture memory={looking} />
+        )}
+      </aside>
+      {looking === null && <CommandBar />}
+    </div>
+  );
+}
+
+/** The field that a place on the screen is for. */
+function fieldAt(target: EventTarget | null, identity: Identity): ProgramField | null {
+  const key = target instanceof HTMLInputElement ? target.getAttribute('data-field') : null;
+  return fieldsOf(identity).find((field) => fieldKey(field) === key) ?? null;
+}

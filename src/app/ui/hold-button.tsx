@@ -1,0 +1,57 @@
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { Hold } from './hold.js';
+
+interface HoldButtonProps {
+  readonly label: string;
+  /** What it says while it is held. */
+  readonly holding: string;
+  readonly disabled: boolean;
+  readonly onHeld: () => void;
+  /** The id of what warns of it. */
+  readonly describedBy: string;
+}
+
+/** A button that has to be held, by pointer, Space or Enter. A bar fills meanwhile; letting go takes it back. */
+export function HoldButton({ label, holding, disabled, onHeld, describedBy }: HoldButtonProps) {
+  const latest = useRef(onHeld);
+  latest.current = onHeld;
+  const hold = useMemo(() => new Hold(() => latest.current()), []);
+  const release = hold.release.bind(hold);
+  useEffect(() => {
+    addEventListener('blur', release);
+    document.addEventListener('visibilitychange', release);
+    return () => {
+      release();
+      removeEventListener('blur', release);
+      document.removeEventListener('visibilitychange', release);
+    };
+  }, []);
+  useEffect(() => {
+    if (disabled) release();
+  }, [disabled]);
+  const isHolding = hold.holding.value;
+  return (
+    <button
+      type="button"
+      class={`hold ${isHolding ? 'holding' : ''}`}
+      disabled={disabled}
+      aria-describedby={describedBy}
+      onPointerDown={(event) => event.button === 0 && event.isPrimary !== false && hold.press()}
+      onPointerUp={release}
+      onPointerLeave={release}
+      onPointerCancel={release}
+      onContextMenu={(event) => event.preventDefault()}
+      onKeyDown={(event) => {
+        if (event.key !== ' ' && event.key !== 'Enter') return;
+        event.preventDefault();
+        // A key that still repeats itself after it has happened begins no second hold.
+        if (!event.repeat) hold.press();
+      }}
+      onKeyUp={release}
+      onBlur={release}
+    >
+      <span class="hold-bar" aria-hidden="true" />
+      <span class="hold-label">{isHolding ? holding : label}</span>
+    </button>
+  );
+}

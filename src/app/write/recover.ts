@@ -1,0 +1,49 @@
+import type { TimerProgram } from '../../program/index.js';
+import type { Session } from '../session/session.js';
+import type { WriteFlow } from './write-flow.js';
+
+/** The ways on from an interrupted write. Each shows the difference first, like any other write. */
+export class Recover {
+  readonly #session: Session;
+  readonly #write: WriteFlow;
+
+  constructor(session: Session, write: WriteFlow) {
+    this.#session = session;
+    this.#write = write;
+  }
+
+  /** Writes what is still missing. */
+  finish(): Promise<void> {
+    return this.#toward('goal');
+  }
+
+  /** Puts back what was there before. */
+  goBack(): Promise<void> {
+    return this.#toward('before');
+  }
+
+  /** Shows what was to be written as edits; the interrupted write is no more. */
+  async show(): Promise<void> {
+    const goal = this.#program('goal');
+    if (!goal) return;
+    this.#session.editor.replace(goal, { code: 'finish-write', params: {} });
+    await this.#session.recovery.settle();
+  }
+
+  async #toward(end: 'goal' | 'before'): Promise<void> {
+    const program = this.#program(end);
+    if (!program) return;
+    this.#session.editor.replace(program);
+    await this.#write.open();
+  }
+
+  /** What is not known of the idle throttle stays as the timer holds it. */
+  #program(end: 'goal' | 'before'): TimerProgram | null {
+    const offer = this.#session.recovery.offer.value;
+    const { baseline } = this.#session.editor;
+    if (offer?.kind !== 'write' || !baseline.value) return null;
+    const program = offer.record[end];
+    const { timers, positions, idleThrottle } = program;
+    return { ...baseline.value, timers, positions, idleThrottle: idleThrottle ?? baseline.value.idleThrottle };
+  }
+}

@@ -1,0 +1,131 @@
+import { useSignal } from '@preact/signals';
+import type { ProgramField } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { dateText, fieldLabel, messages, timerName, valueText } from '../messages/index.js';
+import { keyName } from '../messages/key-figures.js';
+import { useModels } from '../models.js';
+import { kindKey } from '../session/keys.js';
+import { openValues, type Uncertain } from '../session/knowledge.js';
+import type { Session } from '../session/session.js';
+
+/** So many values are named where neither DT nor the motor stop is among them. */
+const NAMED = 2;
+
+/** What is not known of what timers hold, in every view, until a reading explains it. */
+export function UncertainBand() {
+  const { session } = useModels();
+  const { knowledge: words } = messages.value;
+  const all = session.knowledge.uncertain.value;
+  if (all.length === 0) return null;
+  return (
+    <section class="uncertain" aria-live="assertive" aria-label={words.title}>
+      {all.map((one) => (
+        <UncertainMemory key={one.key} one={one} />
+      ))}
+    </section>
+  );
+}
+
+/** The same over a dialog, which covers the page: of the timer at hand alone, or of the one on the screen where none is connected. */
+export function UncertainNote() {
+  const { session } = useModels();
+  const shown = session.editor.identity.value;
+  const isShown = (one: Uncertain): boolean =>
+    !session.connection.value &&
+    shown !== null &&
+    kindKey(shown, session.simulated.value) === kindKey(one.identity, one.simulated);
+  const here = session.knowledge.uncertain.value.filter((one) => isHere(session, one) || isShown(one));
+  if (here.length === 0) return null;
+  return (
+    <div class="uncertain">
+      {here.map((one) => (
+        <p key={one.key}>{uncertainText(one, null)}</p>
+      ))}
+    </div>
+  );
+}
+
+function UncertainMemory({ one }: { readonly one: Uncertain }) {
+  const { session } = useModels();
+  const { knowledge: words } = messages.value;
+  const asking = useSignal(false);
+  const connected = session.connection.value?.identity;
+  const isSame = connected !== undefined && sameKind(session, connected, one);
+  const named = words[isSame ? 'otherTimer' : 'timer'];
+  const timer = isHere(session, one) ? null : named(timerName(one.identity), one.identity.firmware, one.simulated);
+  return (
+    <div class="uncertain-one">
+      <p>
+        <strong>{uncertainText(one, timer)}</strong> <span class="since">{words.since(dateText(one.since))}</span>
+      </p>
+      {asking.value && <p>{words.forgetSure}</p>}
+      <div class="buttons">
+        {asking.value ? (
+          <>
+            <button type="button" onClick={() => (asking.value = false)}>
+              {words.keep}
+            </button>
+            <button type="button" onClick={() => void session.knowledge.forget(one.key)}>
+              {words.forgetNow}
+            </button>
+          </>
+        ) : (
+          <>
+            <WayToRead one={one} />
+            <button type="button" class="quiet" onClick={() => (asking.value = true)}>
+              {words.forget}
+            </button>
+          </>
+        )}
+      </div>
+    </div>
+  );
+}
+
+/** What would make it certain, where that can be done from here. */
+function WayToRead({ one }: { readonly one: Uncertain }) {
+  const { session, memories } = useModels();
+  const { knowledge: words, memoryName } = messages.value;
+  const { memory } = one;
+  const busy = session.busy.value;
+  if (isHere(session, one)) {
+    const isCurrent = memory === null || session.editor.working.value?.memory === memory;
+    return (
+      <button type="button" disabled={busy} onClick={() => void (isCurrent ? session.read() : memories.look(memory))}>
+        {isCurrent ? words.read : words.goTo(memoryName(memory))}
+      </button>
+    );
+  }
+  if (session.link.state.value.status !== 'off' || session.link.unavailable || one.simulated) return null;
+  return (
+    <button type="button" disabled={session.engaged.value} onClick={() => void session.connect()}>
+      {words.connect}
+    </button>
+  );
+}
+
+/** Whether the timer that is connected may be the one: it is of that kind, and the pilot has not said otherwise. */
+function isHere(session: Session, one: Uncertain): boolean {
+  const connected = session.connection.value?.identity;
+  return connected !== undefined && sameKind(session, connected, one) && !session.knowledge.isOfOther(one.key);
+}
+
+function sameKind(session: Session, connected: Identity, one: Uncertain): boolean {
+  return kindKey(connected, session.link.simulated.value) === kindKey(one.identity, one.simulated);
+}
+
+/** “It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.” @param timer null: the one at hand. */
+function uncertainText(one: Uncertain, timer: string | null): string {
+  const { knowledge: words, memoryName } = messages.value;
+  const open = openValues(one);
+  const isKey = ({ field }: { field: ProgramField }): boolean => keyName(one.identity, field) !== null;
+  const keyed = open.filter(isKey);
+  const named = keyed.length > 0 ? keyed : open.slice(0, NAMED);
+  const values = named.map(({ field, from, to }) => {
+    const name = keyName(one.identity, field) ?? fieldLabel(one.identity, field);
+    return words.either(name, valueText(one.identity, field, from), valueText(one.identity, field, to));
+  });
+  const memory = one.memory === null ? words.thisMemory : memoryName(one.memory);
+  const where = timer === null ? memory : words.memoryOf(memory, timer);
+  return `${words.uncertain(where, words.list(values, open.length - named.length))} ${words.noFly}`;
+}

@@ -1,0 +1,276 @@
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
+import { keyFields, keyName } from '../messages/key-figures.js';
+import { useModels } from '../models.js';
+import { Modal } from '../ui/modal.js';
+import { NoticeText } from '../ui/notice-text.js';
+import { ProgressLine } from '../ui/progress-line.js';
+import { MoveServosCheck } from './move-servos-check.js';
+import { SafetyCheck } from './safety-check.js';
+import { UncertainNote } from './uncertain-band.js';
+import { DifferenceInWords, ValueTable } from './value-table.js';
+import type { Shown, WriteStep } from './write-flow.js';
+
+/** The difference, the write, the result: one dialog from start to end. */
+export function WriteDialog() {
+  const { write, session } = useModels();
+  const current = write.current.value;
+  const identity = session.editor.working.value?.identity;
+  const { write: words } = messages.value;
+  return (
+    <Modal
+      open={current !== null && identity !== undefined}
+      title={words.title}
+      head={
+        <>
+          <UncertainNote />
+          {current?.step === 'review' && <KeyFigures shown={current.shown} />}
+        </>
+      }
+      titleId="write-title"
+      held={write.held}
+      onEscape={() => write.escape()}
+    >
+      {current && identity && (
+        <>
+          {current.step === 'review' && <Review review={current} />}
+          {current.step === 'running' && (
+            <Running stage={current.progress ? words.stages[current.progress.stage] : words.title} />
+          )}
+          {current.step === 'unkept' && <Unkept />}
+          {current.step === 'done' && <Result identity={identity} done={current} />}
+          {current.step === 'refused' && <Refused />}
+        </>
+      )}
+    </Modal>
+  );
+}
+
+/** “3:00 min”; a value that is not known says so. */
+function figure(identity: Identity, field: ProgramField, value: number | null): string {
+  return value === null ? messages.value.write.status.unknown : figureText(identity, field, value);
+}
+
+/** DT and the motor stop, whatever else is written: a pilot looks at them first. */
+function KeyFigures({ shown: { baseline, goal } }: { shown: Shown }) {
+  const { write: words } = messages.value;
+  return (
+    <p class="key-figures">
+      {keyFields(goal.identity).map((field) => {
+        const [from, to] = [valueAt(baseline, field), valueAt(goal, field)];
+        return (
+          <span key={fieldKey(field)}>
+            {keyName(goal.identity, field)} <strong>{figure(goal.identity, field, to)}</strong>{' '}
+            <small>{from === to ? words.asItIs : words.insteadOf(figure(goal.identity, field, from))}</small>
+          </span>
+        );
+      })}
+    </p>
+  );
+}
+
+function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { step: 'review' }> }) {
+  const { write } = useModels();
+  const { write: words, memoryName, about } = messages.value;
+  const { changes } = shown;
+  const { identity, memory } = shown.goal;
+  const serious = write.serious.value;
+  return (
+    <>
+      {moved && (
+        <div class="notice bad" role="alert">
+          <NoticeText said={words.moved[moved]} />
+        </div>
+      )}
+      <Conflicts identity={identity} />
+      <p>
+        {changes.length === 0 ? words.nothing : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
+      </p>
+      {changes.length > 0 && (
+        <>
+          <ValueTable
+            identity={identity}
+            names={[words.from, words.to]}
+            rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+            lastCounts
+          />
+          <details>
+            <summary>{words.inWords}</summary>
+            <DifferenceInWords identity={identity} changes={changes} />
+          </details>
+        </>
+      )}
+      {serious.length > 0 && (
+        <div class="notice bad">
+          <ul>
+            {serious.map((finding) => (
+              <li key={`${finding.field ? fieldKey(finding.field) : ''} ${finding.code}`}>
+                {finding.field && <strong>{about(fieldLabel(identity, finding.field))} </strong>}
+                {findingText(finding)}
+              </li>
+            ))}
+          </ul>
+          <label class="check">
+            <input
+              type="checkbox"
+              checked={write.acknowledged.value}
+              onChange={(event) => (write.acknowledged.value = event.currentTarget.checked)}
+            />
+            {words.acknowledge}
+          </label>
+        </div>
+      )}
+      {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck />}
+      <SafetyCheck />
+      <div class="buttons">
+        <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
+          {words.start(changes.length)}
+        </button>
+        <button type="button" onClick={() => write.dismiss()}>
+          {words.cancel}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** What the timer held when the edits were made, and holds no more: side by side with what is about to be written. */
+function Conflicts({ identity }: { identity: Identity }) {
+  const { session } = useModels();
+  const { write, notes } = messages.value;
+  const { conflicts, working } = session.editor;
+  const changes = [...conflicts.value.values()];
+  if (changes.length === 0 || !working.value) return null;
+  const wanted = working.value;
+  return (
+    <div class="notice bad">
+      <NoticeText said={notes['edits-moved']} />
+      <ValueTable
+        identity={identity}
+        names={[write.wasRead, write.held, write.to]}
+        rows={changes.map(({ field, from, to }) => ({ field, values: [from, to, valueAt(wanted, field)] }))}
+        lastCounts
+      />
+    </div>
+  );
+}
+
+/** Nothing has been sent, and nothing is before the pilot has answered. */
+function Unkept() {
+  const { write } = useModels();
+  const { write: words } = messages.value;
+  return (
+    <>
+      <div class="notice bad" role="alert">
+        <NoticeText said={words.unkept} />
+      </div>
+      <div class="buttons">
+        <button type="button" onClick={() => write.answer(true)}>
+          {words.withoutCopy}
+        </button>
+        <button type="button" class="primary" onClick={() => write.answer(false)}>
+          {words.notWithout}
+        </button>
+      </div>
+    </>
+  );
+}
+
+function Running({ stage }: { stage: string }) {
+  const { write } = useModels();
+  const { write: words } = messages.value;
+  const current = write.current.value;
+  if (current?.step !== 'running') return null;
+  return (
+    <>
+      <ProgressLine label={current.stopping ? words.stopping : stage} progress={current.progress} />
+      <div class="buttons">
+        <button type="button" aria-disabled={current.stopping} onClick={() => write.dismiss()}>
+          {words.stop}
+        </button>
+      </div>
+    </>
+  );
+}
+
+type Done = Extract<WriteStep, { step: 'done' }>;
+
+function Result({ identity, done }: { identity: Identity; done: Done }) {
+  const { write, session } = useModels();
+  const { report, unkept } = done;
+  const { write: words, timer } = messages.value;
+  const canWrite = session.connection.value !== null && !session.busy.value && !session.editor.blocked.value;
+  const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
+  return (
+    <>
+      <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
+        <NoticeText said={words[report.result]} />
+        {report.result === 'verified' && report.held && <Verdict done={done} held={report.held} />}
+        {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
+        {unkept && <NoticeText said={words.move.unkept} />}
+        {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
+      </div>
+      {shown.length > 0 && (
+        <ValueTable
+          identity={identity}
+          names={[words.wanted, words.readBack]}
+          rows={shown.map(({ field, wanted, held, status, asked }) => ({
+            field,
+            values: [wanted, held],
+            // What is not known says so itself.
+            note: status === 'unknown' ? null : asked || status !== 'verified' ? words.status[status] : words.putBack,
+          }))}
+          lastCounts
+        />
+      )}
+      <div class="buttons">
+        {unkept && (
+          <button type="button" class="primary" disabled={!canWrite} onClick={() => void write.again()}>
+            {words.move.again}
+          </button>
+        )}
+        <button type="button" class={unkept ? '' : 'primary'} onClick={() => write.dismiss()}>
+          {words.close}
+        </button>
+      </div>
+    </>
+  );
+}
+
+/** What the timer was seen to hold, in one line. */
+function Verdict({ done: { at, shown }, held }: { done: Done; held: TimerProgram }) {
+  const { write: words, memoryName } = messages.value;
+  const { identity, memory } = held;
+  const figures = keyFields(identity).map(
+    (field) => `${keyName(identity, field)} ${figure(identity, field, valueAt(held, field))}`,
+  );
+  const where = memory === null ? words.thisMemory : memoryName(memory);
+  return (
+    <p>
+      <strong>{words.verdict(where, clockText(at), figures, shown.changes.length)}</strong>
+    </p>
+  );
+}
+
+function Refused() {
+  const { write } = useModels();
+  const { write: words, timer } = messages.value;
+  const current = write.current.value;
+  if (current?.step !== 'refused') return null;
+  return (
+    <>
+      <div class="notice bad" role="alert">
+        <p>
+          <strong>{words.refused}</strong>
+        </p>
+        <NoticeText said={timer[current.error.code]} />
+      </div>
+      <div class="buttons">
+        <button type="button" class="primary" onClick={() => write.dismiss()}>
+          {words.close}
+        </button>
+      </div>
+    </>
+  );
+}

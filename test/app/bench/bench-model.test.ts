@@ -1,0 +1,475 @@
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { HOLD, Hold } from '../../../src/app/ui/hold.js';
+import type { ProgramField } from '../../../src/program/index.js';
+import type { Request } from '../../../src/protocol/index.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from './bench.js';
+
+const S2: ProgramField = { kind: 'position', servo: 1, column: 4 };
+const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+const DT: ProgramField = { kind: 'time', column: 10 };
+
+afterEach(() => localStorage.clear());
+
+/** A bench whose pilot has said that it is safe. */
+async function safeBench(options: BenchOptions = {}) {
+  const app = await connectedBench(options);
+  app.session.safe.value = true;
+  app.timer.core.answered.length = 0;
+  return { ...app, bench: app.models.bench };
+}
+
+type SafeBench = Awaited<ReturnType<typeof safeBench>>;
+
+/** A bench whose servos stand at function 4 and follow. */
+async function followingBench(options: BenchOptions = {}) {
+  const app = await safeBench(options);
+  await run(app.bench.moveTo(4));
+  await run(app.follow.start());
+  expect(app.follow.on.value).toBe(true);
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+function set({ editor }: AppBench, field: ProgramField, value: number): void {
+  editor.apply([{ field, value }], { code: 'step', params: {} });
+}
+
+function requests({ timer }: AppBench, name: Request['name']): Request[] {
+  return timer.core.answered.filter((request) => request.name === name);
+}
+
+/** What was stored, in its order. */
+function stored(app: AppBench): number[] {
+  return requests(app, 'SETSERVO').map((request) => (request.name === 'SETSERVO' ? request.position : -1));
+}
+
+function heldBy({ timer }: SafeBench, field: ProgramField): number | undefined {
+  return field.kind === 'position' ? timer.core.content.positions[field.servo]?.[field.column] : undefined;
+}
+
+describe('moving to a function', () => {
+  it('moves the servos, and says where they are', async () => {
+    const { bench, timer } = await safeBench();
+    expect(await run(bench.moveTo(4))).toBe(true);
+    expect(timer.core.column).toBe(4);
+    expect(bench.done.value).toEqual({ action: { kind: 'move', column: 4 }, certain: true });
+    const moving = bench.moveTo(5);
+    expect(bench.done.value, 'they are on their way').toBeNull();
+    await run(moving);
+    expect(bench.done.value).toMatchObject({ action: { column: 5 } });
+  });
+
+  it('waits for the word that it is safe', async () => {
+    const { bench, follow, session, timer } = await safeBench();
+    session.safe.value = false;
+    expect(await bench.moveTo(4)).toBe(false);
+    expect(await bench.unlock()).toBe(false);
+    expect(await bench.jump()).toBe(false);
+    await run(follow.start());
+    expect([follow.on.value, timer.core.answered.length]).toEqual([false, 0]);
+  });
+
+  it('does nothing while a write is open', async () => {
+    const { bench, write, timer } = await safeBench();
+    await run(write.open());
+    timer.core.answered.length = 0;
+    expect(await bench.moveTo(4)).toBe(false);
+    expect(timer.core.answered).toEqual([]);
+  });
+
+  it('says that they may have moved when no answer comes, also after the timer is back', async () => {
+    const { bench, timer } = await safeBench();
+    timer.core.onAnswer = () => timer.core.sleep();
+    const moving = bench.moveTo(3);
+    timer.core.sleep();
+    expect(await run(moving)).toBe(false);
+    const maybe = { action: { kind: 'move', column: 3 }, certain: false };
+    expect(bench.done.value).toEqual(maybe);
+    timer.core.onAnswer = undefined;
+    timer.core.press();
+    await idle(60_000);
+    expect(bench.done.value).toEqual(maybe);
+  });
+});
+
+describe('the motor', () => {
+  it('is not said to run when the command was stopped before its first byte', async () => {
+    const { bench, session, timer } = await safeBench();
+    const unlocking = bench.unlock();
+    session.job.value?.stop.abort();
+    expect(await run(unlocking)).toBe(false);
+    expect([timer.core.motorLocked, bench.done.value]).toEqual([true, null]);
+  });
+
+  it('may run when the plug was pulled before its answer came', async () => {
+    const { bench, timer, adapter } = await safeBench();
+    timer.core.onAnswer = () => adapter.unplug();
+    expect(await run(bench.unlock())).toBe(false);
+    await idle();
+    expect([timer.core.motorLocked, bench.done.value?.certain]).toEqual([false, false]);
+  });
+
+  it('is unlocked on Q', async () => {
+    const { bench, timer } = await safeBench();
+    expect(await run(bench.unlock())).toBe(true);
+    expect(timer.core.motorLocked).toBe(false);
+    expect(bench.done.value).toEqual({ action: { kind: 'unlock' }, certain: true });
+  });
+
+  it('is none on B', async () => {
+    const app = await safeBench({ identity: { timerClass: 'B' } });
+    expect(await app.bench.unlock()).toBe(false);
+    expect(requests(app, 'UNLOCK')).toEqual([]);
+  });
+});
+
+describe('a hold', () => {
+  it('happens once, however long it lasts and however often the key repeats itself', async () => {
+    const app = await safeBench();
+    const hold = new Hold(() => void app.bench.unlock());
+    hold.press();
+    await vi.advanceTimersByTimeAsync(HOLD - 1);
+    hold.press();
+    expect(requests(app, 'UNLOCK')).toEqual([]);
+    await vi.advanceTimersByTimeAsync(1);
+    hold.press();
+    await idle();
+    expect(requests(app, 'UNLOCK')).toHaveLength(1);
+    hold.release();
+    hold.press();
+    await idle();
+    expect(requests(app, 'UNLOCK')).toHaveLength(2);
+  });
+
+  it('is taken back by letting go', async () => {
+    const app = await safeBench();
+    const hold = new Hold(() => void app.bench.unlock());
+    hold.press();
+    await vi.advanceTimersByTimeAsync(HOLD - 1);
+    hold.release();
+    await idle();
+    expect([requests(app, 'UNLOCK'), hold.holding.value]).toEqual([[], false]);
+  });
+});
+
+describe('following', () => {
+  it('reads afresh and keeps a backup before it begins, and sends no edit from before', async () => {
+    const app = await safeBench();
+    set(app, S2, 70);
+    await run(app.follow.start());
+    await idle();
+    expect(app.timer.core.answered.map(({ name }) => name)).toContain('GETSERVOPOS');
+    expect(app.session.backups.list.value[0]?.program).toEqual(app.editor.baseline.value);
+    expect(stored(app)).toEqual([]);
+    expect(app.store.backups.records.size).toBe(1);
+  });
+
+  it('stores a position that changes, and takes what was acknowledged for what the timer holds', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    expect([stored(app), heldBy(app, S2)]).toEqual([[70], 70]);
+    expect(app.editor.dirty.value).toBe(false);
+    expect(app.follow.trials.tried.value.map(({ field, to }) => [field, to])).toEqual([[S2, 70]]);
+  });
+
+  it('sends one at a time, leaves out what has gone by, and ends at the last value', async () => {
+    const app = await followingBench({ latency: 50 });
+    const { client } = app.session.connection.value as NonNullable<typeof app.session.connection.value>;
+    let inFlight = 0;
+    let most = 0;
+    const send = client.setPosition.bind(client);
+    vi.spyOn(client, 'setPosition').mockImplementation(async (...args) => {
+      most = Math.max(most, ++inFlight);
+      await send(...args).finally(() => inFlight--);
+    });
+    for (let value = 60; value <= 100; value++) {
+      set(app, S2, value);
+      set(app, S3, 130 - value);
+      await vi.advanceTimersByTimeAsync(20);
+    }
+    await idle();
+    expect(most).toBe(1);
+    expect(stored(app).length).toBeLessThan(30);
+    expect([heldBy(app, S2), heldBy(app, S3)]).toEqual([100, 30]);
+    expect(app.editor.dirty.value).toBe(false);
+  });
+
+  it('waits for the last digit of a number that is typed', async () => {
+    const app = await followingBench();
+    app.editor.type(S2, '7');
+    await vi.advanceTimersByTimeAsync(300);
+    app.editor.type(S2, '72');
+    await idle();
+    expect(stored(app)).toEqual([72]);
+  });
+
+  it('sends no time, and nothing that a servo cannot do', async () => {
+    const app = await followingBench();
+    set(app, DT, 20000);
+    set(app, S2, 131);
+    await idle();
+    expect(app.timer.core.answered).toEqual([]);
+    expect(app.follow.on.value).toBe(true);
+  });
+
+  it('ends with a fresh read, and what was tried can be kept', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    app.timer.core.answered.length = 0;
+    await run(app.follow.stop());
+    expect(app.timer.core.answered.map(({ name }) => name)).toContain('GETSERVOPOS');
+    expect(app.follow.trials.tried.value).toHaveLength(1);
+    app.follow.keep();
+    expect([app.follow.trials.current.value, heldBy(app, S2)]).toEqual([null, 70]);
+  });
+
+  it('ends behind the command that is under way', async () => {
+    const app = await followingBench({ latency: 20 });
+    set(app, S2, 70);
+    await vi.advanceTimersByTimeAsync(5);
+    expect(app.session.busy.value).toBe(true);
+    await run(app.follow.stop());
+    expect(app.timer.core.answered.map(({ name }) => name)).toEqual([
+      'SETSERVO',
+      'GETMEMORY',
+      'GETTIMERS',
+      'GETSERVOPOS',
+      'GETLOWRPM',
+      'GETMEMORY',
+      'GETSWVER',
+    ]);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+  });
+
+  it('can be put back by a write, and then nothing is left to decide', async () => {
+    const app = await followingBench();
+    const before = heldBy(app, S2);
+    set(app, S2, 70);
+    await idle();
+    await run(app.follow.stop());
+    app.editor.apply(app.follow.trials.takeBack(), { code: 'restore', params: {} });
+    await run(app.write.open());
+    await run(app.write.start());
+    expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
+  });
+
+  it('leaves out of the choice what was written otherwise', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    await run(app.follow.stop());
+    set(app, S3, 20);
+    set(app, DT, 20000);
+    await run(app.write.open());
+    await run(app.write.start());
+    expect(app.timer.core.content.timers[10]).toBe(20000);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+    expect(app.follow.trials.takeBack()).toMatchObject([{ field: S2 }]);
+  });
+
+  it('forgets a trial in which nothing was tried', async () => {
+    const app = await followingBench();
+    await run(app.follow.stop());
+    expect(app.follow.trials.current.value).toBeNull();
+  });
+
+  it('is off after every connect, and what was tried can still be decided', async () => {
+    const app = await followingBench();
+    set(app, S2, 70);
+    await idle();
+    app.adapter.unplug();
+    await idle();
+    expect(app.follow.on.value).toBe(false);
+    app.adapter.replug();
+    await idle(60_000);
+    expect([app.session.connection.value !== null, app.follow.on.value]).toEqual([true, false]);
+    set(app, S3, 20);
+    await idle();
+    expect(stored(app)).toEqual([70]);
+    expect(app.follow.trials.tried.value).toHaveLength(1);
+  });
+
+  it('ends when the timer no longer answers, and when another memory is selected', async () => {
+    const app = await followingBench();
+    await run(app.session.selectMemory(1));
+    expect(app.follow.on.value).toBe(false);
+    app.session.safe.value = true;
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
+    app.timer.core.sleep();
+    set(app, S2, 70);
+    await idle();
+    expect(app.follow.on.value).toBe(false);
+  });
+
+  it.each<[what: string, done: (app: SafeBench) => unknown]>([
+    ['it was called off', ({ follow }) => follow.stop()],
+    ['it was no longer said to be safe', ({ session }) => Object.assign(session.safe, { value: false })],
+  ])('does not begin when %s while the timer was read', async (_, done) => {
+    const app = await safeBench();
+    const starting = app.follow.start();
+    await done(app);
+    await run(starting);
+    expect(app.follow.on.value).toBe(false);
+  });
+
+  it('does not begin again before it is decided what becomes of what was tried', async () => {
+    const app = await followingBench();
+    const before = heldBy(app, S2);
+    set(app, S2, 70);
+    await idle();
+    await run(app.follow.stop());
+    await run(app.follow.start());
+    expect(app.follow.on.value).toBe(false);
+    expect(app.follow.trials.takeBack()).toEqual([{ field: S2, value: before }]);
+  });
+
+  it('is off when another memory turns out to be current, also one in which something was tried', async () => {
+    const app = await safeBench();
+    await run(app.session.selectMemory(1));
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
+    set(app, S3, 7);
+    await idle();
+    await run(app.session.selectMemory(0));
+    await run(app.follow.start());
+    expect(app.follow.on.value).toBe(true);
+    app.timer.core.memory = 1;
+    await run(app.session.read());
+    expect([app.editor.working.value?.memory, app.follow.on.value]).toEqual([1, false]);
+  });
+
+  it('is off once a write is shown, and nothing is sent behind it', async () => {
+    const app = await followingBench();
+    await run(app.write.open());
+    expect(app.follow.on.value).toBe(false);
+    set(app, S2, 70);
+    app.write.dismiss();
+    await idle();
+    expect(stored(app)).toEqual([]);
+  });
+
+  it('sends no value behind a text that is none', async () => {
+    const app = await followingBench();
+    app.editor.type(S2, '6');
+    app.editor.type(S2, '6x');
+    await idle();
+    app.editor.type(S2, '');
+    await idle();
+    expect(stored(app)).toEqual([]);
+    app.editor.type(S2, '61');
+    await idle();
+    expect(stored(app)).toEqual([61]);
+  });
+
+  it('is off as soon as another memory is asked for, also when that is stopped', async () => {
+    const app = await followingBench();
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') app.session.job.value?.stop.abort();
+    };
+    await run(app.session.selectMemory(1));
+    app.timer.core.onAnswer = undefined;
+    const { memory } = app.timer.core;
+    expect([app.follow.on.value, app.session.memoryOpen.value]).toEqual([false, false]);
+    expect(app.editor.working.value?.memory, 'what is shown is current').toBe(memory);
+    set(app, S2, 66);
+    await idle();
+    expect(stored(app)).toEqual([]);
+  });
+
+  it('is off as soon as all memories are walked through', async () => {
+    const app = await followingBench();
+    app.memories.open({ kind: 'back-up' });
+    const following: boolean[] = [];
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') following.push(app.follow.on.value);
+    };
+    await run(app.memories.start());
+    expect([following.length, following.includes(true)]).toEqual([4, false]);
+    expect(app.session.memoryOpen.value).toBe(false);
+  });
+
+  it('leaves the choice open for a value of which it is not known whether it was stored', async () => {
+    const app = await followingBench();
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETSERVO') app.adapter.unplug();
+    };
+    set(app, S2, 66);
+    await idle();
+    app.timer.core.onAnswer = undefined;
+    app.adapter.replug();
+    await idle(60_000);
+    expect(heldBy(app, S2)).toBe(66);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+  });
+
+  it('keeps a choice for each memory', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    await run(app.session.selectMemory(1));
+    await run(app.bench.moveTo(4));
+    await run(app.follow.start());
+    set(app, S3, 7);
+    await idle();
+    await run(app.follow.stop());
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S3, to: 7 }]);
+    await run(app.session.selectMemory(0));
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    app.follow.keep();
+    await run(app.session.selectMemory(1));
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S3, to: 7 }]);
+  });
+
+  it('leaves the choice open through a reload', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    const after = await reloaded(app);
+    await run(after.session.connect());
+    expect(after.follow.on.value).toBe(false);
+    expect(after.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
+    after.follow.keep();
+    const later = await reloaded(after);
+    await run(later.session.connect());
+    expect(later.follow.trials.tried.value).toEqual([]);
+  });
+
+  it('keeps its choice beside those of other tabs', async () => {
+    const app = await followingBench();
+    const kept = (): { key: string }[] => JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
+    localStorage.setItem('sidus-timer/trials', JSON.stringify([...kept(), { ...kept()[0], key: 'of another tab' }]));
+    set(app, S2, 66);
+    await idle();
+    expect(kept().map(({ key }) => key)).toEqual([expect.any(String), 'of another tab']);
+    app.follow.keep();
+    expect(kept().map(({ key }) => key)).toEqual(['of another tab']);
+  });
+
+  it('reads over a choice that was kept of another layout', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    const [kept] = JSON.parse(localStorage.getItem('sidus-timer/trials') ?? '[]');
+    const { before } = kept;
+    before.identity.servos = 1;
+    before.positions.length = 1;
+    localStorage.setItem('sidus-timer/trials', JSON.stringify([kept]));
+    const after = await reloaded(app);
+    await run(after.session.connect());
+    expect([after.follow.trials.current.value, after.editor.working.value?.positions[1]?.[4]]).toEqual([null, 66]);
+  });
+
+  it('keeps what was tried on the screen too, when putting it back was begun and not written', async () => {
+    const app = await followingBench();
+    set(app, S2, 66);
+    await idle();
+    await run(app.follow.stop());
+    app.editor.apply(app.follow.trials.takeBack(), { code: 'restore', params: {} });
+    expect(app.editor.changes.value).toHaveLength(1);
+    app.follow.keep();
+    expect([app.editor.changes.value, app.follow.trials.current.value]).toEqual([[], null]);
+  });
+});

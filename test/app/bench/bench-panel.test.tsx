@@ -1,0 +1,275 @@
+import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { describe, expect, it, vi } from 'vitest';
+import { App } from '../../../src/app/app.js';
+import { HOLD } from '../../../src/app/ui/hold.js';
+import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
+
+async function press(name: string | RegExp): Promise<void> {
+  fireEvent.click(screen.getByRole('button', { name }));
+  await idle();
+}
+
+/** The whole screen with the bench open, and the pilot's word that it is safe. */
+async function opened(options: BenchOptions = {}): Promise<AppBench> {
+  const app = await appBench(options);
+  render(<App models={app.models} />);
+  await press('Connect');
+  (panel() as HTMLDetailsElement).open = true;
+  fireEvent(panel(), new Event('toggle'));
+  await idle(0);
+  fireEvent.click(within(panel()).getByRole('checkbox', { name: /propeller is off/ }));
+  await idle(0);
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+function panel(): HTMLElement {
+  return document.querySelector('details.bench') as HTMLElement;
+}
+
+function unlockButton(): HTMLElement {
+  return within(panel()).getByRole('button', { name: /UNLOCK|Keep holding/ });
+}
+
+function unlocks({ timer }: AppBench): number {
+  return timer.core.answered.filter(({ name }) => name === 'UNLOCK').length;
+}
+
+async function type(name: string, text: string): Promise<void> {
+  const input = screen.getByRole<HTMLInputElement>('textbox', { name });
+  fireEvent.focus(input);
+  fireEvent.input(input, { target: { value: text } });
+  fireEvent.blur(input);
+  await idle();
+}
+
+async function flip(): Promise<void> {
+  fireEvent.click(screen.getByRole('switch', { name: 'Servos follow the positions' }));
+  await idle();
+}
+
+const isOn = () =>
+  screen.getByRole('switch', { name: 'Servos follow the positions' }).getAttribute('aria-checked') === 'true';
+
+describe('the bench', () => {
+  it('moves the servos to a function, says so, and steps to the next and the previous one', async () => {
+    const { timer } = await opened();
+    await press('Function 4');
+    expect(screen.getByText('Servos at function 4')).toBeTruthy();
+    await press('Next function');
+    expect([timer.core.column, screen.queryByText('Servos at function 5') !== null]).toEqual([5, true]);
+    await press('Previous function');
+    await press('Previous function');
+    expect(screen.getByText('Servos at function 3')).toBeTruthy();
+    await press('DT');
+    expect(screen.getByText('Servos at DT')).toBeTruthy();
+  });
+
+  it('moves nothing before the pilot has said that it is safe', async () => {
+    const { session, timer } = await opened();
+    session.safe.value = false;
+    await idle(0);
+    await press('Function 4');
+    await flip();
+    expect([timer.core.answered, isOn()]).toEqual([[], false]);
+    expect(unlockButton().hasAttribute('disabled')).toBe(true);
+  });
+
+  it('says that the servos may have moved all the same, when no answer comes', async () => {
+    const { timer, adapter } = await opened();
+    adapter.answersAt = 1;
+    await press('Function 4');
+    expect(screen.getByText(/No answer came: the servos may have moved to function 4 all the same/)).toBeTruthy();
+    expect(timer.core.column).toBe(10);
+  });
+
+  it('has no motor to unlock on B', async () => {
+    await opened({ identity: { timerClass: 'B' } });
+    expect(within(panel()).queryByRole('button', { name: /UNLOCK/ })).toBeNull();
+  });
+
+  it('asks once more before the jump', async () => {
+    const { timer } = await opened();
+    const jumps = () => timer.core.answered.filter(({ name }) => name === 'JUMP2').length;
+    await press('Jump…');
+    await press('Cancel');
+    await press('Jump…');
+    expect(jumps()).toBe(0);
+    await press('Send the jump now');
+    expect([jumps(), screen.queryByText('The jump was acknowledged.') !== null]).toEqual([1, true]);
+  });
+});
+
+describe('hold to unlock', () => {
+  const ways: [string, (button: HTMLElement) => void, (button: HTMLElement) => void][] = [
+    [
+      'a pointer',
+      (button) => fireEvent.pointerDown(button, { button: 0, isPrimary: true }),
+      (button) => fireEvent.pointerUp(button),
+    ],
+    [
+      'a pointer that leaves',
+      (button) => fireEvent.pointerDown(button, { button: 0, isPrimary: true }),
+      (button) => fireEvent.pointerLeave(button),
+    ],
+    ['Space', (button) => fireEvent.keyDown(button, { key: ' ' }), (button) => fireEvent.keyUp(button, { key: ' ' })],
+    [
+      'Enter',
+      (button) => fireEvent.keyDown(button, { key: 'Enter' }),
+      (button) => fireEvent.keyUp(button, { key: 'Enter' }),
+    ],
+    [
+      'a key, and the focus goes',
+      (button) => fireEvent.keyDown(button, { key: ' ' }),
+      (button) => fireEvent.blur(button),
+    ],
+  ];
+
+  it.each(ways)('by %s: once for a whole hold, not at all for a shorter one', async (_, down, up) => {
+    const app = await opened();
+    down(unlockButton());
+    await vi.advanceTimersByTimeAsync(HOLD - 100);
+    expect(unlockButton().textContent).toBe('Keep holding');
+    up(unlockButton());
+    await idle();
+    expect(unlocks(app)).toBe(0);
+    down(unlockButton());
+    await vi.advanceTimersByTimeAsync(HOLD);
+    // A key that is still down repeats itself.
+    down(unlockButton());
+    await idle();
+    expect(unlocks(app)).toBe(1);
+    expect(screen.getByText('The motor is unlocked. The propeller may start.')).toBeTruthy();
+  });
+
+  it('does nothing on a mere click', async () => {
+    const app = await opened();
+    await press('Hold to UNLOCK');
+    expect(unlocks(app)).toBe(0);
+  });
+});
+
+describe('servos that follow', () => {
+  const row = (name: string): HTMLElement => screen.getByRole('row', { name: new RegExp(`^${name}`) });
+  const isMarked = (name: string): boolean => within(row(name)).queryByText('servos here') !== null;
+  const note = (): string => document.querySelector('.actions')?.textContent ?? '';
+  const positions = ({ timer }: AppBench): [stored: number | undefined, servo: number | undefined] => [
+    timer.core.content.positions[1]?.[4],
+    timer.core.servos[1],
+  ];
+
+  it('move with the field, and what was tried is kept', async () => {
+    const app = await opened();
+    await press('Function 4');
+    await flip();
+    expect(isOn()).toBe(true);
+    expect([isMarked('Function 4'), isMarked('Function 5')]).toEqual([true, false]);
+    await type('Function 4, S2', '70');
+    expect(positions(app)).toEqual([70, 70]);
+    expect(screen.getAllByText('Tried: 1 position.').length).toBeGreaterThan(0);
+    await press('Stop following');
+    expect([isOn(), isMarked('Function 4'), note().includes('has stopped')]).toEqual([false, false, false]);
+    await press('Keep it');
+    expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
+    expect(positions(app)[0]).toBe(70);
+  });
+
+  it('are put back by a write that shows what it does', async () => {
+    const app = await opened();
+    const before = app.timer.core.content.positions[1]?.[4];
+    await press('Function 4');
+    await flip();
+    await type('Function 4, S2', '70');
+    await flip();
+    await press('Put it back…');
+    const dialog = screen.getByRole('dialog', { name: 'Write to the timer' });
+    expect(within(dialog).getByText('Function 4, S2')).toBeTruthy();
+    fireEvent.click(within(dialog).getByRole('button', { name: 'Write 1 change' }));
+    await idle();
+    expect(app.timer.core.content.positions[1]?.[4]).toBe(before);
+    expect(screen.queryByRole('button', { name: 'Keep it' })).toBeNull();
+  });
+
+  it('are offered to be moved to a function that is edited, under its row', async () => {
+    const app = await opened();
+    await flip();
+    expect(note()).toContain('Where the servos stand is not known here.');
+    await type('Function 4, S2', '70');
+    expect(positions(app)).toEqual([55, 115]);
+    const offer = screen.getByRole('button', { name: 'Move the servos to function 4' });
+    expect(offer.closest('tr')?.previousElementSibling).toBe(row('Function 4'));
+    expect(offer.closest('tr')?.textContent).toContain('Not in the timer yet.');
+    await press('Move the servos to function 4');
+    expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
+    expect(screen.queryByRole('button', { name: /^Move the servos/ })).toBeNull();
+    expect(document.activeElement?.getAttribute('aria-label')).toBe('Function 4, S2');
+    expect(note()).toContain('Servos at function 4');
+    await type('Function 5, S2', '7');
+    expect(screen.getByRole('button', { name: 'Move the servos to function 5' }).closest('tr')?.textContent).toContain(
+      'Servos at function 4',
+    );
+  });
+
+  it('go to the function that is edited only when that is switched on', async () => {
+    const app = await opened();
+    const going = () => screen.queryByRole('switch', { name: 'Go to the function I edit' });
+    expect(going()).toBeNull();
+    await flip();
+    expect(going()?.getAttribute('aria-checked')).toBe('false');
+    fireEvent.click(going() as HTMLElement);
+    await idle();
+    expect(going()?.getAttribute('aria-checked')).toBe('true');
+    await type('Function 4, S2', '70');
+    expect([positions(app), isMarked('Function 4')]).toEqual([[70, 70], true]);
+    await flip();
+    await press('Keep it');
+    await flip();
+    expect(going()?.getAttribute('aria-checked')).toBe('false');
+  });
+
+  it('are told apart from what waits for a write', async () => {
+    await opened();
+    await press('Function 4');
+    await flip();
+    expect(note()).not.toContain('Times wait');
+    await type('Function 4, S2', '70');
+    expect(note()).toContain('1 tried in the timer');
+    expect(note()).not.toContain('for Write');
+    await type('Function 4, S1', '71');
+    await type('Function 9 time', '25');
+    expect(note()).toContain('2 tried in the timer, 1 waits for Write');
+    expect(note()).toContain('Times wait for Write.');
+    await type('Function 5, S1', '7');
+    expect(note()).toContain('2 tried in the timer, 2 wait for Write');
+  });
+
+  it('say why they have stopped, whether the timer was read since, and what may have moved', async () => {
+    const { timer } = await opened();
+    await press('Function 4');
+    await flip();
+    await press('Read again');
+    expect(note()).toContain(
+      'Following has stopped: something else was done with the timer. The timer was read since.',
+    );
+    await press('Dismiss');
+    expect(note()).not.toContain('has stopped');
+    await flip();
+    timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && timer.core.sleep();
+    await type('Function 4, S2', '70');
+    expect(note()).toContain('a command was not acknowledged. The timer was not read since.');
+    expect(note()).toContain('the servos may have moved to function 4 all the same');
+  });
+
+  it('ask before they do so without a backup', async () => {
+    const app = await opened();
+    await press('Function 4');
+    app.store.broken = true;
+    await flip();
+    expect(isOn()).toBe(false);
+    expect(screen.getByRole('alert').textContent).toContain('could not keep a backup');
+    await press('Follow without a backup');
+    expect(isOn()).toBe(true);
+    await type('Function 4, S2', '70');
+    expect(positions(app)).toEqual([70, 70]);
+  });
+});

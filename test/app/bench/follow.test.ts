@@ -1,0 +1,437 @@
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { FrameForm } from '../../../src/app/line/frame-form.js';
+import { possibleValues } from '../../../src/app/session/knowledge.js';
+import type { ProgramField } from '../../../src/program/index.js';
+import type { Request } from '../../../src/protocol/index.js';
+import type { TimerQuirks } from '../../../src/simulator/index.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, run } from './bench.js';
+
+const position = (servo: number, column: number): ProgramField => ({ kind: 'position', servo, column });
+const S2 = position(1, 4);
+
+afterEach(() => localStorage.clear());
+
+/** A bench whose pilot has said that it is safe. */
+async function safeBench(options: BenchOptions = {}): Promise<AppBench> {
+  const app = await connectedBench(options);
+  app.session.safe.value = true;
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+/** Servos that follow. @param at where they were moved to before. */
+async function following(options: BenchOptions = {}, at: number | null = 4): Promise<AppBench> {
+  const app = await safeBench(options);
+  if (at !== null) await run(app.bench.moveTo(at));
+  await run(app.follow.start());
+  expect(app.follow.on.value).toBe(true);
+  app.timer.core.answered.length = 0;
+  return app;
+}
+
+function set({ editor }: AppBench, ...values: [ProgramField, number][]): void {
+  editor.apply(
+    values.map(([field, value]) => ({ field, value })),
+    { code: 'step', params: {} },
+  );
+}
+
+/** What stores or moves, in its order: 'S4.1=70' stores, 'M4' moves. */
+function told({ timer }: AppBench): string[] {
+  return timer.core.answered.flatMap((request: Request) => {
+    if (request.name === 'SETSERVO') return [`S${request.function}.${request.servo}=${request.position}`];
+    if (request.name === 'MOVETOFUNC') return [`M${request.function}`];
+    return [];
+  });
+}
+
+const reads = ({ timer }: AppBench): number => timer.core.answered.filter(({ name }) => name === 'GETSERVOPOS').length;
+
+describe('where the servos stand', () => {
+  it('is not known before they were moved', async () => {
+    const { bench, timer } = await safeBench();
+    expect([bench.stand.at.value, timer.core.column]).toEqual([null, 10]);
+    await run(bench.moveTo(4));
+    expect(bench.stand.at.value).toBe(4);
+  });
+
+  it('stays known while only times are written, and while it is read', async () => {
+    const app = await safeBench();
+    await run(app.bench.moveTo(4));
+    set(app, [{ kind: 'time', column: 10 }, 20_000]);
+    await run(app.write.open());
+    await run(app.write.start());
+    app.write.dismiss();
+    await run(app.session.read());
+    expect(app.bench.stand.at.value).toBe(4);
+  });
+
+  const losses: Record<string, (app: AppBench) => Promise<unknown>> = {
+    'a jump': ({ bench }) => bench.jump(),
+    'an unlocked motor': ({ bench }) => bench.unlock(),
+    'another memory': ({ session }) => session.selectMemory(1),
+    'a frame by hand': async ({ session }) => {
+      const form = new FrameForm(session);
+      form.edit({ command: 'MOVETOFUNC', data: '02' });
+      await form.send();
+      await form.confirm();
+    },
+    'a write of a position': async (app) => {
+      set(app, [position(0, 7), 3]);
+      await app.write.open();
+      await app.write.start();
+    },
+    'a position that somebody else has changed': async ({ session, timer }) => {
+      (timer.core.content.positions[2] as number[])[4] = 1;
+      await session.read();
+    },
+    'another connection': async ({ session }) => {
+      await session.disconnect();
+      await session.connect();
+    },
+  };
+
+  it.each(Object.entries(losses))('is not known any more after %s', async (_, lose) => {
+    const app = await safeBench();
+    await run(app.bench.moveTo(4));
+    await run(lose(app));
+    expect(app.bench.stand.at.value).toBeNull();
+  });
+
+  it('is not known while they are on their way, nor when no answer has come', async () => {
+    const { bench, timer } = await safeBench();
+    await run(bench.moveTo(4));
+    const moving = bench.moveTo(5);
+    expect(bench.stand.at.value).toBeNull();
+    timer.core.sleep();
+    expect([await run(moving), bench.stand.at.value]).toEqual([false, null]);
+  });
+});
+
+describe('servos that follow', () => {
+  it.each<NonNullable<TimerQuirks['setMoves']>>(['never', 'there', 'always'])(
+    'go to what is trimmed, whether storing moves them %s or not',
+    async (setMoves) => {
+      const app = await following({ quirks: { setMoves } });
+      set(app, [S2, 70]);
+      await idle();
+      expect(told(app)).toEqual(['S4.1=70', 'M4']);
+      expect([app.timer.core.column, app.timer.core.servos]).toEqual([4, [55, 70, 55]]);
+      expect(app.bench.stand.at.value).toBe(4);
+    },
+  );
+
+  it('are moved once for all that changes in a function', async () => {
+    const app = await following();
+    set(app, [S2, 70], [position(2, 4), 71]);
+    await idle();
+    expect(told(app)).toEqual(['S4.1=70', 'S4.2=71', 'M4']);
+  });
+
+  it('stay where they are while another function is edited, until the pilot sends them there', async () => {
+    const app = await following();
+    set(app, [position(0, 6), 7]);
+    await idle();
+    expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [6]]);
+    app.follow.bring(6);
+    await idle();
+    expect([told(app), [...app.follow.awaited.value]]).toEqual([['M6', 'S6.0=7', 'M6'], []]);
+    expect(app.timer.core.servos).toEqual([7, 75, 75]);
+  });
+
+  it('wait for that at every function when it is not known where they stand', async () => {
+    const app = await following({}, null);
+    set(app, [S2, 70]);
+    await idle();
+    expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [4]]);
+  });
+
+  it('go where they are sent as soon as the command under way has ended', async () => {
+    const app = await following({ latency: 50 });
+    set(app, [S2, 70], [position(0, 6), 7]);
+    await vi.advanceTimersByTimeAsync(10);
+    expect(app.session.busy.value).toBe(true);
+    app.follow.bring(6);
+    await idle();
+    expect(told(app)).toEqual(['S4.1=70', 'M4', 'M6', 'S6.0=7', 'M6']);
+  });
+
+  it('go nowhere when following has ended before they set out, also when it begins again', async () => {
+    const app = await following({ latency: 50 });
+    set(app, [S2, 70], [position(0, 6), 7]);
+    await vi.advanceTimersByTimeAsync(10);
+    app.follow.bring(6);
+    await run(app.follow.stop());
+    app.follow.keep();
+    await run(app.follow.start());
+    await idle();
+    expect([app.follow.on.value, told(app)]).toEqual([true, ['S4.1=70']]);
+  });
+
+  it('store what waited when the bench moves them there', async () => {
+    const app = await following();
+    set(app, [position(0, 6), 7]);
+    await run(app.bench.moveTo(6));
+    await idle();
+    expect(told(app)).toEqual(['M6', 'S6.0=7', 'M6']);
+  });
+
+  it('do not run behind the pilot', async () => {
+    const app = await following({ latency: 50 });
+    for (let value = 60; value <= 100; value++) {
+      set(app, [S2, value]);
+      await vi.advanceTimersByTimeAsync(20);
+    }
+    // The command under way, the last value, and the movement to it.
+    await vi.advanceTimersByTimeAsync(4 * 60);
+    expect(app.timer.core.servos[1]).toBe(100);
+    const requests = told(app);
+    expect(requests.filter((_, i) => i % 2 === 1)).toEqual(requests.filter((_, i) => i % 2 === 1).map(() => 'M4'));
+    expect(requests.length).toBeLessThanOrEqual(2 * Math.ceil((41 * 20) / 100 + 1));
+  });
+
+  it('count what was tried, and not what waits for a write', async () => {
+    const app = await following();
+    set(app, [S2, 70], [position(0, 6), 7], [{ kind: 'time', column: 10 }, 20_000]);
+    await idle();
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+    expect(app.editor.changes.value).toHaveLength(2);
+    await run(app.write.open());
+    await run(app.write.start());
+    expect(app.follow.trials.tried.value, 'a write was shown and confirmed').toMatchObject([{ field: S2, to: 70 }]);
+  });
+});
+
+describe('going to the function that is edited', () => {
+  async function going(options: BenchOptions = {}): Promise<AppBench> {
+    const app = await following(options);
+    app.follow.setGoing(true);
+    return app;
+  }
+
+  it('moves the servos there before and behind the value', async () => {
+    const app = await going();
+    set(app, [position(0, 6), 7]);
+    await idle();
+    expect(told(app)).toEqual(['M6', 'S6.0=7', 'M6']);
+    set(app, [position(0, 6), 8]);
+    await idle();
+    expect(told(app).slice(3)).toEqual(['S6.0=8', 'M6']);
+  });
+
+  it('goes to the last one only, when the pilot is quicker than the servos', async () => {
+    const app = await going({ latency: 50 });
+    for (const column of [1, 2, 3, 5, 6]) {
+      set(app, [position(0, column), 7]);
+      await vi.advanceTimersByTimeAsync(10);
+    }
+    await idle();
+    expect(told(app)).toEqual(['M1', 'S1.0=7', 'M1', 'M6', 'S6.0=7', 'M6']);
+    expect([...app.follow.awaited.value]).toEqual([2, 3, 5]);
+  });
+
+  it('does not send them through all the functions of a paste', async () => {
+    const app = await going();
+    set(app, ...[5, 6, 7].map((column): [ProgramField, number] => [position(0, column), 7]));
+    await idle();
+    expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [5, 6, 7]]);
+  });
+
+  it('goes nowhere for what was edited before it was switched on', async () => {
+    const app = await following();
+    set(app, [position(0, 6), 7]);
+    await idle();
+    app.follow.setGoing(true);
+    await idle();
+    expect(told(app)).toEqual([]);
+  });
+
+  it('is off whenever the servos begin to follow, and cannot be switched on without', async () => {
+    const app = await going();
+    await run(app.follow.stop());
+    app.follow.setGoing(true);
+    expect(app.follow.going.value).toBe(false);
+    await run(app.follow.start());
+    expect([app.follow.on.value, app.follow.going.value]).toEqual([true, false]);
+  });
+});
+
+describe('following ends', () => {
+  const ends: [reason: string, what: string, done: (app: AppBench) => unknown][] = [
+    ['hidden', 'the page is out of sight', ({ follow }) => follow.stop('hidden')],
+    ['unsafe', 'the tick is taken away', ({ session }) => (session.safe.value = false)],
+    ['lost', 'the plug is pulled', ({ adapter }) => adapter.unplug()],
+    ['lost', 'it is disconnected', ({ session }) => session.disconnect()],
+  ];
+  const whileFree: typeof ends = [
+    [
+      'job',
+      'a frame is sent by hand',
+      async ({ session }) => {
+        const form = new FrameForm(session);
+        form.edit({ command: 'MOVETOFUNC', data: '02' });
+        await form.send();
+        await form.confirm();
+      },
+    ],
+    ['job', 'it is read again', ({ session }) => session.read()],
+    ['job', 'a write is shown', ({ write }) => write.open()],
+    ['memory', 'another memory is asked for', ({ session }) => session.selectMemory(1)],
+    [
+      'job',
+      'all memories are read',
+      ({ memories }) => {
+        memories.open({ kind: 'back-up' });
+        return memories.start();
+      },
+    ],
+  ];
+
+  it.each([...ends, ...whileFree])('as “%s” when %s', async (reason, _, done) => {
+    const app = await following();
+    await run(Promise.resolve(done(app)));
+    await idle();
+    expect([app.follow.on.value, app.follow.ended.value?.reason]).toEqual([false, reason]);
+    const before = told(app);
+    set(app, [S2, 70]);
+    await idle();
+    expect(told(app)).toEqual(before);
+  });
+
+  it.each(ends)('as “%s” between storing and moving when %s: nothing more is moved', async (reason, _, done) => {
+    const app = await following({ latency: 20 });
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name !== 'SETSERVO') return;
+      app.timer.core.onAnswer = undefined;
+      void done(app);
+    };
+    set(app, [S2, 70]);
+    await idle();
+    expect(app.follow.ended.value?.reason).toBe(reason);
+    expect(told(app).filter((request) => request === 'M4')).toEqual([]);
+    expect(app.bench.stand.at.value).toBeNull();
+  });
+
+  it('with a reading of what the timer holds by then', async () => {
+    const app = await following();
+    set(app, [S2, 70]);
+    await idle();
+    app.timer.core.answered.length = 0;
+    const stopping = app.follow.stop('hidden');
+    expect(app.follow.endRead.value).toBe(false);
+    await run(stopping);
+    expect([reads(app) > 0, app.follow.endRead.value]).toEqual([true, true]);
+  });
+
+  it('with a reading when the timer is back, too', async () => {
+    const app = await following();
+    set(app, [S2, 70]);
+    await idle();
+    app.adapter.unplug();
+    await idle();
+    expect(app.follow.endRead.value).toBe(false);
+    app.adapter.replug();
+    await idle(60_000);
+    expect([app.follow.ended.value?.reason, app.follow.endRead.value]).toEqual(['lost', true]);
+  });
+
+  it('when a movement is not acknowledged, which is not sent again', async () => {
+    const app = await following();
+    const { core } = app.timer;
+    core.onAnswer = ({ name }) => name === 'SETSERVO' && core.sleep();
+    app.session.log.clear();
+    set(app, [S2, 70]);
+    await idle();
+    core.onAnswer = undefined;
+    expect([app.follow.ended.value?.reason, app.bench.stand.at.value]).toEqual(['failed', null]);
+    expect(app.bench.done.value).toEqual({ action: { kind: 'move', column: 4 }, certain: false });
+    core.press();
+    await idle(60_000);
+    expect(app.session.connection.value).not.toBeNull();
+    const sent = app.session.log.entries.value.filter(
+      ({ direction, frame }) => direction === 'out' && frame?.code === 0x69,
+    );
+    expect(sent).toHaveLength(1);
+    expect(app.bench.done.value?.certain, 'it may have moved, also after the timer is back').toBe(false);
+  });
+
+  it('and what is not confirmed to be stored is uncertain until a reading', async () => {
+    const app = await following();
+    app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.adapter.unplug();
+    set(app, [S2, 70]);
+    await idle();
+    const { knowledge } = app.session;
+    expect(possibleValues(knowledge.of(0), S2)).toEqual([55, 70]);
+    expect(knowledge.of(0).state).toBe('uncertain');
+    app.timer.core.onAnswer = undefined;
+    app.adapter.replug();
+    await idle(60_000);
+    expect(knowledge.of(0).state).toBe('read');
+    expect(app.editor.baseline.value?.positions[1]?.[4]).toBe(70);
+    expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
+  });
+
+  it('and what the pilot has ended needs no words', async () => {
+    const app = await following();
+    await run(app.follow.stop());
+    expect(app.follow.ended.value).toBeNull();
+  });
+});
+
+describe('without a backup', () => {
+  const failures: [string, (app: AppBench) => void][] = [
+    ['the storage is full', ({ store }) => (store.broken = true)],
+    ['the storage does not answer', ({ store }) => (store.backups.save = () => new Promise(() => {}))],
+  ];
+
+  it.each(failures)('it is asked first when %s', async (_, fail) => {
+    const app = await safeBench();
+    await run(app.bench.moveTo(4));
+    fail(app);
+    await run(app.follow.start());
+    expect([app.follow.on.value, app.follow.unkept.value]).toEqual([false, true]);
+    app.follow.startUnkept();
+    expect([app.follow.on.value, app.follow.unkept.value]).toEqual([true, false]);
+    set(app, [S2, 70]);
+    await idle();
+    expect(told(app)).toEqual(['M4', 'S4.1=70', 'M4']);
+  });
+
+  it('nothing begins when the pilot does not want that', async () => {
+    const app = await safeBench();
+    app.store.broken = true;
+    await run(app.follow.start());
+    app.follow.cancelUnkept();
+    expect([app.follow.on.value, app.follow.unkept.value]).toEqual([false, false]);
+  });
+
+  it.each<[string, (app: AppBench) => unknown]>([
+    ['it was read again', ({ session }) => session.read()],
+    [
+      'the timer was connected anew',
+      async ({ session }) => {
+        await session.disconnect();
+        await session.connect();
+        session.safe.value = true;
+      },
+    ],
+  ])('nothing begins when %s since it was asked', async (_, done) => {
+    const app = await safeBench();
+    app.store.broken = true;
+    await run(app.follow.start());
+    await run(Promise.resolve(done(app)));
+    app.follow.startUnkept();
+    expect(app.follow.on.value).toBe(false);
+  });
+
+  it('nothing begins when the page was hidden while the storage was waited for', async () => {
+    const app = await safeBench();
+    app.store.backups.save = () => new Promise(() => {});
+    const starting = app.follow.start();
+    await vi.advanceTimersByTimeAsync(2000);
+    expect(app.follow.starting.value).toBe(true);
+    await app.follow.stop('hidden');
+    await run(starting);
+    expect([app.follow.on.value, app.follow.unkept.value, app.follow.starting.value]).toEqual([false, false, false]);
+  });
+});

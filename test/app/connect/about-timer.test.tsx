@@ -1,0 +1,163 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import type { PortRecord } from '../../../src/app/storage/index.js';
+import { encodeFrame } from '../../../src/protocol/index.js';
+import { DEFAULT_SETTINGS } from '../../../src/serial/index.js';
+import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
+import { connected, opened, press } from '../screen.js';
+
+const FTDI = { usbVendorId: 0x0403, usbProductId: 0x6001 };
+const KIND = 'timer/Q/536/10/3';
+
+/** What a browser has kept of an adapter at which something was taken for true of an F1Q. */
+function kept(quirks: PortRecord['quirks'] = { [KIND]: { bigEndianTimes: true } }): MemoryStore {
+  const store = new MemoryStore();
+  const settings = { ...DEFAULT_SETTINGS };
+  store.ports.records.set('usb:0403:6001', { key: 'usb:0403:6001', usedAt: 1, settings, foundRate: 9600, quirks });
+  return store;
+}
+
+function quirksKept({ store }: AppBench): unknown {
+  return store.ports.records.get('usb:0403:6001')?.quirks;
+}
+
+function about(): HTMLElement {
+  const summary = screen.getByText('About this timer');
+  fireEvent.click(summary);
+  return summary.closest('details') as HTMLElement;
+}
+
+describe('what was assumed of a timer can be forgotten', () => {
+  it('while nothing is connected', async () => {
+    const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
+    expect(within(about()).getByText(/^F1Q, firmware 536 at FTDI adapter$/)).toBeTruthy();
+    expect(within(about()).getByText('Times have their bytes exchanged')).toBeTruthy();
+    await press('Forget what was assumed of F1Q, firmware 536 at FTDI adapter');
+    expect(quirksKept(bench)).toEqual({});
+    expect(within(about()).getByText('Nothing.')).toBeTruthy();
+  });
+
+  it('while the adapter is not plugged in', async () => {
+    const bench = await opened({ store: kept() });
+    about();
+    await press(/^Forget what was assumed of F1Q/);
+    expect(quirksKept(bench)).toEqual({});
+  });
+
+  it('while a timer is waited for', async () => {
+    const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
+    bench.timer.core.sleep();
+    await press('Connect');
+    about();
+    await press(/^Forget what was assumed of F1Q/);
+    expect(quirksKept(bench)).toEqual({});
+    bench.timer.core.press();
+    await idle();
+    expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
+  });
+
+  it('while no program can be shown, and what answers is read again without', async () => {
+    const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
+    let mute = true;
+    const { core } = bench.timer;
+    const answer = core.answer.bind(core);
+    core.answer = (frame, bare) => (mute && frame.code === 0x67 ? encodeFrame(0x68, [1]) : answer(frame, bare));
+    await press('Connect');
+    expect(screen.queryByRole('table', { name: /^Time and servo/ })).toBeNull();
+    expect(bench.session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
+    mute = false;
+    about();
+    await press('Forget what was assumed');
+    expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
+    expect(bench.editor.baseline.value?.timers).toEqual(core.content.timers);
+    expect(quirksKept(bench)).not.toMatchObject({ [KIND]: { bigEndianTimes: true } });
+  });
+
+  it('of another kind of timer while one is connected, which is not read again', async () => {
+    const bench = await connected({ store: kept({ 'timer/B/411/8/2': { servoFirst: true } }), info: FTDI });
+    bench.timer.core.answered.length = 0;
+    about();
+    await press('Forget what was assumed of F1B, firmware 411 at FTDI adapter');
+    expect(quirksKept(bench)).toEqual({ [KIND]: {} });
+    expect(bench.timer.core.answered).toEqual([]);
+  });
+
+  it('and is not there before an adapter is known', async () => {
+    await opened({ info: FTDI });
+    expect(screen.queryByText('About this timer')).toBeNull();
+  });
+});
+
+describe('what the line says of the timer', () => {
+  it('a slow one answers after so many seconds, and is not called noisy', async () => {
+    await connected({ latency: 900 });
+    const facts = within(about())
+      .getAllByRole('definition')
+      .map(({ textContent }) => textContent);
+    expect(facts).toContain('after 0.9 s: slow');
+    expect(screen.queryByText(/noisy/)).toBeNull();
+  });
+
+  it('answers that nobody asked for are counted, and said', async () => {
+    const bench = await connected();
+    bench.port.device.write(encodeFrame(0x62, Array<number>(22).fill(0)));
+    await press('Read again');
+    expect(screen.getByText('Answers came that nobody asked for.')).toBeTruthy();
+    expect(within(about()).getByText(/^Another timer or programmer may be in the beam/)).toBeTruthy();
+    expect(bench.session.connection.value?.client.strays).toBe(1);
+  });
+});
+
+describe('what is no timer', () => {
+  it('is said to be something else, with what it says, and another port is one click away', async () => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    bench.timer.core.sleep();
+    await press('Connect');
+    expect(screen.queryByRole('button', { name: 'Choose another port' })).toBeNull();
+    bench.port.device.write(new TextEncoder().encode('$GPGGA,0927,N\r\n$GPRMC,0928,A\r\n'));
+    await idle(3000);
+    expect(screen.getByText('Something else talks on this port.')).toBeTruthy();
+    expect(screen.getByText(/such as “\$GPRMC,0928,A”/)).toBeTruthy();
+    const other = bench.serial.plug({ usbVendorId: 0x10c4 });
+    bench.serial.choose(other);
+    await press('Choose another port');
+    expect(bench.session.link.state.value).toMatchObject({ port: other });
+  });
+
+  it('stays waited for when no other port is chosen', async () => {
+    const bench = await opened({ info: FTDI, quirks: { echo: true }, plug: { granted: true } });
+    bench.timer.core.sleep();
+    await press('Connect');
+    expect(screen.getByText('Only the question of this page comes back.')).toBeTruthy();
+    bench.serial.choose(null);
+    await press('Choose another port');
+    expect(bench.session.link.state.value.status).toBe('waiting');
+    bench.timer.core.press();
+    await idle();
+    expect(bench.editor.baseline.value).not.toBeNull();
+  });
+
+  it('an identity that cannot be is shown as it came', async () => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    bench.timer.core.answer = () => encodeFrame(0x6c, [0x51, 0x35, 0x33, 0x36, 0x37, 0x31, 0x20, 10, 4, 3, 0x20]);
+    await press('Connect');
+    expect(screen.getByText('Something answered, but not as a timer does.')).toBeTruthy();
+    expect(screen.getByText('What came: 51 35 33 36 37 31 20 0a 04 03 20 (“Q53671 ··· ”).')).toBeTruthy();
+    expect(screen.queryByText(/noisy/)).toBeNull();
+  });
+});
+
+describe('a choice of memory that is not answered', () => {
+  it('is said, with what to try, and works without a true checksum when the pilot says so', async () => {
+    const bench = await connected({ quirks: { bareChecksumRequests: true } });
+    await run(bench.session.selectMemory(2));
+    await idle();
+    expect(screen.getByText('The timer did not take the choice of memory.')).toBeTruthy();
+    expect(bench.session.link.state.value.status).toBe('on');
+    expect(bench.editor.baseline.value?.memory).toBe(0);
+    await press('Try it without a true checksum');
+    await run(bench.session.selectMemory(2));
+    expect(bench.timer.core.memory).toBe(2);
+    expect(bench.editor.baseline.value?.memory).toBe(2);
+  });
+});

@@ -1,0 +1,241 @@
+import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
+import { button, connected, field, opened, press, type } from '../screen.js';
+
+function choice(name: string): HTMLSelectElement {
+  return screen.getByRole<HTMLSelectElement>('combobox', { name });
+}
+
+async function choose(name: string, value: string): Promise<void> {
+  fireEvent.change(choice(name), { target: { value } });
+  await idle(0);
+}
+
+async function tickSafety(): Promise<void> {
+  fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+  await idle();
+}
+
+/** What stands in the rows of a table, without its head. */
+function rows(table: HTMLElement): (string | null)[][] {
+  return within(table)
+    .getAllByRole('row')
+    .slice(1)
+    .map((row) => [...row.children].map(({ textContent }) => textContent));
+}
+
+const FTDI = { usbVendorId: 0x0403, usbProductId: 0x6001 };
+
+describe('the adapters that are known', () => {
+  it('are offered by name with the rate of the last time, and connect by a click', async () => {
+    const store = new MemoryStore();
+    const before = await connected({ store, info: FTDI, answersAt: 19_200 });
+    await run(before.session.disconnect());
+    cleanup();
+    await opened({ store, info: FTDI, answersAt: 19_200, plug: { granted: true } });
+    expect(screen.getByRole('heading', { name: 'Known adapters' })).toBeTruthy();
+    const known = screen.getByRole('button', { name: /^Connect to FTDI adapter/ });
+    expect(known.textContent).toContain('last at 19200 baud');
+    fireEvent.click(known);
+    await idle();
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('are forgotten by a click', async () => {
+    await opened({ info: FTDI, plug: { granted: true } });
+    await press(/^Forget FTDI adapter/);
+    expect(screen.queryByRole('button', { name: /^Connect to FTDI/ })).toBeNull();
+    expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
+  });
+
+  it('are not there before one was allowed', async () => {
+    await opened({ info: FTDI });
+    expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
+  });
+});
+
+describe('while a timer or its adapter is waited for', () => {
+  const waits: [what: string, set: (bench: AppBench, trouble: boolean) => void][] = [
+    ['timer', ({ timer: { core } }, trouble) => (trouble ? core.sleep() : core.press())],
+    ['adapter', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
+  ];
+
+  it.each(waits)('nothing else can be connected before Stop: the %s', async (_, set) => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    set(bench, true);
+    await press('Connect');
+    const ways = ['Connect', /^Connect to FTDI/, 'Choose a port', /^Try a simulated F1Q/];
+    const shown = () => ways.flatMap((name) => screen.queryAllByRole<HTMLButtonElement>('button', { name }));
+    expect(shown().map(({ disabled }) => disabled)).toEqual([true, true, true, true]);
+    await press('Stop');
+    expect(shown().every(({ disabled }) => !disabled)).toBe(true);
+  });
+
+  it.each(waits)('Connect begins no second way: the %s comes back on the first', async (_, set) => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    set(bench, true);
+    await press('Connect');
+    const before = bench.session.link.state.value.status;
+    await run(bench.session.connect());
+    await run(bench.session.connectTo(bench.port));
+    await run(bench.session.trySimulated('Q'));
+    expect(bench.session.link.state.value.status).toBe(before);
+    set(bench, false);
+    await idle();
+    expect(field('DT time').value).toBe('3:00');
+    expect(bench.session.simulated.value).toBe(false);
+  });
+});
+
+describe('the serial settings', () => {
+  it('are those of the next port that is opened, until they are put back', async () => {
+    const { session, port } = await opened();
+    expect(['Rate', 'Parity', 'Stop bits', 'DTR', 'RTS'].map((name) => choice(name).value)).toEqual([
+      'find',
+      'none',
+      '1',
+      'leave',
+      'leave',
+    ]);
+    expect(screen.queryByRole('button', { name: 'Usual settings' })).toBeNull();
+    await choose('Rate', '19200');
+    await choose('Parity', 'even');
+    await choose('Stop bits', '2');
+    await choose('DTR', 'on');
+    await choose('RTS', 'off');
+    expect(session.link.settings.value).toMatchObject({
+      baudRate: 19_200,
+      parity: 'even',
+      stopBits: 2,
+      dtr: true,
+      rts: false,
+    });
+    await press('Connect');
+    expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'even', stopBits: 2 });
+    await press('Disconnect');
+    // By the list of those that are known, too.
+    await choose('Parity', 'odd');
+    await press(/^Connect to /);
+    expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'odd', stopBits: 2 });
+    await press('Disconnect');
+    await press('Usual settings');
+    expect([choice('Rate').value, choice('Parity').value, session.link.settings.value]).toEqual(['find', 'none', null]);
+  });
+});
+
+describe('about the timer', () => {
+  it('stands what it does in its own way, and how it is reached', async () => {
+    await connected({ info: FTDI, quirks: { timersReplyAs66: true } });
+    fireEvent.click(screen.getByText('About this timer'));
+    expect(screen.getByText('It answers “read times” with the letter of “write times”.')).toBeTruthy();
+    expect(screen.queryByText('Nothing so far: it does all that was asked in the usual way.')).toBeNull();
+    const facts = screen.getAllByRole('definition').map(({ textContent }) => textContent);
+    expect(facts).toContain('10 functions, 4 memories, 3 servos');
+    expect(facts.some((fact) => fact?.startsWith('FTDI adapter'))).toBe(true);
+  });
+
+  it('stands what is taken for true of it, which a click changes and a fresh reading follows', async () => {
+    const { session } = await connected();
+    fireEvent.click(screen.getByText('About this timer'));
+    const box = screen.getByRole<HTMLInputElement>('checkbox', { name: 'Times have their bytes exchanged' });
+    expect(box.checked).toBe(false);
+    fireEvent.click(box);
+    await idle();
+    expect(session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
+    expect(box.checked).toBe(true);
+    expect(field('DT time').value).not.toBe('3:00');
+  });
+});
+
+describe('the write dialog', () => {
+  it('shows what was read, what the timer holds now and what it will hold, where that has moved', async () => {
+    const { timer } = await connected();
+    await type('DT time', '4:00');
+    timer.core.content.timers[10] = 18_500;
+    await press('Write…');
+    const [conflicts, difference] = within(screen.getByRole('dialog')).getAllByRole('table');
+    if (!conflicts || !difference) throw new Error('a table is missing');
+    expect(
+      within(conflicts)
+        .getAllByRole('columnheader')
+        .slice(1)
+        .map(({ textContent }) => textContent),
+    ).toEqual(['Was read', 'Timer holds now', 'Will hold']);
+    expect(rows(conflicts)).toEqual([['DT time', '3:00 min', '3:05 min', '4:00 min']]);
+    expect(rows(difference)).toEqual([['DT time', '3:05 min', '4:00 min']]);
+  });
+
+  it('that is stopped before the first value went out says so calmly', async () => {
+    const { timer } = await connected();
+    await type('DT time', '4:00');
+    await press('Write…');
+    await tickSafety();
+    timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && fireEvent.click(button('Stop'));
+    await press(/^Write 1/);
+    expect(screen.queryByRole('dialog')).toBeNull();
+    expect(screen.getByText('Nothing was written.').closest('.notice')?.className).toBe('notice');
+  });
+
+  it('shows no such table where nothing has moved', async () => {
+    await connected();
+    await type('DT time', '4:00');
+    await press('Write…');
+    expect(within(screen.getByRole('dialog')).getAllByRole('table')).toHaveLength(1);
+  });
+});
+
+describe('what an interrupted job left behind', () => {
+  it('is said with its values, and finished from there', async () => {
+    const { timer } = await connected();
+    await type('DT time', '4:00');
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    await tickSafety();
+    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
+    await press(/^Write 2/);
+    timer.core.onAnswer = undefined;
+    await press('Close');
+    timer.core.press();
+    await idle();
+    const region = screen.getByRole('region', { name: 'An earlier write was interrupted' });
+    const panel = within(region);
+    expect(region.querySelector('summary')?.textContent).toBe('Compare');
+    expect(document.querySelectorAll('.notice'), 'it speaks alone').toHaveLength(1);
+    expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
+    await press('Finish it…');
+    await tickSafety();
+    await press(/^Write 1/);
+    expect(timer.core.content.positions[0]?.[2]).toBe(7);
+    await press('Close');
+    expect(screen.queryByRole('region', { name: 'An earlier write was interrupted' })).toBeNull();
+    expect(button('Write…').disabled).toBe(false);
+  });
+
+  it('says in the dialog that a port which was lost comes back by itself', async () => {
+    const { timer, adapter } = await connected();
+    await type('DT time', '4:00');
+    await press('Write…');
+    await tickSafety();
+    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
+    await press(/^Write 1/);
+    const { textContent } = screen.getByRole('alert');
+    expect(textContent).toContain('It comes back by itself. If the adapter was unplugged, plug it in again.');
+    expect(textContent).not.toContain('click Connect');
+  });
+
+  it('offers to make the memory current again that was', async () => {
+    const { adapter, timer, session, memories } = await connected();
+    timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.core.memory === 2 && adapter.unplug();
+    await press('Back up all…');
+    await press('Back up');
+    timer.core.onAnswer = undefined;
+    expect([memories.current.value, session.notice.value?.code]).toEqual([null, 'memory-left']);
+    adapter.replug();
+    await idle();
+    expect(screen.getByRole('region', { name: 'Another memory is current than before' })).toBeTruthy();
+    await press('Make M1 current again');
+    expect(timer.core.memory).toBe(0);
+    expect(screen.queryByRole('region', { name: 'Another memory is current than before' })).toBeNull();
+  });
+});

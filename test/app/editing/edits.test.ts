@@ -1,0 +1,357 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  copyServo,
+  type Edit,
+  type FieldValue,
+  fillDown,
+  reverseServo,
+  setInterval,
+  shiftFrom,
+  stepInterval,
+  stepValue,
+  withValues,
+} from '../../../src/app/editing/edits.js';
+import { intervalAt } from '../../../src/app/editing/grid.js';
+import {
+  fieldKey,
+  fieldsOf,
+  manualRange,
+  type ProgramField,
+  type TimerProgram,
+  valueAt,
+} from '../../../src/program/index.js';
+import { anyProgram, programAndRange, programOf, Q4 } from './grid-programs.js';
+
+const program = programOf();
+const B4 = { ...Q4, timerClass: 'B' };
+
+function valuesOf(edit: Edit): readonly FieldValue[] {
+  return 'values' in edit ? edit.values : expect.fail(`refused: ${edit.refused.code} ${fieldKey(edit.refused.field)}`);
+}
+
+/** The times after an edit. */
+function timesAfter(edit: Edit, before: TimerProgram = program): readonly number[] {
+  return withValues(before, valuesOf(edit)).timers;
+}
+
+function refusalIn(edit: Edit): string {
+  return 'refused' in edit ? `${edit.refused.code} ${fieldKey(edit.refused.field)}` : 'done';
+}
+
+const byOrRefused = (edit: Edit, before: TimerProgram) => ('refused' in edit ? null : withValues(before, edit.values));
+
+describe('an interval', () => {
+  it('moves this function and those after it, and neither DT nor motor stop', () => {
+    expect(timesAfter(setInterval(program, 2, 1000))).toEqual([1000, 50, 1050, 1300, 1550, 18000]);
+  });
+
+  it('moves DT too when that is asked', () => {
+    expect(timesAfter(setInterval(program, 2, 1000, { moveDt: true }))).toEqual([1000, 50, 1050, 1300, 1550, 18050]);
+  });
+
+  it('of function 1 counts from launch, that of DT moves DT alone', () => {
+    expect(timesAfter(setInterval(program, 1, 100))).toEqual([1000, 100, 1050, 1300, 1550, 18000]);
+    expect(timesAfter(setInterval(program, 5, 18000))).toEqual([1000, 50, 1000, 1250, 1500, 19500]);
+  });
+
+  it('may be negative, since times may fall', () => {
+    expect(timesAfter(setInterval(program, 3, -100))).toEqual([1000, 50, 1000, 900, 1150, 18000]);
+  });
+
+  it('lists the field that was asked for also when its time is that already', () => {
+    expect(setInterval(program, 3, 250)).toEqual({ values: [{ field: { kind: 'time', column: 3 }, value: 1250 }] });
+  });
+
+  it.each([
+    [0, 100, 'no-interval time:0'],
+    [2, 65500, 'time-out-of-range time:2'],
+    [2, 65300, 'time-out-of-range time:3'],
+    [1, -1, 'time-out-of-range time:1'],
+    [1, 0.5, 'time-not-whole time:1'],
+    [1, Number.NaN, 'time-not-whole time:1'],
+  ])('of column %i cannot be %d: %s', (column, interval, refused) => {
+    expect(refusalIn(setInterval(program, column, interval))).toBe(refused);
+  });
+
+  it('says with a refusal what the field would have been, and its range', () => {
+    expect(setInterval(program, 2, 65300)).toMatchObject({
+      refused: {
+        code: 'time-out-of-range',
+        field: { kind: 'time', column: 3 },
+        params: { value: 65600, min: 0, max: 65535 },
+      },
+    });
+  });
+
+  it('that was set is there, and the others are as before', () => {
+    fc.assert(
+      fc.property(
+        anyProgram,
+        fc.nat(11),
+        fc.integer({ min: -2000, max: 9000 }),
+        fc.boolean(),
+        (before, at, set, moveDt) => {
+          const { functions } = before.identity;
+          const column = 1 + (at % functions);
+          const after = byOrRefused(setInterval(before, column, set, { moveDt }), before);
+          if (!after) return;
+          for (let other = 1; other <= functions; other++) {
+            const kept = intervalAt(before, other);
+            if (other === column) expect(intervalAt(after, other)).toBe(set);
+            else if (other < functions || moveDt || column === functions) expect(intervalAt(after, other)).toBe(kept);
+          }
+          if (!moveDt && column < functions) expect(after.timers[functions]).toBe(before.timers[functions]);
+          expect({ ...after, timers: before.timers }).toEqual(before);
+        },
+      ),
+      { numRuns: 500 },
+    );
+  });
+});
+
+describe('a shift', () => {
+  it('moves this and all later functions, DT only when asked', () => {
+    expect(timesAfter(shiftFrom(program, 3, 100))).toEqual([1000, 50, 1000, 1350, 1600, 18000]);
+    expect(timesAfter(shiftFrom(program, 3, -100, { moveDt: true }))).toEqual([1000, 50, 1000, 1150, 1400, 17900]);
+  });
+
+  it('from DT moves DT', () => {
+    expect(timesAfter(shiftFrom(program, 5, 6000))).toEqual([1000, 50, 1000, 1250, 1500, 24000]);
+  });
+
+  it('from motor stop takes along what comes at its time or later', () => {
+    expect(timesAfter(shiftFrom(program, 0, 200))).toEqual([1200, 50, 1200, 1450, 1700, 18000]);
+    expect(timesAfter(shiftFrom(program, 0, 200, { moveDt: true })).at(-1)).toBe(18200);
+  });
+
+  it.each([
+    [3, 64200, 'time-out-of-range time:4'],
+    [1, -51, 'time-out-of-range time:1'],
+    [5, 0.5, 'time-not-whole time:5'],
+    [3, Number.POSITIVE_INFINITY, 'time-not-whole time:3'],
+    [3, 0, 'done'],
+    [99, 100, 'done'],
+  ])('from column %i by %d: %s', (column, by, refused) => {
+    expect(refusalIn(shiftFrom(program, column, by))).toBe(refused);
+  });
+
+  it('takes no DT out of range that it does not move', () => {
+    const late = { ...program, timers: [1000, 50, 1000, 1250, 1500, 65535] };
+    expect(refusalIn(shiftFrom(late, 3, 100))).toBe('done');
+    expect(refusalIn(shiftFrom(late, 3, 100, { moveDt: true }))).toBe('time-out-of-range time:5');
+  });
+
+  it('does not begin at what is reserved', () => {
+    expect(refusalIn(shiftFrom({ ...program, identity: B4 }, 0, 100))).toBe('reserved time:0');
+  });
+
+  it('there and back is as before', () => {
+    fc.assert(
+      fc.property(
+        anyProgram,
+        fc.nat(12),
+        fc.integer({ min: -3000, max: 3000 }),
+        fc.boolean(),
+        (before, at, by, moveDt) => {
+          const column = at % before.timers.length;
+          const there = byOrRefused(shiftFrom(before, column, column === 0 ? Math.abs(by) : by, { moveDt }), before);
+          if (!there) return;
+          const back = shiftFrom(there, column, column === 0 ? -Math.abs(by) : -by, { moveDt });
+          expect(withValues(there, valuesOf(back))).toEqual(before);
+        },
+      ),
+      { numRuns: 1000 },
+    );
+  });
+});
+
+describe('a step', () => {
+  const time = (column: number): ProgramField => ({ kind: 'time', column });
+  const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+  const E4 = { ...Q4, timerClass: 'E' };
+  const stepped = (field: ProgramField, value: number, direction: 1 | -1, tenfold = false, identity = Q4): number => {
+    const before = withValues({ ...program, identity }, [{ field, value }]);
+    return valueAt(withValues(before, stepValue(before, field, direction, { tenfold })), field) as number;
+  };
+
+  it.each([
+    ['a function of Q, 0.1 s', time(2), 1250, [1260, 1240, 1350, 1150], Q4],
+    ['between two steps', time(2), 1255, [1260, 1250, 1350, 1160], Q4],
+    ['DT, 1 s', time(5), 18000, [18100, 17900, 19000, 17000], Q4],
+    ['function 2 of B, 0.01 s', time(2), 1250, [1251, 1249, 1260, 1240], B4],
+    ['function 3 of B, 0.1 s', time(3), 1250, [1260, 1240, 1350, 1150], B4],
+    ['where the manual says nothing, 0.01 s', time(3), 1250, [1251, 1249, 1260, 1240], E4],
+    ['a position', S1, 65, [66, 64, 75, 55], Q4],
+    ['a position near the end', S1, 129, [130, 128, 130, 119], Q4],
+    ['a position at the end', S1, 130, [130, 129, 130, 120], Q4],
+    ['a position past the end, as read', S1, 200, [200, 130, 200, 130], Q4],
+    ['a position at 0', S1, 0, [1, 0, 10, 0], Q4],
+    ['a typed -3', S1, -3, [0, -3, 7, -3], Q4],
+    ['a time near 0', time(2), 5, [10, 0, 100, 0], Q4],
+    ['the last second', time(5), 65500, [65500, 65400, 65500, 64500], Q4],
+    ['past the last second', time(5), 65535, [65535, 65500, 65535, 64600], Q4],
+    ['idle throttle', { kind: 'idleThrottle' } as const, 250, [251, 249, 255, 240], Q4],
+  ] as const)('of %s', (_, field, value, expected, identity) => {
+    const all = [stepped(field, value, 1, false, identity), stepped(field, value, -1, false, identity)];
+    const ten = [stepped(field, value, 1, true, identity), stepped(field, value, -1, true, identity)];
+    expect([...all, ...ten]).toEqual(expected);
+  });
+
+  it('is none for an idle throttle that is not known', () => {
+    expect(stepValue({ ...program, idleThrottle: null }, { kind: 'idleThrottle' }, 1)).toEqual([]);
+  });
+
+  it('goes its way, stays in range and ends on the grid of the class', () => {
+    fc.assert(
+      fc.property(
+        anyProgram,
+        fc.nat(),
+        fc.constantFrom<1 | -1>(1, -1),
+        fc.boolean(),
+        (before, at, direction, tenfold) => {
+          const fields = fieldsOf(before.identity);
+          const field = fields[at % fields.length] as ProgramField;
+          const was = valueAt(before, field);
+          const values = stepValue(before, field, direction, { tenfold });
+          for (const { value } of values) {
+            const step = field.kind === 'time' ? (manualRange(before.identity, field.column)?.step ?? 1) : 1;
+            const max = { time: 65535, position: 130, idleThrottle: 255 }[field.kind];
+            expect((value - (was as number)) * direction).toBeGreaterThan(0);
+            expect(value >= 0 && value <= max && value % step === 0).toBe(true);
+          }
+          expect(values.length).toBeLessThanOrEqual(1);
+        },
+      ),
+      { numRuns: 500 },
+    );
+  });
+
+  it('of an interval moves the function by a step, and those after it', () => {
+    expect(timesAfter(stepInterval(program, 3, 1))).toEqual([1000, 50, 1000, 1260, 1510, 18000]);
+    expect(timesAfter(stepInterval(program, 3, -1, { tenfold: true, moveDt: true }))).toEqual([
+      1000, 50, 1000, 1150, 1400, 17900,
+    ]);
+  });
+
+  it('of an interval ends at 0', () => {
+    const close = { ...program, timers: [1000, 50, 1000, 1005, 1500, 18000] };
+    expect(timesAfter(stepInterval(close, 3, -1, { tenfold: true }), close)).toEqual([
+      1000, 50, 1000, 1000, 1495, 18000,
+    ]);
+    const falls = { ...program, timers: [1000, 50, 1000, 900, 1500, 18000] };
+    expect(stepInterval(falls, 3, -1)).toEqual({ values: [] });
+    expect(stepInterval(program, 0, 1)).toEqual({ values: [] });
+  });
+});
+
+describe('a servo', () => {
+  it('is copied to another, which alone changes', () => {
+    const after = withValues(program, valuesOf(copyServo(program, 0, 1)));
+    expect(after).toEqual({ ...program, positions: [program.positions[0], program.positions[0]] });
+  });
+
+  it('that holds what cannot be set is not copied, but to one that holds the same', () => {
+    const odd = { ...program, positions: [[10, 200, 30, 40, 50, 60], program.positions[1] ?? []] };
+    expect(refusalIn(copyServo(odd, 0, 1))).toBe('position-out-of-range position:1:1');
+    const same = {
+      ...program,
+      positions: [
+        [10, 200, 30, 40, 50, 60],
+        [11, 200, 31, 41, 51, 61],
+      ],
+    };
+    expect(refusalIn(copyServo(same, 0, 1))).toBe('done');
+  });
+
+  it('is mirrored about the middle of its travel, but for what is no step', () => {
+    const odd = { ...program, positions: [[0, 130, 65, 200, -1, 60], program.positions[1] ?? []] };
+    const after = withValues(odd, reverseServo(odd, 0));
+    expect(after).toEqual({ ...odd, positions: [[130, 0, 65, 200, -1, 70], odd.positions[1]] });
+  });
+
+  it('mirrored twice is as before', () => {
+    fc.assert(
+      fc.property(anyProgram, fc.nat(2), (before, servo) => {
+        const once = withValues(before, reverseServo(before, servo));
+        expect(withValues(once, reverseServo(once, servo))).toEqual(before);
+      }),
+      { numRuns: 200 },
+    );
+  });
+
+  it('that there is not gives nothing', () => {
+    expect([copyServo(program, 7, 0), reverseServo(program, 7)]).toEqual([{ values: [] }, []]);
+  });
+});
+
+describe('fill down', () => {
+  const filled = (top: number, left: number, bottom: number, right: number, moveDt = false): TimerProgram =>
+    withValues(program, valuesOf(fillDown(program, { top, left, bottom, right }, { moveDt })));
+
+  it('puts the first row into the rest of the range', () => {
+    expect(filled(1, 2, 3, 3).positions).toEqual([
+      [10, 20, 20, 20, 50, 60],
+      [15, 25, 25, 25, 55, 65],
+    ]);
+    expect(filled(1, 2, 3, 3).timers).toEqual(program.timers);
+  });
+
+  it('takes positions from the start to DT, but neither its time nor that of DT', () => {
+    const after = filled(0, 0, 5, 2);
+    expect(after.positions).toEqual([[10, 10, 10, 10, 10, 10], program.positions[1]]);
+    expect(after.timers).toEqual(program.timers);
+    expect(filled(3, 0, 5, 0).timers).toEqual([1000, 50, 1000, 1250, 1250, 18000]);
+    expect(filled(3, 0, 5, 0, true).timers).toEqual([1000, 50, 1000, 1250, 1250, 1250]);
+  });
+
+  it('spaces functions evenly from one interval', () => {
+    expect(filled(1, 1, 4, 1).timers).toEqual([1000, 50, 100, 150, 200, 18000]);
+    expect(filled(1, 1, 3, 1).timers).toEqual([1000, 50, 100, 150, 400, 18000]);
+    expect(filled(1, 1, 5, 1, true).timers).toEqual([1000, 50, 100, 150, 200, 250]);
+    expect(filled(1, 1, 3, 1, true).timers).toEqual([1000, 50, 100, 150, 400, 16900]);
+    expect(filled(0, 1, 4, 1).timers).toEqual(program.timers);
+  });
+
+  it('is not done where a value cannot be set', () => {
+    const odd = { ...program, positions: [[10, 200, 30, 40, 50, 60], program.positions[1] ?? []] };
+    const down = (left: number) => fillDown(odd, { top: 1, left, bottom: 3, right: 3 });
+    expect([refusalIn(down(2)), refusalIn(down(3))]).toEqual(['position-out-of-range position:0:2', 'done']);
+    const late = { ...program, timers: [1000, 40000, 60000, 60100, 60200, 65000] };
+    expect(refusalIn(fillDown(late, { top: 1, left: 1, bottom: 2, right: 1 }))).toBe('time-out-of-range time:2');
+  });
+
+  it.each([
+    ['an interval', 1, 'time:2', 'unreadable time:2'],
+    ['an interval', 1, 'time:1', 'unreadable time:1'],
+    ['an interval, past what it would move', 1, 'time:4', 'unreadable time:4'],
+    ['an interval', 1, 'time:5', 'done'],
+    ['a time', 0, 'time:2', 'unreadable time:2'],
+    ['a time', 0, 'time:1', 'done'],
+    ['a position', 2, 'position:0:2', 'unreadable position:0:2'],
+    ['a position', 2, 'time:2', 'done'],
+  ])('gives %s (column %i) on only where it can be read: %s', (_, left, key, result) => {
+    const range = { top: 2, left, bottom: 3, right: left };
+    expect(refusalIn(fillDown(program, range, { unreadable: new Set([key]) }))).toBe(result);
+  });
+
+  it('of the first interval counts from launch, whatever stands at the start', () => {
+    const range = { top: 1, left: 1, bottom: 2, right: 1 };
+    expect(refusalIn(fillDown(program, range, { unreadable: new Set(['time:0']) }))).toBe('done');
+  });
+
+  it('twice is the same as once, and touches nothing outside of the range but times after it', () => {
+    fc.assert(
+      fc.property(programAndRange, fc.boolean(), ([before, range], moveDt) => {
+        const after = byOrRefused(fillDown(before, range, { moveDt }), before);
+        if (!after) return;
+        expect(byOrRefused(fillDown(after, range, { moveDt }), after)).toEqual(after);
+        for (const field of fieldsOf(before.identity)) {
+          const inside = field.kind !== 'idleThrottle' && field.column > range.top;
+          if (!inside) expect(valueAt(after, field)).toBe(valueAt(before, field));
+        }
+      }),
+      { numRuns: 500 },
+    );
+  });
+});

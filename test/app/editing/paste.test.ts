@@ -1,0 +1,451 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { formatTable } from '../../../src/app/editing/clipboard-table.js';
+import { refusalOf, setInterval, withValues } from '../../../src/app/editing/edits.js';
+import { fieldsIn, type GridRange, intervalAt, programField } from '../../../src/app/editing/grid.js';
+import { type PasteOptions, type PastePreview, pasted, previewPaste } from '../../../src/app/editing/paste.js';
+import { differences, fieldKey, type TimerProgram } from '../../../src/program/index.js';
+import { columnCount } from '../../../src/protocol/index.js';
+import { anyProgram, programAndRange, programOf, Q4 } from './grid-programs.js';
+
+const program = programOf();
+const B4 = { ...Q4, timerClass: 'B' };
+const HEADINGS = ['Time', 'Interval', 'S1', 'S2'];
+
+/** The range of one cell. */
+const at = (row: number, column: number): GridRange => ({ top: row, left: column, bottom: row, right: column });
+const changesIn = ({ changes }: PastePreview) =>
+  Object.fromEntries(changes.map(({ field, from, to }) => [fieldKey(field), `${from} -> ${to}`]));
+const problemsIn = ({ problems }: PastePreview) =>
+  problems.map(({ row, column, text, code }) => `${row}:${column} ${text} ${code}`);
+
+function paste(text: string, range = at(0, 0), options: PasteOptions = {}, before = program): PastePreview {
+  return previewPaste(before, range, text, options);
+}
+
+describe('a pasted table', () => {
+  it('begins at the first cell and says what changes', () => {
+    const preview = paste('12,5\t65\n2:05.5\t40', at(3, 0));
+    expect(changesIn(preview)).toEqual({
+      'position:0:3': '40 -> 65',
+      'position:0:4': '50 -> 40',
+      'time:4': '1500 -> 12550',
+    });
+    expect(preview).toMatchObject({ problems: [], ignored: 0, headings: false, names: false });
+    expect(withValues(program, pasted(preview)).timers).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
+  });
+
+  it.each([
+    ['12.5', 1250],
+    ['12,5', 1250],
+    ['2:05', 12500],
+    ['2:05.5', 12550],
+    ['\u00a09.75\u202f', 975],
+  ])('takes a time like %j', (text, time) => {
+    expect(pasted(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', column: 3 }, value: time }]);
+  });
+
+  it('leaves what is under empty cells', () => {
+    expect(changesIn(paste('\t\t66\n\t21\t\n', at(0, 0)))).toEqual({
+      'position:1:0': '15 -> 66',
+      'position:0:1': '20 -> 21',
+    });
+  });
+
+  it('counts what has no place', () => {
+    const wide = Array.from({ length: 100 }, (_, column) => (column === 50 ? '' : '7')).join('\t');
+    const preview = paste(`${wide}\n8`, at(5, 2));
+    expect([changesIn(preview), preview.ignored]).toEqual([
+      { 'position:0:5': '60 -> 7', 'position:1:5': '65 -> 7' },
+      98,
+    ]);
+    expect(paste('1\t2', at(0, 1)).ignored).toBe(1);
+    expect(paste('1', at(0, 1)).ignored).toBe(1);
+  });
+
+  it('at the time column has no intervals, unless it is as wide as the grid', () => {
+    expect(changesIn(paste('12\t1\t2', at(3, 0)))).toEqual({
+      'time:3': '1250 -> 1200',
+      'position:0:3': '40 -> 1',
+      'position:1:3': '45 -> 2',
+    });
+    expect(changesIn(paste('Function 3\t12\t2\t1\t2', at(3, 0)))).toEqual({
+      'time:3': '1250 -> 1200',
+      'position:0:3': '40 -> 1',
+      'position:1:3': '45 -> 2',
+    });
+  });
+
+  it('of one cell fills the range, each field in its way', () => {
+    const preview = paste('12', { top: 2, left: 0, bottom: 3, right: 2 });
+    expect(changesIn(preview)).toEqual({
+      'time:2': '1000 -> 1200',
+      'time:3': '1250 -> 1200',
+      'position:0:2': '30 -> 12',
+      'position:0:3': '40 -> 12',
+    });
+    expect(problemsIn(paste('x', { top: 2, left: 2, bottom: 3, right: 3 }))).toEqual(['0:0 x not-a-whole-number']);
+    expect(paste('', { top: 2, left: 0, bottom: 3, right: 2 })).toMatchObject({ values: [], problems: [], ignored: 0 });
+  });
+
+  it('lists a value also where it is there already', () => {
+    const preview = paste('20', at(1, 2));
+    expect([preview.changes, pasted(preview).length]).toEqual([[], 1]);
+  });
+});
+
+describe('headings and names', () => {
+  it('are passed over, and that is said', () => {
+    const preview = paste('Function\tTime\tS1\nStart\t11\t1\nFunction 1\t0.6\t2');
+    expect(preview).toMatchObject({ headings: true, names: true, ignored: 0, problems: [] });
+    expect(changesIn(preview)).toEqual({
+      'time:0': '1000 -> 1100',
+      'time:1': '50 -> 60',
+      'position:0:0': '10 -> 1',
+      'position:0:1': '20 -> 2',
+    });
+  });
+
+  it.each([
+    ['headings alone', 'Time\n11', true, false],
+    ['names alone', 'Start\t11\nFn 1\t0.6', false, true],
+    ['names with gaps', '\t11\nDT\t0.6', false, true],
+    ['headings over an empty corner', '\tt [s]\nDT\t6', true, true],
+    ['headings in other letters', 'Zeit\tΔ\n1\t1', true, false],
+    ['neither', '11\t1\n0.6\t2', false, false],
+  ])('%s', (_, text, headings, names) => {
+    expect(paste(text)).toMatchObject({ headings, names, problems: [] });
+  });
+
+  it.each([
+    ['a text alone', 'Time', '0:0 Time not-a-time'],
+    ['what stands for a number', 'NaN\n11', '0:0 NaN not-a-time'],
+    ['an error', '#REF!\n11', '0:0 #REF! not-a-time'],
+    ['a formula', '=A1\n11', '0:0 =A1 not-a-time'],
+    ['a row of texts alone', 'Start\tTime\tS1', '0:1 Time not-a-time', '0:2 S1 not-a-whole-number'],
+    ['a column of texts', 'Time\nStart\nDT', '1:0 Start not-a-time', '2:0 DT not-a-time'],
+    ['a name among numbers', 'x\t1\n11\t2', '0:0 x not-a-time'],
+  ])('%s is none', (_, text, ...problems) => {
+    expect(problemsIn(paste(text))).toEqual(problems);
+  });
+
+  it('that are known say where the columns go', () => {
+    const text = 'No\ts2\tNote\tTIME\n1\t7\tcalm\t11\n2\t8\t\t0.6';
+    const preview = paste(text, at(0, 0), { headings: HEADINGS });
+    expect(changesIn(preview)).toEqual({
+      'time:0': '1000 -> 1100',
+      'time:1': '50 -> 60',
+      'position:1:0': '15 -> 7',
+      'position:1:1': '25 -> 8',
+    });
+    expect(preview).toMatchObject({ ignored: 3, problems: [] });
+    expect(changesIn(paste('Function\tS1\nStart\t7', at(0, 0), { headings: HEADINGS }))).toEqual({
+      'position:0:0': '10 -> 7',
+    });
+  });
+
+  it('do not say where, away from the time column or when one comes twice', () => {
+    const options = { headings: HEADINGS };
+    expect(changesIn(paste('S1\n7', at(0, 3), options))).toEqual({ 'position:1:0': '15 -> 7' });
+    expect(changesIn(paste('S1\tS1\n7\t8', at(0, 0), options))).toEqual({
+      'time:0': '1000 -> 700',
+      'position:0:0': '10 -> 8',
+    });
+    expect(changesIn(paste('a\tb\n7\t8', at(0, 0), options))).toEqual({
+      'time:0': '1000 -> 700',
+      'position:0:0': '10 -> 8',
+    });
+  });
+
+  it('leave places in the text as the pilot counts them', () => {
+    expect(problemsIn(paste('Function\tTime\nStart\tx\nFn\t1\nFn\t-1'))).toEqual([
+      '1:1 x not-a-time',
+      '3:1 -1 not-a-time',
+    ]);
+  });
+});
+
+describe('a cell that is wrong', () => {
+  it.each([
+    ['1e309', 'not-a-time'],
+    ['1e5', 'not-a-time'],
+    ['-1', 'not-a-time'],
+    ['=1+1', 'not-a-time'],
+    ['#REF!', 'not-a-time'],
+    ['NaN', 'not-a-time'],
+    ['Infinity', 'not-a-time'],
+    ['12 5', 'not-a-time'],
+    ['2.05.5', 'not-a-time'],
+    ['1.234.567', 'not-a-time'],
+    ['12.345', 'too-fine'],
+    ['655.36', 'time-out-of-range'],
+    ['100000', 'time-out-of-range'],
+  ])('%j is no time: %s', (text, code) => {
+    expect(problemsIn(paste(text, at(3, 0)))).toEqual([`0:0 ${text} ${code}`]);
+  });
+
+  it.each([
+    ['1.5', 'not-a-whole-number'],
+    ['1e2', 'not-a-whole-number'],
+    ['=65', 'not-a-whole-number'],
+    ['131', 'position-out-of-range'],
+    ['-1', 'position-out-of-range'],
+    ['99999', 'position-out-of-range'],
+  ])('%j is no position: %s', (text, code) => {
+    expect(problemsIn(paste(text, at(3, 2)))).toEqual([`0:0 ${text} ${code}`]);
+  });
+
+  it('keeps the others from being pasted, unless they are taken on purpose', () => {
+    const preview = paste('1\t2\nx\t200', at(2, 2));
+    expect(problemsIn(preview)).toEqual(['1:0 x not-a-whole-number', '1:1 200 position-out-of-range']);
+    expect(changesIn(preview)).toEqual({ 'position:0:2': '30 -> 1', 'position:1:2': '35 -> 2' });
+    expect(pasted(preview)).toEqual([]);
+    expect(differences(program, withValues(program, pasted(preview, true)))).toEqual(preview.changes);
+  });
+
+  it('is said with its place, its range and the begin of its text', () => {
+    const { problems } = paste(`200\n${'9'.repeat(1000)}`, at(2, 3));
+    expect(problems[0]).toEqual({
+      code: 'position-out-of-range',
+      params: { min: 0, max: 130 },
+      row: 0,
+      column: 0,
+      text: '200',
+      field: { kind: 'position', servo: 1, column: 2 },
+    });
+    expect(problems[1]?.text.length).toBeLessThan(100);
+  });
+
+  it('is not one that the timer holds, though it could not be set', () => {
+    const odd: TimerProgram = { ...program, positions: [[200, 20, 30, 40, 50, 60], program.positions[1] ?? []] };
+    expect(paste('200', at(0, 2), {}, odd)).toMatchObject({ changes: [], problems: [] });
+    expect(problemsIn(paste('200', at(1, 2), {}, odd))).toEqual(['0:0 200 position-out-of-range']);
+  });
+
+  it('is one that would change what is reserved', () => {
+    const b: TimerProgram = { ...program, identity: B4 };
+    expect(problemsIn(paste('11\n0.6', at(0, 0), {}, b))).toEqual(['0:0 11 reserved']);
+    expect(changesIn(paste('10\n0.6', at(0, 0), {}, b))).toEqual({ 'time:1': '50 -> 60' });
+    expect(problemsIn(paste('7\n8', at(0, 2), {}, b))).toEqual([]);
+  });
+
+  it('is the end of a text that is too large', () => {
+    const preview = paste(`${'1\t2\n'.repeat(5000)}3`, at(0, 2));
+    expect(problemsIn(preview)).toEqual(['5000:0  too-large']);
+    expect([pasted(preview), pasted(preview, true).length]).toEqual([[], 12]);
+    expect(paste(`7\n${'x'.repeat(300_000)}`, { top: 0, left: 2, bottom: 5, right: 3 }).changes).toHaveLength(1);
+  });
+});
+
+describe('pasted intervals', () => {
+  const times = (preview: PastePreview, rest = false) => withValues(program, pasted(preview, rest)).timers;
+
+  it('are set from top to bottom: what has none keeps its distance, DT its time', () => {
+    expect(times(paste('1\n2', at(1, 1)))).toEqual([1000, 100, 300, 550, 800, 18000]);
+    expect(times(paste('\n1\n\n2', at(0, 1)))).toEqual([1000, 100, 1050, 1250, 1500, 18000]);
+    expect(times(paste('1\n100', at(4, 1)))).toEqual([1000, 50, 1000, 1250, 1350, 11350]);
+    expect(times(paste('-1', at(3, 1)))).toEqual([1000, 50, 1000, 900, 1150, 18000]);
+  });
+
+  it('may lead through times that cannot be', () => {
+    expect(times(paste('650\n-640', at(2, 1)))).toEqual([1000, 50, 65050, 1050, 1300, 18000]);
+    expect(times(paste('655\n-654', at(3, 1)))).toEqual(program.timers);
+    expect(times(paste('644\n-640', at(3, 1)))).toEqual([1000, 50, 1000, 65400, 1400, 18000]);
+  });
+
+  it('that would carry a function out of range are refused, and the rest goes on without them', () => {
+    const own = paste('1\n700\n2', at(1, 1));
+    expect(problemsIn(own)).toEqual(['1:0 700 time-out-of-range']);
+    expect(times(own, true)).toEqual([1000, 100, 1050, 1250, 1500, 18000]);
+    expect(problemsIn(paste('700\nx', at(1, 1)))).toEqual(['0:0 700 time-out-of-range', '1:0 x not-a-time']);
+    const later = paste('1\n654', at(1, 1));
+    expect(problemsIn(later)).toEqual(['1:0 654 later-out-of-range']);
+    expect(times(later, true)).toEqual([1000, 100, 1050, 1300, 1550, 18000]);
+  });
+
+  it('beside times must agree with them', () => {
+    expect(problemsIn(paste('0.5\t0.5\t7\t7\n10\t9.5\t7\t7', at(1, 0)))).toEqual([]);
+    const preview = paste('0.6\t0.5\t7\t7\n10\t9.4\t7\t7', at(1, 0));
+    expect(problemsIn(preview)).toEqual(['0:1 0.5 interval-disagrees']);
+    expect(times(preview, true)).toEqual([1000, 60, 1000, 1250, 1500, 18000]);
+  });
+
+  it('count in rows that have no time, or none that can be read', () => {
+    expect(times(paste('-1\t0.6\t7\t7', at(1, 0)), true)).toEqual([1000, 60, 1010, 1260, 1510, 18000]);
+    expect(times(paste('0.6\t\t7\t7\n\t9\t7\t7', at(1, 0)))).toEqual([1000, 60, 960, 1210, 1460, 18000]);
+  });
+
+  it('are what setting them one by one would give', () => {
+    const input = anyProgram.chain((before) =>
+      fc.tuple(
+        fc.constant(before),
+        fc.array(fc.option(fc.integer({ min: -500, max: 4000 })), {
+          minLength: 1,
+          maxLength: before.identity.functions,
+        }),
+      ),
+    );
+    let compared = 0;
+    fc.assert(
+      fc.property(input, ([before, intervals]) => {
+        let expected = before;
+        for (const [index, interval] of intervals.entries()) {
+          if (interval === null) continue;
+          const edit = setInterval(expected, index + 1, interval);
+          if ('refused' in edit) return;
+          expected = withValues(expected, edit.values);
+        }
+        const text = intervals.map((interval) => (interval === null ? '' : (interval / 100).toFixed(2))).join('\n');
+        const range = intervals.length === 1 ? at(1, 1) : { ...at(1, 1), bottom: 99 };
+        const preview = previewPaste(before, range, `${text}\n`);
+        expect(preview.problems).toEqual([]);
+        expect(withValues(before, pasted(preview))).toEqual(expected);
+        compared++;
+      }),
+      { numRuns: 500 },
+    );
+    expect(compared).toBeGreaterThan(100);
+  });
+});
+
+describe('copied and pasted', () => {
+  const decimal = fc.constantFrom<'.' | ','>('.', ',');
+
+  it('on the same range changes nothing', () => {
+    fc.assert(
+      fc.property(programAndRange, decimal, ([before, range], mark) => {
+        const preview = previewPaste(before, range, formatTable(before, range, { decimal: mark }));
+        expect(preview).toMatchObject({ changes: [], problems: [], headings: false, names: false, ignored: 0 });
+        const fields = new Set(fieldsIn(before.identity, range).map((field) => fieldKey(programField(field))));
+        expect(new Set(preview.values.map(({ field }) => fieldKey(field)))).toEqual(fields);
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it('into another program carries the range over, but for what cannot be set', () => {
+    fc.assert(
+      fc.property(programAndRange, anyProgram, decimal, ([source, range], other, mark) => {
+        const target = {
+          ...source,
+          timers: source.timers.map((_, column) => other.timers[column % other.timers.length] as number),
+          positions: source.positions.map((row) => row.map((_, column) => other.positions[0]?.[column % 2] as number)),
+        };
+        const preview = previewPaste(target, range, formatTable(source, range, { decimal: mark }));
+        const after = withValues(target, pasted(preview, true));
+        if (preview.problems.length > 0) return;
+        for (const field of fieldsIn(source.identity, range)) {
+          if (field.kind === 'interval') expect(intervalAt(after, field.column)).toBe(intervalAt(source, field.column));
+        }
+        expect(formatTable(after, range)).toBe(formatTable(source, range));
+      }),
+      { numRuns: 1000 },
+    );
+  });
+});
+
+describe('whatever is pasted', () => {
+  const piece = fc.constantFrom(
+    ...[
+      '\t',
+      '\t',
+      '\n',
+      '\n',
+      '\r\n',
+      '"',
+      ',',
+      ';',
+      '.',
+      ':',
+      '-',
+      '0',
+      '1',
+      '65',
+      '12.5',
+      '12,5',
+      '2:05',
+      '131',
+      ' ',
+    ],
+    ...[
+      '=1+1',
+      '1e309',
+      'NaN',
+      '#REF!',
+      'Time',
+      'S1',
+      'Interval',
+      'Start',
+      '\u00a0',
+      '\ufeff',
+      '\u2028',
+      '😀',
+      '\ud800',
+      '\u0000',
+    ],
+  );
+  const cell = fc.oneof(
+    { weight: 6, arbitrary: fc.nat(140).map(String) },
+    { weight: 4, arbitrary: fc.integer({ min: -300, max: 9000 }).map((time) => (time / 100).toFixed(2)) },
+    { weight: 2, arbitrary: fc.constant('') },
+    { weight: 1, arbitrary: fc.string({ unit: piece, maxLength: 3 }) },
+  );
+  const table = fc
+    .array(fc.array(cell, { minLength: 1, maxLength: 6 }), { minLength: 1, maxLength: 14 })
+    .map((rows) => rows.map((cells) => cells.join('\t')).join('\n'));
+  const anyText = fc.oneof(table, fc.string({ unit: piece, maxLength: 60 }), fc.string({ unit: 'binary' }));
+
+  it('what is applied is what the preview says, can be written, and lies in the grid', () => {
+    let changed = 0;
+    fc.assert(
+      fc.property(programAndRange, anyText, fc.boolean(), ([before, range], text, takeRest) => {
+        const copy = structuredClone(before);
+        const preview = previewPaste(before, range, text, { headings: ['Time', 'Interval', 'S1', 'S2', 'S3'] });
+        const values = pasted(preview, takeRest);
+        const after = withValues(before, values);
+        expect(before).toEqual(copy);
+        expect(differences(before, after)).toEqual(preview.problems.length > 0 && !takeRest ? [] : preview.changes);
+        expect(new Set(values.map(({ field }) => fieldKey(field))).size).toBe(values.length);
+        for (const { field, to } of preview.changes) {
+          if (field.kind === 'idleThrottle') expect.fail('the idle throttle is not in the grid');
+          else expect(refusalOf(field, to as number)).toBeNull();
+        }
+        const { timerClass } = before.identity;
+        if (timerClass !== 'Q') expect(after.timers[0]).toBe(before.timers[0]);
+        expect(preview.problems.every(({ row }) => row < columnCount(before.identity) + 2)).toBe(true);
+        if (preview.changes.length > 0) changed++;
+      }),
+      { numRuns: 3000 },
+    );
+    expect(changed).toBeGreaterThan(500);
+  });
+
+  it.each([
+    ['counts from it', '2', at(3, 1), 'time:2', ['0:0 2 before-unreadable']],
+    ['would move it', '2', at(3, 1), 'time:4', ['0:0 2 later-unreadable']],
+    ['replaces it', '2', at(3, 1), 'time:3', []],
+    ['moves nothing', '2.5', at(3, 1), 'time:4', []],
+    ['is DT', '2', at(3, 1), 'time:5', []],
+    ['counts from launch', '2', at(1, 1), 'time:0', []],
+    ['counts from one that is pasted too', '1\n2', at(2, 1), 'time:2', []],
+    [
+      'counts from one that cannot be',
+      '999\n2',
+      at(2, 1),
+      'time:2',
+      ['0:0 999 time-out-of-range', '1:0 2 before-unreadable'],
+    ],
+    ['stands beside a time', '14\t2\t1\t1', at(3, 0), 'time:2', ['0:1 2 before-unreadable']],
+    ['stands below a time', '11\t\t1\t1\n\t2\t1\t1', at(2, 0), 'time:2', []],
+  ])('an interval and a text that is no value: it %s', (_, text, range, key, problems) => {
+    expect(problemsIn(paste(text, range, { unreadable: new Set([key]) }))).toEqual(problems);
+  });
+
+  it('is refused or done in little time, with thousands of columns and rows', () => {
+    for (const text of [`${'1\t'.repeat(99)}1\n`.repeat(1e5), '65\n'.repeat(1e6), 'x'.repeat(5e6), '"'.repeat(5e6)]) {
+      const preview = paste(text, at(0, 2));
+      expect(pasted(preview)).toEqual([]);
+      expect(preview.problems.at(-1)?.code).toBe('too-large');
+    }
+  });
+});

@@ -1,0 +1,218 @@
+import { describe, expect, it } from 'vitest';
+import { LineView } from '../../../src/app/line/line-view.js';
+import { captureText, parseRecording, RecordingError, readRecording } from '../../../src/app/line/recording.js';
+import { LineLog } from '../../../src/app/session/line-log.js';
+import type { TimerClient } from '../../../src/client/index.js';
+import { parseCapture } from '../../../src/protocol/index.js';
+import { B536, CAPTURE, CAPTURE_PIECES, CAPTURED_POSITIONS } from '../../protocol/vectors.js';
+import { cut, fromHex, toHex } from '../../tools/bytes.js';
+import { appBench, type BenchOptions, connectedBench, run } from '../bench/bench.js';
+import { came, damage, IDENTIFIED, lineError, sent } from './line.js';
+
+const HEADING = '# Sidus capture 1\n';
+
+async function recorded(...entries: readonly Parameters<LineLog['add']>[0][]) {
+  const log = new LineLog();
+  entries.forEach(log.add);
+  await Promise.resolve();
+  return log.entries.value;
+}
+
+function fault(text: string): [string, number] {
+  try {
+    parseRecording('x', text);
+  } catch (error) {
+    if (error instanceof RecordingError) return [error.fault, error.line];
+  }
+  throw new Error('It was taken for a recording.');
+}
+
+describe('a saved line', () => {
+  it('has notes at the top, what each entry means above it, and times from the first entry on', async () => {
+    const [asked, said] = IDENTIFIED as [(typeof IDENTIFIED)[0], (typeof IDENTIFIED)[0]];
+    const records = await recorded(
+      { ...asked, time: 1_700_000_000_000 },
+      { ...said, time: 1_700_000_000_052 },
+      lineError('framing', 1_700_000_000_100),
+      damage('noise', 'ff fe', 1_700_000_001_500),
+    );
+    expect(captureText(records, ['Sidus Timer 1.2.3', 'Timer: F1B']).split('\n')).toEqual([
+      '# Sidus capture 1',
+      '# Sidus Timer 1.2.3',
+      '# Timer: F1B',
+      '',
+      '# Identify · GETSWVER',
+      '0.000 > 00 00 00 00 00 03 6b 6b 45',
+      '# Identify, reply · GETSWVER: F1B, firmware 536, 10 functions, 4 memories, 3 servos',
+      '0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45',
+      '# Line error: framing: A byte did not end as it should: another rate, or a weak signal.',
+      '# Noise: These bytes belong to no frame.',
+      '1.500 < ff fe',
+      '',
+    ]);
+  });
+
+  it('is a capture that holds the same bytes', async () => {
+    const records = await recorded(
+      ...IDENTIFIED,
+      damage('silence', '00 00 00 00 00 19 62', 40),
+      lineError('other', 50),
+    );
+    const entries = parseCapture(captureText(records, ['a note']));
+    expect(entries.map(({ bytes }) => toHex(bytes))).toEqual(records.slice(0, 3).map(({ bytes }) => toHex(bytes)));
+  });
+
+  it('is a capture also when there is nothing in it', () => {
+    expect(parseCapture(captureText([], ['a note']))).toEqual([]);
+  });
+});
+
+describe('a recording', () => {
+  it('shows frames, in whatever pieces they were recorded', () => {
+    const pieces = cut(fromHex(CAPTURE), CAPTURE_PIECES).map((piece, i) => `0.0${60 + 5 * i} < ${toHex(piece)}`);
+    const text = `${HEADING}0.000 > 00 00 00 00 00 03 6b 6b 45
+      0.020 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
+      0.050 > 00 00 00 00 00 03 67 67 45\n${pieces.join('\n')}`;
+    const { records, entries, replayable } = parseRecording('x', text);
+    expect(records.map(({ time, direction, frame }) => [time, direction, frame?.code])).toEqual([
+      [0, 'out', 0x6b],
+      [20, 'in', 0x6c],
+      [50, 'out', 0x67],
+      [90, 'in', 0x68],
+    ]);
+    expect(toHex(records[3]?.bytes as Uint8Array)).toBe(CAPTURE);
+    expect(records[3]?.layout.identity).toEqual(B536);
+    expect(entries, 'in their pieces').toHaveLength(3 + CAPTURE_PIECES.length);
+    expect(replayable).toBe(true);
+  });
+
+  it('shows damage, a frame that was cut off too, and never lets the time run backwards', () => {
+    const text = `${HEADING}0.000 > 00 00 00 00 00 03 61 61 45
+      0.020 < 00 00 00 00 00 19 62 00
+      0.030 > 00 00 00 00 00 03 71 71 45
+      0.200 < 00 00 00 00 00 04 72 00 72 45 ff
+      0.900 > 00 00 00 00`;
+    const { records } = parseRecording('x', text);
+    expect(records.map(({ direction, frame, rejected }) => [direction, frame?.code ?? rejected])).toEqual([
+      ['out', 0x61],
+      ['out', 0x71],
+      ['in', 'silence'],
+      ['in', 0x72],
+      ['in', 'noise'],
+    ]);
+    expect(records.map(({ time }) => time)).toEqual([0, 30, 30, 200, 200]);
+    expect(() => parseCapture(captureText(records, []))).not.toThrow();
+  });
+
+  it('shows a frame that was cut off at its end', () => {
+    const { records } = parseRecording('x', `${HEADING}0.000 < 00 00 00 00 00 19 62 00`);
+    expect(records.map(({ rejected }) => rejected)).toEqual(['silence']);
+  });
+
+  it('cannot be replayed where the timer does not say what it is', () => {
+    const answer = '0.100 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45';
+    const question = '0.000 > 00 00 00 00 00 03 6b 6b 45';
+    expect(parseRecording('x', `${HEADING}${question}\n${answer}`).replayable).toBe(true);
+    expect(parseRecording('x', `${HEADING}${answer}`).replayable).toBe(false);
+    expect(parseRecording('x', `${HEADING}${question}`).replayable).toBe(false);
+    const tooLate = question.replace('0.000', '0.200');
+    expect(parseRecording('x', `${HEADING}${answer}\n${tooLate}`).replayable).toBe(false);
+  });
+
+  it.each<[string, string, [string, number]]>([
+    ['another file', '{"models": []}', ['heading', 1]],
+    ['an empty file', '', ['heading', 1]],
+    ['a line of another form', `${HEADING}0.000 > 00\n0.100 = 00`, ['line', 3]],
+    ['half a byte', `${HEADING}\n# a note\n0.000 > 0`, ['line', 4]],
+    ['a time that falls', `${HEADING}2.000 > 00\n1.000 < 00`, ['line', 3]],
+    ['nothing in it', `${HEADING}# a note\n`, ['empty', 0]],
+  ])('is not %s', (_, text, expected) => {
+    expect(fault(text)).toEqual(expected);
+  });
+
+  it('is not a file that is too large or cannot be read', async () => {
+    const huge = { name: 'x', size: 20_000_000, text: () => Promise.resolve('') } as File;
+    await expect(readRecording(huge)).rejects.toMatchObject({ fault: 'too-large' });
+    const gone = { name: 'x', size: 1, text: () => Promise.reject(new Error('gone')) } as File;
+    await expect(readRecording(gone)).rejects.toMatchObject({ fault: 'unreadable' });
+  });
+
+  it('is shown in the place of the line until one goes back, and a bad file changes nothing', async () => {
+    const view = new LineView(new LineLog());
+    await view.load(new File([`${HEADING}0.000 > 00 00 00 00 00 03 6b 6b 45`], 'field.txt'));
+    expect(view.recording.value?.name).toBe('field.txt');
+    expect(view.shown.value.map(({ frame }) => frame?.code)).toEqual([0x6b]);
+    await view.load(new File(['no'], 'no.txt'));
+    expect(view.fault.value?.fault).toBe('heading');
+    expect(view.recording.value?.name, 'still').toBe('field.txt');
+    view.dismissFault();
+    view.back();
+    expect([view.fault.value, view.recording.value, view.shown.value.length]).toEqual([null, null, 0]);
+  });
+
+  it('shows the newest rows of a long one, and finds all', async () => {
+    const lines = Array.from(
+      { length: 1200 },
+      (_, i) => `${i}.000 > 00 00 00 00 00 04 73 0${i % 4} 7${3 + (i % 4)} 45`,
+    );
+    const view = new LineView(new LineLog());
+    await view.load(new File([HEADING, lines.join('\n')], 'long.txt'));
+    expect(view.found.value).toHaveLength(1200);
+    expect(view.shown.value).toHaveLength(500);
+    view.search.value = 'm2';
+    expect(view.found.value).toHaveLength(300);
+  });
+});
+
+describe('a session that was saved', () => {
+  const badLine: BenchOptions = { fromTimer: { fault: (byte, i) => (i === 40 || i === 90 ? [] : [byte]) } };
+
+  it.each<[string, BenchOptions]>([
+    ['a good line', {}],
+    ['a line that lost two bytes', badLine],
+    ['a timer that answers with other letters', { quirks: { timersReplyAs66: true, memoryReplyEmpty: true } }],
+  ])('is the same timer when it is replayed: %s', async (_, options) => {
+    const { session, editor } = await connectedBench(options);
+    const program = editor.working.value;
+    expect(program?.timers).toHaveLength(11);
+    const text = captureText(session.log.introduced(session.log.entries.value), []);
+    await run(session.disconnect());
+
+    const again = await appBench();
+    await run(again.session.tryRecording(parseRecording('x', text).entries));
+    expect(again.editor.working.value).toEqual(program);
+    expect(again.session.simulated.value, 'its edits are no edits of a timer').toBe(true);
+  });
+
+  it('answers although the log has long forgotten what the timer said of itself', async () => {
+    const { session, editor } = await connectedBench();
+    const program = editor.working.value;
+    const client = session.connection.value?.client as TimerClient;
+    for (let i = 0; i < 70; i++) {
+      for (const code of [0x71, 0x61, 0x67, 0x75]) await run(client.send(code));
+    }
+    const kept = session.log.entries.value;
+    expect(kept.some(({ frame }) => frame?.code === 0x6b)).toBe(false);
+    const text = captureText(session.log.introduced(kept), []);
+    await run(session.disconnect());
+
+    const again = await appBench();
+    await run(again.session.tryRecording(parseRecording('x', text).entries));
+    expect(again.editor.working.value).toEqual(program);
+    expect(again.editor.working.value?.positions[0]).toEqual(CAPTURED_POSITIONS);
+  });
+
+  it('has the echo of an adapter', async () => {
+    const { session } = await connectedBench({ quirks: { echo: true } });
+    const { records } = parseRecording('x', captureText(session.log.entries.value, []));
+    expect(records.filter(({ direction, frame }) => direction === 'in' && frame?.code === 0x6b)).toHaveLength(2);
+  });
+});
+
+it('keeps sent and came apart', async () => {
+  const records = await recorded(sent({ name: 'GETMEMORY' }, 5), came({ name: 'GETMEMORY', memory: 2 }, 9));
+  expect(parseCapture(captureText(records, [])).map(({ time, direction }) => [time, direction])).toEqual([
+    [0, 'out'],
+    [4, 'in'],
+  ]);
+});

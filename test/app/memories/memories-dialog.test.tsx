@@ -1,0 +1,76 @@
+import { screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { clockText } from '../../../src/app/messages/index.js';
+import { type AppBench, idle } from '../bench/bench.js';
+import { connected, press } from '../screen.js';
+
+const dialog = (name: string) => within(screen.getByRole('dialog', { name }));
+const lines = () => within(screen.getByRole('dialog')).getByRole('alert').textContent;
+
+/** A timer whose third memory has another DT, in front of the dialog that shows the copy of the first one into it. */
+async function reviewed(): Promise<AppBench> {
+  const app = await connected();
+  app.timer.core.memories[2]?.timers.splice(10, 1, 36_000);
+  await press('Copy M1 to M3…');
+  return app;
+}
+
+async function write(): Promise<void> {
+  screen.getByRole('checkbox', { name: /^The propeller is off/ }).click();
+  await idle(0);
+  await press('Copy');
+}
+
+describe('copying a memory', () => {
+  it('shows the difference like a write, DT and motor stop first, and ends with figures', async () => {
+    const { timer } = await reviewed();
+    const difference = within(dialog('Copy a memory').getByRole('region', { name: 'M3' }));
+    expect(difference.getByText('M3: DT: 6:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
+    const rows = difference.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
+    expect(rows).toEqual([
+      ['Value', 'Timer holds', 'Will hold'],
+      ['DT time', '6:00 min', '3:00 min'],
+    ]);
+    await write();
+    const time = clockText(Date.now());
+    expect(lines()).toBe(`M3 verified ${time} · DT 3:00 min · motor stop 10.0 s · 1 change`);
+    expect(dialog('Copy a memory').getByRole('status').textContent).toBe('M1 flies next.');
+    expect(timer.core.memories[2]?.timers[10]).toBe(18_000);
+  });
+
+  it('that would change nothing says so', async () => {
+    const { timer } = await connected();
+    timer.core.memories.splice(1, 1, structuredClone(timer.core.content));
+    await press('Copy M1 to M2…');
+    expect(screen.getByText('M2 holds all of this already. It is read back and compared.')).toBeTruthy();
+    await write();
+    expect(lines()).toContain('· no changes');
+  });
+
+  it('shows the difference again when the memory has changed meanwhile', async () => {
+    const { timer } = await reviewed();
+    timer.core.memories[2]?.timers.splice(10, 1, 30_000);
+    await write();
+    expect(lines()).toContain('The timer holds something else than was shown.');
+    expect(lines()).toContain('Nothing was written into M3.');
+    await press('Show the difference again…');
+    expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
+  });
+
+  it('that was cut off says what is not known, and which memory flies next as far as that is known', async () => {
+    const { timer, adapter } = await reviewed();
+    timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
+    await write();
+    expect(lines()).toContain(
+      'It is not known what M3 holds: DT time is 6:00 min or 3:00 min. Do not fly it before it is read.',
+    );
+    expect(dialog('Copy a memory').getByRole('status').textContent).toBe(
+      'It is not known which memory flies next. At connect it was M1.',
+    );
+    screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
+    await idle(0);
+    expect(screen.getByRole('dialog', { name: 'Copy a memory' }), 'it has to be seen').toBeTruthy();
+    await press('Close');
+    expect(screen.queryByRole('dialog')).toBeNull();
+  });
+});

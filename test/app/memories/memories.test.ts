@@ -1,0 +1,480 @@
+import { describe, expect, it } from 'vitest';
+import type { Plan } from '../../../src/app/memories/memories.js';
+import type { ProgramField } from '../../../src/program/index.js';
+import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+
+/** A timer whose second memory is current and whose memories differ. */
+async function bench(options: BenchOptions = {}): Promise<AppBench> {
+  const made = await connectedBench(options);
+  made.timer.core.memory = 1;
+  made.timer.core.memories.forEach(({ positions }, memory) => {
+    (positions[0] as number[])[2] = 50 + memory;
+  });
+  await run(made.session.read());
+  made.timer.core.answered.length = 0;
+  return made;
+}
+
+async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
+  session.safe.value = true;
+  await run(memories.open(plan));
+  expect(memories.current.value).toMatchObject({ step: 'review', plan });
+  await run(memories.start());
+}
+
+/** What became of each memory that was to be written. */
+function ends({ memories }: AppBench): unknown {
+  const { value } = memories.current;
+  return value?.step === 'done' ? value.outcome.ends.map(({ memory, state }) => [memory, state]) : value?.step;
+}
+
+/** The memories that were selected, in order. */
+function selected({ timer }: AppBench): number[] {
+  return timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
+}
+
+function contents({ timer }: AppBench) {
+  return structuredClone(timer.core.memories);
+}
+
+function kept({ session }: AppBench) {
+  return session.backups.list.value.map(({ reason, program: { memory, timers, positions } }) => ({
+    reason,
+    memory,
+    timers,
+    positions,
+  }));
+}
+
+/** What is known of each memory. */
+function known({ session }: AppBench): string[] {
+  return [0, 1, 2, 3].map((memory) => session.knowledge.of(memory).state);
+}
+
+describe('the memories at a glance', () => {
+  it('are as they were read last, also when another one is current since', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    made.timer.core.memories[1]?.timers.fill(100);
+    await run(made.session.read());
+    await run(made.session.selectMemory(0));
+    expect(made.session.knowledge.of(1)).toMatchObject({
+      state: 'read',
+      program: { timers: made.timer.core.memories[1]?.timers },
+    });
+  });
+
+  it('are not those of the next timer: it may be another', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    expect(known(made)).toEqual(['read', 'read', 'read', 'read']);
+    made.adapter.unplug();
+    await idle();
+    made.adapter.replug();
+    await idle();
+    expect(made.session.connection.value).not.toBeNull();
+    expect(known(made)).toEqual(['unread', 'read', 'unread', 'unread']);
+  });
+});
+
+describe('backing up all memories', () => {
+  it('keeps what each holds, and the one that was current is so again', async () => {
+    const made = await bench();
+    const before = contents(made);
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value).toMatchObject({
+      step: 'done',
+      kept: true,
+      outcome: { saved: 4, stopped: null },
+    });
+    expect(kept(made).reverse()).toEqual(before.map((content, memory) => ({ reason: 'memories', memory, ...content })));
+    expect(new Set(made.session.backups.list.value.map(({ savedAt }) => savedAt)).size, 'one set').toBe(1);
+    expect(made.store.backups.records.size).toBe(4);
+    expect([made.timer.core.memory, selected(made).at(-1)]).toEqual([1, 1]);
+    expect([contents(made), made.store.unfinished.records.size]).toEqual([before, 0]);
+    expect([made.editor.working.value?.memory, made.session.busy.value]).toEqual([1, false]);
+  });
+
+  it('has noted the memory to come back to before another is selected', async () => {
+    const made = await bench();
+    const noted: unknown[] = [];
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') noted.push([...made.store.unfinished.records.values()][0]);
+    };
+    await job(made, { kind: 'back-up' });
+    expect(noted[0]).toMatchObject({ kind: 'memories', home: 1 });
+  });
+
+  it('leaves the edits as they are', async () => {
+    const made = await bench();
+    made.editor.type(S1, '7');
+    await job(made, { kind: 'back-up' });
+    expect([made.editor.textOf(S1), made.editor.changes.value.length]).toEqual(['7', 1]);
+  });
+
+  it('that is stopped comes back, and says nothing of having kept them', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.memories.dismiss();
+    };
+    await job(made, { kind: 'back-up' });
+    expect([made.memories.current.value, made.timer.core.memory]).toEqual([null, 1]);
+    expect([kept(made), made.store.unfinished.records.size]).toEqual([[], 0]);
+  });
+
+  it('says when the browser keeps nothing', async () => {
+    const made = await bench();
+    made.store.broken = true;
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { saved: 4 } });
+    expect(kept(made)).toHaveLength(4);
+    made.memories.dismiss();
+    made.store.broken = false;
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value, 'of each backup anew').toMatchObject({ step: 'done', kept: true });
+  });
+
+  it('is refused by a timer that does not say which memory is current', async () => {
+    const made = await connectedBench({ quirks: { memoryReplyEmpty: true } });
+    await job(made, { kind: 'back-up' });
+    expect([selected(made), made.memories.current.value, kept(made)]).toEqual([[], null, []]);
+    expect(made.session.notice.value).toEqual({ kind: 'timer', code: 'memory-unknown' });
+  });
+});
+
+describe('copying a memory', () => {
+  it('reads what is copied for that: it may have changed since all were read', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    made.timer.core.memories[2]?.timers.fill(1234);
+    await job(made, { kind: 'copy', from: 2, to: 3 });
+    expect(made.timer.core.memories[3]?.timers).toEqual(made.timer.core.memories[2]?.timers);
+    expect([made.timer.core.memory, made.store.unfinished.records.size]).toEqual([1, 0]);
+  });
+
+  it('writes what the current one holds into another, verified, and keeps what that held', async () => {
+    const made = await bench();
+    const before = contents(made);
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.memories.current.value).toMatchObject({
+      step: 'done',
+      outcome: { stopped: null, ends: [{ memory: 3, state: 'verified' }] },
+    });
+    expect(contents(made)).toEqual([before[0], before[1], before[2], before[1]]);
+    expect([made.timer.core.memory, selected(made)], 'read for the difference, then written').toEqual([
+      1,
+      [3, 1, 3, 1],
+    ]);
+    expect(kept(made)).toEqual([{ reason: 'write', memory: 3, ...before[3] }]);
+    expect(made.store.unfinished.records.size).toBe(0);
+    expect(made.timer.core.idleThrottle).toBe(30);
+    expect(known(made), 'what was read on the way').toEqual(['read', 'read', 'unread', 'read']);
+  });
+
+  it('leaves the idle throttle alone, also where each memory has its own', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = (request) => {
+      if (request.name === 'SETMEMORY') made.timer.core.idleThrottle = 40 + request.memory;
+    };
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.memories.current.value).toMatchObject({ outcome: { ends: [{ state: 'verified' }] } });
+    expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETLOWRPM');
+  });
+
+  it('after which the other holds what was not written is not done with', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.timer.core.content.positions[1]?.fill(77);
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.memories.current.value).toMatchObject({ outcome: { stopped: 'changed' } });
+    expect(made.session.recovery.offer.value).toMatchObject({ kind: 'elsewhere', memory: 3 });
+  });
+
+  it('does not take the edits along', async () => {
+    const made = await bench();
+    made.editor.type(S1, '7');
+    await job(made, { kind: 'copy', from: 1, to: 3 });
+    expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
+    expect(made.editor.textOf(S1)).toBe('7');
+  });
+});
+
+describe('a browser that does not keep everything', () => {
+  const full = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
+
+  it('is said after a backup: which memory to come back to is in this page alone', async () => {
+    const made = await bench();
+    made.store.unfinished.save = full;
+    await job(made, { kind: 'back-up' });
+    expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { stopped: null } });
+  });
+
+  it.each<[answer: boolean, held: unknown]>([
+    [true, [[3, 'verified']]],
+    [false, undefined],
+  ])('asks before it writes without a copy: %s', async (answer, held) => {
+    const made = await bench();
+    const before = contents(made);
+    made.store.backups.save = full;
+    made.session.safe.value = true;
+    await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
+    const writing = made.memories.start();
+    await idle(4000);
+    expect([made.memories.current.value?.step, contents(made)]).toEqual(['unkept', before]);
+    made.memories.answer(answer);
+    await run(writing);
+    expect(ends(made)).toEqual(held);
+    expect(contents(made)[3]).toEqual(answer ? before[1] : before[3]);
+    expect([made.timer.core.memory, made.session.knowledge.uncertain.value]).toEqual([1, []]);
+  });
+
+  it('that never answers is given five seconds', async () => {
+    const made = await bench();
+    made.session.safe.value = true;
+    await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
+    made.store.backups.save = () => new Promise(() => {});
+    const writing = made.memories.start();
+    await idle(9000);
+    expect(made.memories.current.value?.step).toBe('unkept');
+    made.memories.dismiss();
+    await run(writing);
+    expect(made.session.notice.value).toEqual({ kind: 'note', code: 'nothing-written' });
+  });
+});
+
+describe('what is about to be written', () => {
+  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
+
+  it('is shown with what the other memory holds, by a reading just now', async () => {
+    const made = await bench();
+    made.timer.core.memories[3]?.timers.splice(10, 1, 36_000);
+    await run(made.memories.open(COPY));
+    expect(made.memories.current.value).toMatchObject({
+      step: 'review',
+      changes: [
+        {
+          memory: 3,
+          changes: [
+            { field: { kind: 'time', column: 10 }, from: 36_000, to: 21_000 },
+            { field: S1, from: 53, to: 51 },
+          ],
+        },
+      ],
+    });
+    expect([made.timer.core.memory, selected(made)]).toEqual([1, [3, 1]]);
+  });
+
+  it('is not written over what has changed since, and that is said', async () => {
+    const made = await bench();
+    made.session.safe.value = true;
+    await run(made.memories.open(COPY));
+    made.timer.core.memories[3]?.timers.splice(10, 1, 36_000);
+    const before = contents(made);
+    await run(made.memories.start());
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'stale' } });
+    expect([ends(made), contents(made), made.timer.core.memory]).toEqual([[[3, 'untouched']], before, 1]);
+    expect(made.session.knowledge.uncertain.value).toEqual([]);
+  });
+
+  it('is for the connection on which it was shown, and gone with it', async () => {
+    const made = await bench();
+    await run(made.memories.open(COPY));
+    made.adapter.unplug();
+    await idle();
+    expect(made.memories.current.value).toBeNull();
+    made.adapter.replug();
+    await idle();
+    await run(made.memories.start());
+    expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETTIMERS');
+  });
+});
+
+describe('a copy that fails early ends in words', () => {
+  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
+
+  it('before anything is compared', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && made.adapter.unplug();
+    await run(made.memories.open(COPY));
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'memory-left' } });
+    expect([ends(made), made.memories.held]).toEqual([[[3, 'untouched']], true]);
+  });
+
+  it('before the first value goes out', async () => {
+    const made = await bench();
+    made.session.safe.value = true;
+    await run(made.memories.open(COPY));
+    made.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && made.timer.core.sleep();
+    await run(made.memories.start());
+    expect(made.memories.current.value).toMatchObject({ step: 'done' });
+    expect(ends(made)).toEqual([[3, 'untouched']]);
+    const { value } = made.memories.current;
+    expect(value?.step === 'done' && value.outcome.stopped).toBeTruthy();
+  });
+
+  it('in the middle, where it is not known what the memory holds', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
+    await job(made, COPY);
+    expect(ends(made)).toEqual([[3, 'unknown']]);
+    expect(made.session.knowledge.uncertain.value).toMatchObject([{ memory: 3 }]);
+  });
+
+  it('for each memory of a set', async () => {
+    const made = await bench();
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    const backups = [...made.session.backups.list.value].reverse();
+    for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.timers.splice(10, 1, 36_000);
+    let writes = 0;
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS' && ++writes === 2) made.adapter.unplug();
+    };
+    await job(made, { kind: 'restore', backups });
+    expect(ends(made)).toEqual([
+      [0, 'verified'],
+      [1, 'verified'],
+      [2, 'unknown'],
+      [3, 'untouched'],
+    ]);
+  });
+});
+
+describe('restoring a set', () => {
+  it('writes each memory as it was, keeps what they held, and comes back', async () => {
+    const made = await bench();
+    const before = contents(made);
+    await job(made, { kind: 'back-up' });
+    made.memories.dismiss();
+    const backups = [...made.session.backups.list.value].reverse();
+    made.timer.core.memories.forEach(({ positions }, memory) => {
+      (positions[2] as number[])[5] = 90 + memory;
+    });
+    const changed = contents(made);
+    await job(made, { kind: 'restore', backups });
+    expect(made.memories.current.value).toMatchObject({
+      outcome: { stopped: null, ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })) },
+    });
+    expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
+    const written = kept(made).filter(({ reason }) => reason === 'write');
+    expect(written.reverse().map(({ positions }) => positions)).toEqual(changed.map(({ positions }) => positions));
+    expect(made.store.unfinished.records.size).toBe(0);
+    expect(made.editor.working.value?.positions[2]?.[5]).toBe(before[1]?.positions[2]?.[5]);
+  });
+});
+
+describe('a plug that is pulled in the middle', () => {
+  const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
+  const pulled: [name: string, plan: Plan, at: (bench: AppBench, name: string) => boolean, rest: unknown][] = [
+    ['a backup', { kind: 'back-up' }, ({ timer }, name) => name === 'GETTIMERS' && timer.core.memory === 2, null],
+    // The times are there and the position is not: only that memory can tell.
+    ['a copy', COPY, (_, name) => name === 'SETTIMERS', { kind: 'elsewhere', memory: 3 }],
+    // All is there: the first reading tells.
+    ['a copy that was complete', COPY, (_, name) => name === 'SETSERVO', null],
+  ];
+
+  it.each(pulled)('of %s is said; the way home is offered at the next meeting', async (_, plan, at, rest) => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
+    await job(made, plan);
+    expect(made.session.notice.value).toEqual({ kind: 'timer', code: 'memory-left' });
+    made.timer.core.onAnswer = undefined;
+    made.memories.dismiss();
+    const left = made.timer.core.memory;
+    made.adapter.replug();
+    await idle();
+    await run(made.session.read());
+    expect(made.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: left });
+    expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
+    await run(made.session.selectMemory(1));
+    expect(made.timer.core.memory).toBe(1);
+    if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);
+    else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+
+  it('of a copy leaves the idle throttle alone when the rest is shown', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
+    await job(made, COPY);
+    made.timer.core.onAnswer = undefined;
+    made.memories.dismiss();
+    made.adapter.replug();
+    await idle();
+    await run(made.session.selectMemory(1));
+    await run(made.session.selectMemory(3));
+    await run(made.recover.show());
+    expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
+  });
+
+  it('is known after a reload too', async () => {
+    const made = await bench();
+    made.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.adapter.unplug();
+    };
+    await job(made, { kind: 'back-up' });
+    const after = await reloaded(made);
+    await run(after.session.connect());
+    expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: 2 });
+    await run(after.session.selectMemory(1));
+    expect([after.session.recovery.offer.value, after.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+});
+
+describe('which memory is current', () => {
+  it('is never changed unasked', async () => {
+    const made = await bench();
+    made.editor.type(S1, '7');
+    await run(made.write.open());
+    made.session.safe.value = true;
+    await run(made.write.start());
+    made.write.dismiss();
+    await run(made.session.read());
+    made.adapter.unplug();
+    await idle();
+    made.adapter.replug();
+    await idle();
+    made.timer.core.sleep();
+    await run(made.session.read());
+    made.timer.core.press();
+    await idle();
+    await run(made.session.disconnect());
+    await run(made.session.connect());
+    made.memories.open({ kind: 'back-up' });
+    made.memories.dismiss();
+    expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
+  });
+
+  it('can be asked for only with a timer that does nothing else', async () => {
+    const made = await bench();
+    const reading = made.session.read();
+    made.memories.open({ kind: 'back-up' });
+    expect(made.memories.current.value).toBeNull();
+    await run(reading);
+    await run(made.session.disconnect());
+    made.memories.open({ kind: 'back-up' });
+    expect(made.memories.current.value).toBeNull();
+  });
+});
+
+describe('a copy to a timer that keeps positions only where its servos stand', () => {
+  it('moves them only when it is asked for, and says what it was for want of', async () => {
+    const made = await bench({ quirks: { servoNeedsMove: true } });
+    const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
+    const copy: Plan = { kind: 'copy', from: 1, to: 3 };
+    await job(made, copy);
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: true } });
+    expect(moves()).toBe(0);
+    made.session.servoMoves.allowed.value = true;
+    made.memories.dismiss();
+    await run(made.memories.open(copy));
+    expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
+    made.session.servoMoves.allowed.value = true;
+    await run(made.memories.start());
+    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: false } });
+    expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
+    expect(moves()).toBe(1);
+  });
+});

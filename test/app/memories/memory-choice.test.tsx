@@ -1,0 +1,248 @@
+import { screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { clockText } from '../../../src/app/messages/index.js';
+import type { TimerProgram } from '../../../src/program/index.js';
+import { type AppBench, idle, run } from '../bench/bench.js';
+import { button, connected, field, fly, lookAt, press, type } from '../screen.js';
+
+/** What is read aloud of each memory, and which of them is shown. */
+function choices(): string[] {
+  const radios = within(screen.getByRole('group', { name: 'Memory' })).getAllByRole<HTMLInputElement>('radio');
+  return radios.map((radio) => `${radio.checked ? '* ' : ''}${radio.getAttribute('aria-label')}`);
+}
+
+/** The memories that were selected, in order. */
+function selected({ timer }: AppBench): number[] {
+  return timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
+}
+
+const said = () => screen.getAllByRole('alert').map(({ textContent }) => textContent);
+const dialog = () => within(screen.getByRole('dialog', { name: 'Before you disconnect' }));
+
+describe('the memories', () => {
+  it('are only looked at by a tap: the one that flies next says so, and nothing is sent', async () => {
+    const { timer } = await connected();
+    const asked = timer.core.answered.length;
+    expect(choices()).toEqual(['* M1, flies next', 'M2', 'M3', 'M4']);
+    await lookAt('M3');
+    await idle();
+    expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
+    expect(screen.getByRole('heading', { name: 'M3 has not been read' })).toBeTruthy();
+    expect(screen.queryByRole('textbox', { name: 'DT time' }), 'edits belong to the current one').toBeNull();
+    expect(screen.queryByRole('button', { name: 'Write…' })).toBeNull();
+    expect([timer.core.answered.length - asked, timer.core.memory]).toEqual([0, 0]);
+    await lookAt('M1, flies next');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('are read by Look, which goes back, and shown with the time and nothing to type into', async () => {
+    const app = await connected();
+    await type('DT time', '5:00');
+    await lookAt('M3');
+    app.timer.core.answered.length = 0;
+    await press('Look at M3');
+    const asked = app.timer.core.answered.map(({ name }) => name);
+    expect([selected(app), app.timer.core.memory]).toEqual([[2, 0], 0]);
+    expect(asked.slice(asked.lastIndexOf('SETMEMORY')), 'the timer says that it is back').toContain('GETMEMORY');
+    expect(screen.getByRole('heading', { name: `M3, read ${clockText(Date.now())}` })).toBeTruthy();
+    const held = within(screen.getByRole('table', { name: 'What was read of M3' }));
+    const row = held.getByRole('rowheader', { name: 'DT' }).parentElement;
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
+    expect(held.queryAllByRole('textbox')).toEqual([]);
+    expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
+    expect([app.session.notice.value, app.session.nextFlight.word.value]).toEqual([null, null]);
+    await press('Show M1');
+    expect(field('DT time').value, 'edits are as they were').toBe('5:00');
+  });
+
+  it('keep the focus while one is looked at', async () => {
+    await connected();
+    await lookAt('M2');
+    const look = button('Look at M2');
+    look.focus();
+    await press('Look at M2');
+    expect(document.activeElement).toBe(look);
+  });
+
+  it('let nothing be typed into the one that is left while another is read', async () => {
+    const { session } = await connected();
+    const parts = [field('DT'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
+    const isShut = () => parts.map((part) => part.closest('[inert]') !== null);
+    const selecting = session.selectMemory(2);
+    await idle(0);
+    expect(isShut()).toEqual([true, true, true]);
+    await run(selecting);
+    await idle();
+    expect(isShut()).toEqual([false, false, false]);
+  });
+
+  it('fly next when they are made to, and the page says so until the one of the time of connect does', async () => {
+    const { timer } = await connected();
+    await type('DT time', '5:00');
+    await fly('M3');
+    expect([timer.core.memory, choices()]).toEqual([2, ['M1', 'M2', '* M3, flies next', 'M4']]);
+    expect(field('DT').value).toBe('4:00');
+    expect(said()).toEqual(['M3 flies next. At connect it was M1.Back to M1']);
+    await press('Back to M1');
+    expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
+    expect(screen.queryByRole('alert')).toBeNull();
+    expect(field('DT time').value, 'its edits are kept').toBe('5:00');
+  });
+
+  it('show none while it is open whether the other was selected, then the one that is current', async () => {
+    const { timer } = await connected();
+    await lookAt('M3');
+    timer.core.sleep();
+    await press('Make M3 fly next');
+    expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
+    expect(screen.getByText('No answer yet.')).toBeTruthy();
+    expect(said()).toEqual(['It is not known which memory flies next. M3 was selected last. At connect it was M1.']);
+    timer.core.press();
+    await idle();
+    expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
+    expect(screen.getByText('The timer is back.')).toBeTruthy();
+    expect(screen.queryByRole('alert')).toBeNull();
+  });
+
+  it('can be chosen again, the one before too, after a failure that leaves open which is current', async () => {
+    const { timer, session } = await connected();
+    session.memoryOpen.value = true;
+    await idle(0);
+    expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
+    expect(screen.getByText(/^It is not known which memory flies next/)).toBeTruthy();
+    timer.core.memory = 2;
+    await fly('M1');
+    expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
+  });
+
+  it('say when the timer does not tell which it is, and that none can be looked at then', async () => {
+    const { timer } = await connected({ quirks: { memoryReplyEmpty: true } });
+    expect(screen.getByText(/^This timer does not say which memory is current/)).toBeTruthy();
+    expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
+    await lookAt('M2');
+    expect(button('Look at M2').disabled).toBe(true);
+    await press('Make M2 fly next');
+    expect(timer.core.memory).toBe(1);
+    expect(said()).toEqual([
+      'It is not known which memory flies next. M2 was selected last. Which one it was at connect is not known.',
+    ]);
+  });
+
+  it('are uncertain in words since a write into one was cut off', async () => {
+    const { session } = await connected();
+    const before = { ...(session.editor.baseline.value as TimerProgram), memory: 2 };
+    const timers = before.timers.map((time, column) => (column === 10 ? 36_000 : time));
+    await session.knowledge.cut(before, { ...before, timers });
+    await lookAt('M3');
+    expect(screen.getByRole('heading', { name: 'It is not known what M3 holds' })).toBeTruthy();
+    const row = screen.getByRole('rowheader', { name: 'DT time' }).parentElement;
+    expect([...(row?.children ?? [])].map(({ textContent }) => textContent)).toEqual([
+      'DT time',
+      '3:00 min',
+      '6:00 min',
+    ]);
+  });
+});
+
+describe('a look that cannot go back', () => {
+  it('is said at once, loudly, with the way back', async () => {
+    const app = await connected();
+    await lookAt('M3');
+    let away = 0;
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name !== 'GETSERVOPOS' || app.timer.core.memory !== 2) return;
+      // It does not hear the way back, nor what is asked after that.
+      away++;
+      app.timer.core.sleep();
+    };
+    await press('Look at M3');
+    expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
+    expect(app.session.notice.value).toEqual({ kind: 'timer', code: 'memory-left' });
+    expect(said()).toEqual(['It is not known which memory flies next. At connect it was M1.']);
+    app.timer.core.onAnswer = undefined;
+    app.timer.core.press();
+    await idle();
+    expect(choices()).toEqual(['M1', 'M2', '* M3, flies next', 'M4']);
+    await press('Make M1 current again');
+    expect([app.timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
+    expect(screen.queryByRole('alert')).toBeNull();
+  });
+});
+
+describe('Disconnect', () => {
+  it('asks nothing while the memory of the time of connect flies next', async () => {
+    const app = await connected();
+    await lookAt('M3');
+    await press('Look at M3');
+    await press('Disconnect');
+    expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['off', null]);
+  });
+
+  it('repeats that another memory will fly next, and goes back to the first when it is told to', async () => {
+    const app = await connected();
+    await fly('M3');
+    await press('Disconnect');
+    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. At connect it was M1.');
+    expect(app.session.link.state.value.status).toBe('on');
+    await press('Back to M1 and disconnect');
+    expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
+    expect(screen.queryByRole('dialog')).toBeNull();
+  });
+
+  it('leaves the choice to the pilot', async () => {
+    const app = await connected();
+    await fly('M3');
+    await press('Disconnect');
+    await press('Stay connected');
+    expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['on', null]);
+    await press('Disconnect');
+    screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
+    await idle(0);
+    expect([app.session.link.state.value.status, screen.queryByRole('dialog')]).toEqual(['on', null]);
+    await press('Disconnect');
+    dialog().getByRole('button', { name: 'Disconnect' }).click();
+    await idle();
+    expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 2]);
+  });
+
+  it('stays when the way back fails, and says so', async () => {
+    const app = await connected();
+    await fly('M3');
+    await press('Disconnect');
+    app.timer.core.sleep();
+    await press('Back to M1 and disconnect');
+    expect(dialog().getByRole('alert').textContent).toContain('It was not possible to go back to M1.');
+    expect(dialog().getByRole('status').textContent).toContain('It is not known which memory flies next.');
+    app.timer.core.press();
+    await idle();
+    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. At connect it was M1.');
+    await press('Back to M1 and disconnect');
+    expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
+  });
+
+  it('in the middle of a look lets it come back before the port is closed', async () => {
+    const app = await connected();
+    await lookAt('M3');
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETTIMERS' && app.timer.core.memory === 2) button('Disconnect').click();
+    };
+    await press('Look at M3');
+    expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
+  });
+
+  it('of a timer that does not say which memory is current says that it is not known, once one was selected', async () => {
+    const app = await connected({ quirks: { memoryReplyEmpty: true } });
+    await fly('M2');
+    await press('Disconnect');
+    expect(dialog().getByRole('status').textContent).toBe(
+      'It is not known which memory flies next. M2 was selected last. Which one it was at connect is not known.',
+    );
+    expect(dialog().queryByRole('button', { name: /^Back to/ })).toBeNull();
+    dialog().getByRole('button', { name: 'Disconnect' }).click();
+    await idle();
+    expect(app.session.link.state.value.status).toBe('off');
+    await press('Connect');
+    await press('Disconnect');
+    expect(app.session.link.state.value.status, 'nothing was selected since').toBe('off');
+  });
+});

@@ -1,0 +1,447 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
+import { appBench, idle, MemoryStore } from '../bench/bench.js';
+import { button, connected, field, opened, press, table, type } from '../screen.js';
+
+/** What is said about a field to someone who cannot see it. */
+function described(name: string): string {
+  const ids = field(name).getAttribute('aria-describedby')?.split(' ') ?? [];
+  return ids.map((id) => document.getElementById(id)?.textContent).join(' ');
+}
+
+describe('the start', () => {
+  it('offers Connect and two simulated timers, and the line folded up', async () => {
+    await opened();
+    expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
+      'Connect',
+      'Try a simulated F1Q timer',
+      'Try a simulated F1B timer',
+      'Delete everything on this device…',
+    ]);
+    expect(screen.getByText<HTMLElement>('Line').closest('details')?.open).toBe(false);
+  });
+
+  it('says which browsers can, where this one cannot, and still offers the simulated timers', async () => {
+    await opened({ webSerial: false });
+    expect(screen.getByText('This browser cannot reach a timer.')).toBeTruthy();
+    expect(screen.queryByRole('button', { name: 'Connect' })).toBeNull();
+    await press('Try a simulated F1B timer');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('says that nothing was chosen, until that is dismissed', async () => {
+    const { serial } = await opened();
+    serial.choose(null);
+    await press('Connect');
+    expect(screen.getByText('No port was chosen.')).toBeTruthy();
+    await press('Dismiss');
+    expect(screen.queryByText('No port was chosen.')).toBeNull();
+  });
+
+  it('says that it waits for a timer that does not answer, and shows it once its switch is pressed', async () => {
+    const { timer } = await opened({ plug: { granted: true } });
+    timer.core.sleep();
+    await press('Connect');
+    expect(screen.getByText('No answer yet.')).toBeTruthy();
+    expect(screen.queryByText('The timer did not answer.')).toBeNull();
+    timer.core.press();
+    await idle();
+    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('stops waiting when asked to, and offers another adapter', async () => {
+    const { timer, port } = await opened({ plug: { granted: true } });
+    timer.core.sleep();
+    await press('Connect');
+    await press('Stop');
+    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(port.device.opened).toBeNull();
+    timer.core.press();
+    await press('Choose a port');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('does not say that another program holds a port while it is tried again, nor when the adapter has failed', async () => {
+    const { port } = await opened();
+    port.open = () => Promise.reject(new DOMException('The device is broken.', 'UnknownError'));
+    fireEvent.click(button('Connect'));
+    await idle(5000);
+    expect(screen.getByText('The port does not open yet.')).toBeTruthy();
+    await idle();
+    expect(screen.getByText('The port cannot be opened.')).toBeTruthy();
+    expect(screen.queryByText(/in use/)).toBeNull();
+  });
+
+  it('says that a port cannot be opened, with what helps, and offers another by one button', async () => {
+    const { port } = await opened();
+    port.device.busy = true;
+    await press('Connect');
+    expect(screen.getByText('The port cannot be opened.')).toBeTruthy();
+    expect(screen.queryByText(/in use/), 'that is more than the browser tells').toBeNull();
+    expect(screen.getAllByRole('button', { name: /Choose|Another/ })).toHaveLength(1);
+    port.device.busy = false;
+    await press('Choose a port');
+    expect(screen.queryByText('The port cannot be opened.')).toBeNull();
+    expect(field('DT time').value).toBe('3:00');
+  });
+});
+
+describe('the table', () => {
+  it('shows start to DT with the positions of the capture', async () => {
+    await connected();
+    const rows = table()
+      .getAllByRole('rowheader')
+      .map(({ textContent }) => textContent);
+    expect(rows).toEqual(['Start', ...Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`), 'DT']);
+    for (const servo of ['S1', 'S2', 'S3']) {
+      expect(rows.map((row) => field(`${row}, ${servo}`).value)).toEqual(CAPTURED_POSITIONS.map(String));
+    }
+    expect(field('Function 1 time').value).toBe('10.50');
+    expect(field('DT time').value).toBe('3:00');
+  });
+
+  it('has as many rows and columns as the timer says', async () => {
+    await connected({ identity: { timerClass: 'Q', functions: 3, servos: 4, memories: 2 } });
+    expect(table().getAllByRole('rowheader')).toHaveLength(4);
+    expect(
+      table()
+        .getAllByRole('columnheader')
+        .map(({ textContent }) => textContent),
+    ).toEqual(['Function', 'Time', 'Interval', 'S1', 'S2', 'S3', 'S4']);
+    expect(screen.getAllByRole('radio', { name: /^M\d/ })).toHaveLength(2);
+  });
+
+  it('marks what differs, with the old value', async () => {
+    await connected();
+    await type('Function 2, S1', '70');
+    expect(screen.getByText('was 35')).toBeTruthy();
+    expect(described('Function 2, S1')).toBe('was 35');
+    expect(screen.getByText('1 change')).toBeTruthy();
+    await type('Function 2, S1', '35');
+    expect(screen.queryByText('was 35')).toBeNull();
+    expect(screen.getByText(/^As in the timer, read \d\d:\d\d$/)).toBeTruthy();
+  });
+
+  it.each([
+    ['Function 2, S1', '131', 'A position is 0 to 130 steps.'],
+    ['Function 2, S1', '-1', 'A position is 0 to 130 steps.'],
+    ['Function 2, S1', 'six', 'Not a whole number of steps.'],
+    ['Function 2, S1', '1.5', 'Not a whole number of steps.'],
+    ['Function 2, S1', '', 'Empty: type a value.'],
+    ['DT time', '10:55.36', 'A time can be at most 10:55.35.'],
+    ['DT time', '999999', 'A time can be at most 10:55.35.'],
+    ['DT time', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
+    ['DT time', '1.234', 'Finer than a hundredth of a second.'],
+    ['DT time', '', 'Empty: type a value.'],
+  ])('refuses %s = %j at the field with a reason, and nothing can be written', async (name, text, reason) => {
+    const { write, timer } = await connected();
+    timer.core.answered.length = 0;
+    await type(name, text);
+    expect(field(name).value, 'in minutes where it is a time').toBe(text === '999999' ? '16666:39' : text);
+    expect(field(name).getAttribute('aria-invalid')).toBe('true');
+    expect(described(name)).toContain(reason);
+    expect(table().getAllByText(`${name}:`)[0]?.parentElement?.textContent).toBe(`${name}: ${reason}`);
+    const why = document.getElementById(button('Write…').getAttribute('aria-describedby') ?? '');
+    expect(why?.textContent).toBe(`Nothing can be written yet. ${name}: ${reason}`);
+    await press('Write…');
+    expect([write.current.value, timer.core.answered]).toEqual([null, []]);
+    // It leads to its cause: DT is a large figure, too.
+    expect(document.activeElement).toBe(field(name === 'DT time' ? 'DT' : name));
+  });
+
+  it('leads from Write to the first field in the way, to the next when that is right, and then to the difference', async () => {
+    const { write } = await connected();
+    await type('Function 2, S1', '131');
+    await type('DT', '2.30');
+    await press('Write…');
+    expect(document.activeElement).toBe(field('DT'));
+    fireEvent.click(screen.getAllByRole('button', { name: '2 min 30 s' })[0] as HTMLElement);
+    await idle();
+    await press('Write…');
+    expect([document.activeElement, write.current.value]).toEqual([field('Function 2, S1'), null]);
+    await type('Function 2, S1', '130');
+    expect(button('Write…').getAttribute('aria-describedby')).toBeNull();
+    await press('Write…');
+    expect(write.current.value).not.toBeNull();
+  });
+
+  it('says one reason for each field that has it', async () => {
+    await connected();
+    for (const servo of ['S1', 'S2', 'S3']) await type(`Function 2, ${servo}`, '131');
+    const reasons = () => table().getAllByText(/^Function 2, S.:$/);
+    expect(reasons()).toHaveLength(3);
+    await type('Function 2, S2', '130');
+    expect(reasons().map(({ textContent }) => textContent)).toEqual(['Function 2, S1:', 'Function 2, S3:']);
+  });
+
+  it('says beside the idle throttle why it is refused', async () => {
+    await connected();
+    await type('Idle throttle', '256');
+    const figure = field('Idle throttle').closest('.figure');
+    const seen = [...(figure?.querySelectorAll(':not(.visually-hidden)') ?? [])].map(({ textContent }) => textContent);
+    expect(seen).toContain('The idle throttle is 0 to 255.');
+  });
+
+  it('puts a field back with Escape', async () => {
+    await connected();
+    await type('DT time', 'soon');
+    fireEvent.keyDown(field('DT time'), { key: 'Escape' });
+    await idle();
+    expect(field('DT time').value).toBe('3:00');
+    expect(button('Write…').disabled).toBe(false);
+  });
+
+  it('puts everything back with Undo all, which is there only when there is something', async () => {
+    await connected();
+    expect(screen.queryByRole('button', { name: 'Undo all' })).toBeNull();
+    await type('DT time', 'soon');
+    await type('Function 2, S1', '7');
+    await press('Undo all');
+    expect([field('DT time').value, field('Function 2, S1').value]).toEqual(['3:00', '35']);
+  });
+});
+
+describe('moving through the table', () => {
+  it.each([
+    [{ key: 'Enter' }, 'Function 3, S2'],
+    [{ key: 'ArrowDown' }, 'Function 3, S2'],
+    [{ key: 'ArrowUp' }, 'Function 1, S2'],
+    [{ key: 'Enter', shiftKey: true }, 'Function 1, S2'],
+  ])('%j goes from Function 2, S2 to %s', async (key, to) => {
+    await connected();
+    field('Function 2, S2').focus();
+    fireEvent.keyDown(field('Function 2, S2'), key);
+    expect(document.activeElement).toBe(field(to));
+  });
+
+  it('does not go the other way when Shift is held with an arrow', async () => {
+    await connected();
+    field('Function 2, S2').focus();
+    fireEvent.keyDown(field('Function 2, S2'), { key: 'ArrowUp', shiftKey: true });
+    expect(document.activeElement).not.toBe(field('Function 3, S2'));
+  });
+
+  it('passes over notes between the rows, and stays at the ends', async () => {
+    await connected();
+    await type('Function 2, S2', '131');
+    field('Function 2, S2').focus();
+    fireEvent.keyDown(field('Function 2, S2'), { key: 'Enter' });
+    expect(document.activeElement).toBe(field('Function 3, S2'));
+    field('DT, S1').focus();
+    fireEvent.keyDown(field('DT, S1'), { key: 'Enter' });
+    expect(document.activeElement).toBe(field('DT, S1'));
+  });
+});
+
+describe('the large figures', () => {
+  it('show DT and on Q the motor stop, and are the same values as in the table', async () => {
+    await connected();
+    expect([field('DT').value, field('Motor stop').value]).toEqual(['3:00', '10.0']);
+    await type('DT', '30');
+    expect(field('DT time').value).toBe('30.00');
+    expect(screen.getByText('Short DT')).toBeTruthy();
+    await type('Motor stop time', '5');
+    expect(field('Motor stop').value).toBe('5.0');
+  });
+
+  it.each(['B', 'E'])(
+    'show no motor stop on %s, where the start time is reserved until asked for',
+    async (timerClass) => {
+      await connected({ identity: { timerClass } });
+      expect(screen.queryByRole('textbox', { name: 'Motor stop' })).toBeNull();
+      expect(field('Start time').readOnly).toBe(true);
+      await press('Edit the reserved time');
+      expect(field('Start time').readOnly).toBe(false);
+      expect(document.activeElement).toBe(field('Start time'));
+      await type('Start time', '1');
+      expect(screen.getByText('1 change')).toBeTruthy();
+    },
+  );
+
+  it('show the idle throttle only when the timer has said one', async () => {
+    await connected({ identity: { timerClass: 'B' } });
+    expect(screen.queryByRole('textbox', { name: 'Idle throttle' })).toBeNull();
+  });
+});
+
+describe('writing', () => {
+  it('shows the difference, wants the safety, and says verified', async () => {
+    const { timer } = await connected();
+    await type('DT time', '4:00');
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    const dialog = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
+    const rows = dialog.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
+    expect(rows).toEqual([
+      ['Value', 'Timer holds', 'Will hold'],
+      ['DT time', '3:00 min', '4:00 min'],
+      ['Function 2, S1', '35', '7'],
+    ]);
+    expect(button('Write 2 changes').disabled).toBe(true);
+    fireEvent.click(dialog.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await press('Write 2 changes');
+    const said = dialog.getByRole('alert').textContent;
+    expect(said).toContain('Verified.');
+    expect(said).toMatch(/M1 verified \d\d:\d\d · DT 4:00 min · motor stop 10\.0 s · 2 changes/);
+    expect([timer.core.content.timers[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
+    await press('Close');
+    expect(screen.queryByRole('dialog')).toBeNull();
+    expect(screen.getByText(/^As in the timer, verified \d\d:\d\d$/)).toBeTruthy();
+  });
+
+  it('keeps the focus in the dialog from step to step', async () => {
+    await connected();
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    const dialog = screen.getByRole('dialog', { name: 'Write to the timer' });
+    fireEvent.click(within(dialog).getByRole('checkbox', { name: /^The propeller is off/ }));
+    await idle();
+    button('Write 1 change').focus();
+    await press('Write 1 change');
+    expect(within(dialog).getByRole('alert').textContent).toContain('Verified.');
+    expect(dialog.contains(document.activeElement)).toBe(true);
+  });
+
+  it('wants what is serious acknowledged', async () => {
+    await connected();
+    await type('Motor stop', '4:00');
+    await press('Write…');
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await idle();
+    expect(button('Write 1 change').disabled).toBe(true);
+    expect(within(screen.getByRole('dialog')).getByText(/The motor stops after DT, at 3:00/)).toBeTruthy();
+    fireEvent.click(screen.getByRole('checkbox', { name: /^I have read this/ }));
+    await idle();
+    expect(button('Write 1 change').disabled).toBe(false);
+  });
+
+  it('shows what the timer holds where it did not take a value', async () => {
+    await connected({ quirks: { servoNeedsMove: true } });
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await press('Write 1 change');
+    const dialog = within(screen.getByRole('dialog'));
+    expect(dialog.getByRole('alert').textContent).toContain('Not everything was taken.');
+    expect(dialog.getByRole('row', { name: /Function 2, S1/ }).textContent).toMatch(/7\s*35\s*differs/);
+  });
+
+  it('offers to move the servos once it is known that positions need it, and moves them only then', async () => {
+    const { timer } = await connected({ quirks: { servoNeedsMove: true } });
+    const move = () => screen.queryByRole<HTMLInputElement>('checkbox', { name: /^Move the servos to each function/ });
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    expect(move(), 'nothing is known yet').toBeNull();
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await press('Write 1 change');
+    expect(screen.getByRole('alert').textContent).toContain('The positions were acknowledged and not kept.');
+    await press('Write again…');
+    expect(move()?.checked).toBe(false);
+    const hint = document.getElementById(move()?.getAttribute('aria-describedby') ?? '');
+    expect(hint?.textContent).toMatch(/^The servos will move/);
+    expect(screen.getByText(/will probably not keep these/)).toBeTruthy();
+    fireEvent.click(move() as HTMLElement);
+    await press('Write 1 change');
+    expect(screen.getByRole('alert').textContent).toContain('Verified.');
+    expect(screen.queryByRole('button', { name: 'Write again…' })).toBeNull();
+    expect(timer.core.content.positions[0]?.[2]).toBe(7);
+    await press('Close');
+    await type('DT time', '4:00');
+    await press('Write…');
+    expect(move(), 'no position is among the changes').toBeNull();
+  });
+
+  it('is cancelled without a trace', async () => {
+    const { timer } = await connected();
+    await type('DT time', '4:00');
+    const { timers } = timer.core.content;
+    await press('Write…');
+    await press('Cancel');
+    expect(screen.queryByRole('dialog')).toBeNull();
+    expect(timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'))).toEqual([]);
+    expect(timer.core.content.timers).toEqual(timers);
+    expect(field('DT time').value).toBe('4:00');
+  });
+});
+
+describe('the line', () => {
+  it('stays open from the start to the program of a recording', async () => {
+    await opened();
+    const details = screen.getByText('Line').closest('details') as HTMLDetailsElement;
+    details.open = true;
+    fireEvent(details, new Event('toggle'));
+    await press('Try a simulated F1Q timer');
+    table();
+    expect(screen.getByText('Line').closest('details')).toBe(details);
+    expect(screen.getByRole('region', { name: 'Line' })).toBeTruthy();
+  });
+
+  it('shows each message with its direction, name and bytes, newest first', async () => {
+    await connected();
+    fireEvent.click(screen.getByText('Line'));
+    await idle();
+    const log = within(screen.getByRole('region', { name: 'Line' }));
+    const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
+    expect(rows).toHaveLength(15);
+    expect(rows.at(-1)?.slice(1)).toEqual(['to the timer', 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);
+    expect(rows[5]?.slice(1)).toEqual([
+      'from the timer',
+      'Read idle throttle, reply · GETLOWRPM 30, unit unknown',
+      '00 00 00 00 00 04 76 1e 94 45',
+    ]);
+    expect(rows[1]?.[0]).toMatch(/^\d\d:\d\d:\d\d\.\d{3}$/);
+  });
+});
+
+describe('after a loss', () => {
+  it('says that it is unplugged, the edits stay, and it comes back by itself', async () => {
+    const { adapter } = await connected();
+    await type('DT time', '4:00');
+    adapter.unplug();
+    await idle();
+    expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
+    expect([button('Write…').disabled, button('Read again').disabled]).toEqual([true, true]);
+    expect(field('DT time').value).toBe('4:00');
+    adapter.replug();
+    await idle();
+    expect(screen.queryByText('The adapter is unplugged.')).toBeNull();
+    expect(screen.getByText('The timer is back.')).toBeTruthy();
+    expect(button('Write…').disabled).toBe(false);
+    expect(field('DT time').value).toBe('4:00');
+  });
+
+  it('says only that the connection broke off while the plug may be in, and tries again by itself', async () => {
+    const { adapter, port } = await connected();
+    port.device.error('lost');
+    await idle(100);
+    expect(screen.getByText('The connection to the adapter broke off.')).toBeTruthy();
+    expect(screen.getByText('Connection broken off')).toBeTruthy();
+    expect(screen.queryByText(/unplugged/)).toBeNull();
+    await idle();
+    expect(screen.getByText('The timer is back.')).toBeTruthy();
+    port.device.error('lost');
+    await idle(100);
+    adapter.unplug();
+    await idle();
+    expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
+    expect(screen.queryByText(/broke off/)).toBeNull();
+  });
+});
+
+describe('without Web Serial', () => {
+  it('edits of the simulated timer that are back after a reload can be written to it', async () => {
+    const store = new MemoryStore();
+    const before = await appBench({ store, webSerial: false });
+    const trying = before.session.trySimulated('Q');
+    await idle();
+    await trying;
+    before.editor.type({ kind: 'time', column: 10 }, '4:00');
+    await idle();
+    await opened({ store, webSerial: false });
+    expect(field('DT time').value).toBe('4:00');
+    await press(/simulated/i);
+    expect(button('Write…').disabled).toBe(false);
+  });
+});

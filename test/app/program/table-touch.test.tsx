@@ -1,0 +1,243 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { afterEach, describe, expect, it } from 'vitest';
+import { idle } from '../bench/bench.js';
+import { connected, field, press } from '../screen.js';
+
+async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
+  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
+  await idle();
+}
+
+/** A finger, or what else points, goes over a field from point to point. */
+async function draw(
+  name: string,
+  to: readonly [x: number, y: number][],
+  pointer: PointerEventInit = {},
+): Promise<void> {
+  const at = (clientX: number, clientY: number): PointerEventInit => ({
+    bubbles: true,
+    pointerId: 2,
+    isPrimary: true,
+    pointerType: 'touch',
+    clientX,
+    clientY,
+    ...pointer,
+  });
+  fireEvent.pointerDown(field(name), at(200, 300));
+  for (const [x, y] of to) fireEvent.pointerMove(field(name), at(200 + x, 300 + y));
+  const [x, y] = to.at(-1) ?? [0, 0];
+  await idle();
+  fireEvent.pointerUp(field(name), at(200 + x, 300 + y));
+  await idle();
+}
+
+describe('stepping', () => {
+  it.each(['Function 1 time', 'Function 1 interval', 'DT'])(
+    'is what a swipe over %s does, to the right up, and one step to undo',
+    async (name) => {
+      const { editor } = await connected();
+      const stepped = async (by: number): Promise<string> => {
+        for (let step = 0; step < Math.abs(by); step++) {
+          await key(by > 0 ? 'ArrowUp' : 'ArrowDown', { altKey: true });
+        }
+        const { value } = field(name);
+        editor.undo();
+        await idle();
+        return value;
+      };
+      const before = field(name).value;
+      field(name).focus();
+      const expected = [await stepped(3), await stepped(-2)];
+      await draw(name, [
+        [5, 1],
+        [16, 6],
+        [43, 40],
+      ]);
+      const right = field(name).value;
+      editor.undo();
+      await idle();
+      expect(field(name).value, 'one step').toBe(before);
+      field(name).select();
+      await draw(name, [
+        [-30, 0],
+        [-50, 0],
+        [-28, 0],
+      ]);
+      expect([right, field(name).value]).toEqual(expected);
+      expect([field(name).selectionStart, field(name).selectionEnd], 'all is still marked').toEqual([
+        0,
+        field(name).value.length,
+      ]);
+    },
+  );
+
+  it('by a swipe leaves the caret where it was, and takes a pen for a finger', async () => {
+    await connected();
+    field('Function 9, S1').focus();
+    field('Function 9, S1').setSelectionRange(1, 1);
+    await draw('Function 9, S1', [[14, 0]], { pointerType: 'pen' });
+    const { value, selectionStart, selectionEnd } = field('Function 9, S1');
+    expect([value, selectionStart, selectionEnd]).toEqual(['106', 1, 1]);
+  });
+
+  it.each<[what: string, to: [x: number, y: number][], pointer?: PointerEventInit, focus?: string]>([
+    ['a finger over a field without the focus', [[60, 0]], {}, 'Function 2, S2'],
+    [
+      'a finger that goes up or down, and to the side later',
+      [
+        [5, 15],
+        [60, 20],
+      ],
+    ],
+    ['a finger that moves less than a step', [[13, 0]]],
+    ['a mouse', [[60, 0]], { pointerType: 'mouse' }],
+    ['a second finger', [[60, 0]], { isPrimary: false }],
+  ])('is not done by %s', async (_, to, pointer, focus = 'Function 2, S1') => {
+    const { editor } = await connected();
+    field(focus).focus();
+    await draw('Function 2, S1', to, pointer);
+    expect(editor.dirty.value).toBe(false);
+  });
+
+  it('is not done by a tap, which may move the caret', async () => {
+    const { editor } = await connected();
+    const input = field('Function 9, S1');
+    input.focus();
+    input.setSelectionRange(1, 1);
+    const pen = { bubbles: true, pointerId: 2, isPrimary: true, pointerType: 'pen' };
+    fireEvent.pointerDown(input, pen);
+    input.setSelectionRange(2, 2);
+    fireEvent.pointerUp(input, pen);
+    expect([input.selectionStart, input.selectionEnd, editor.dirty.value]).toEqual([2, 2, false]);
+  });
+
+  it('is not done by a swipe over a time that is reserved', async () => {
+    const { editor } = await connected({ identity: { timerClass: 'B' } });
+    field('Start time').focus();
+    await draw('Start time', [[60, 0]]);
+    expect(editor.dirty.value).toBe(false);
+  });
+});
+
+describe('a range for those who have no Shift', () => {
+  /** What a finger, and a mouse, does to a cell; the focus goes where it may. */
+  const tap = async (name: string): Promise<void> => {
+    if (fireEvent.mouseDown(field(name), { button: 0 })) field(name).focus();
+    await idle();
+  };
+  const pick = async (from: string, to: string): Promise<void> => {
+    await tap(from);
+    await press('Select range');
+    await tap(to);
+  };
+  /** Puts this in the place of the browser's clipboard. */
+  const clipboard = (given: Partial<Clipboard>): void => {
+    Object.defineProperty(navigator, 'clipboard', { value: given, configurable: true });
+  };
+  const own = Object.getOwnPropertyDescriptor(navigator, 'clipboard');
+  afterEach(() => {
+    Reflect.deleteProperty(navigator, 'clipboard');
+    if (own) Object.defineProperty(navigator, 'clipboard', own);
+  });
+  const marked = (): number => document.querySelectorAll('td.selected').length;
+
+  it('goes from the cell where it was asked for to the one tapped last, and the keyboard stays away', async () => {
+    await connected();
+    await tap('Function 2, S1');
+    expect(screen.queryByRole('toolbar', { name: 'Selected range' })).toBeNull();
+    await press('Select range');
+    expect(screen.getAllByText('Now tap another cell.')).toHaveLength(2);
+    expect(marked()).toBe(1);
+    await tap('Function 4, S2');
+    expect([screen.getByText('3 functions, 2 columns'), screen.getByText('6 values selected')]).toBeTruthy();
+    expect(marked()).toBe(6);
+    expect(document.activeElement).toBe(document.body);
+    await tap('Start, S3');
+    expect(screen.getByText('3 rows, 3 columns')).toBeTruthy();
+    // As a screen reader comes to it.
+    field('Function 2, S2').focus();
+    await idle();
+    expect(screen.getByText('1 function, 2 columns')).toBeTruthy();
+    expect(document.activeElement).toBe(document.body);
+    expect(marked()).toBe(2);
+    await press('Done');
+    expect([marked(), screen.queryByRole('button', { name: 'Fill down' })]).toEqual([0, null]);
+    await tap('Function 3, S1');
+    expect(document.activeElement).toBe(field('Function 3, S1'));
+  });
+
+  it('is copied as by keys', async () => {
+    await connected();
+    const texts: string[] = [];
+    clipboard({ writeText: async (given) => void texts.push(given) });
+    await pick('Function 1 time', 'Function 2, S2');
+    await press('Copy');
+    expect(texts).toEqual(['10.50\t25\t25\n11.00\t35\t35']);
+    expect(screen.getByText('Copied.', { exact: true })).toBeTruthy();
+    await tap('Function 3, S2');
+    expect(screen.queryByText('Copied.', { exact: true }), 'that was another range').toBeNull();
+  });
+
+  it('is filled down as by keys', async () => {
+    await connected();
+    await pick('Function 1, S1', 'Function 3, S2');
+    await press('Fill down');
+    expect(['Function 3, S1', 'Function 3, S2', 'Function 4, S1'].map((name) => field(name).value)).toEqual([
+      '25',
+      '25',
+      '55',
+    ]);
+    await press('Undo fill down of 4 values');
+    expect(field('Function 3, S2').value).toBe('45');
+  });
+
+  it('is pasted into as by keys, after it was shown', async () => {
+    await connected();
+    clipboard({ readText: async () => '7' });
+    await pick('Function 2, S1', 'Function 3, S1');
+    await press('Paste…');
+    const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
+    expect(dialog.getAllByRole('listitem').map(({ textContent }) => textContent)).toEqual([
+      'Function 2, S1: 35 → 7',
+      'Function 3, S1: 45 → 7',
+    ]);
+  });
+
+  it.each<[what: string, given: Partial<Clipboard>, said: RegExp]>([
+    [
+      'the browser does not let it',
+      { readText: () => Promise.reject(new Error('no')) },
+      /Tap the first field and paste/,
+    ],
+    ['there is no clipboard', {}, /Tap the first field and paste/],
+    ['nothing was copied', { readText: async () => '' }, /There is no text to paste/],
+  ])('says what to do when %s', async (_, given, said) => {
+    await connected();
+    clipboard(given);
+    await pick('Function 2, S1', 'Function 3, S1');
+    await press('Paste…');
+    expect(screen.getByRole('alert').textContent).toMatch(said);
+    await press('Done');
+    expect(screen.queryByRole('alert')).toBeNull();
+  });
+
+  it('has the same buttons when it was made by keys: Tab goes to them, Escape back to the cell', async () => {
+    await connected();
+    field('Function 1, S1').focus();
+    await key('ArrowDown', { shiftKey: true });
+    await key('Tab');
+    expect(document.activeElement).toBe(screen.getByRole('button', { name: 'Copy' }));
+    await press('Fill down');
+    expect(field('Function 2, S1').value).toBe('25');
+    await key('Escape');
+    expect(document.activeElement).toBe(field('Function 1, S1'));
+    expect(marked()).toBe(0);
+  });
+
+  it('begins in the table alone', async () => {
+    await connected();
+    field('DT').focus();
+    await idle();
+    expect(screen.queryByRole('button', { name: 'Select range' })).toBeNull();
+  });
+});

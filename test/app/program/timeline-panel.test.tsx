@@ -1,0 +1,233 @@
+import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { options } from 'preact';
+import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
+import { App } from '../../../src/app/app.js';
+import { Theme } from '../../../src/app/settings/theme.js';
+import { KeptLinkages } from '../../../src/app/timeline/preview/linkages.js';
+import { usualLinkages } from '../../../src/app/timeline/preview/surfaces.js';
+import type { ProgramField } from '../../../src/program/index.js';
+import { type AppBench, appBench, idle } from '../bench/bench.js';
+
+const S1: ProgramField = { kind: 'position', servo: 0, column: 4 };
+
+async function opened(): Promise<AppBench> {
+  const app = await appBench();
+  render(<App models={app.models} />);
+  await press('Connect');
+  return app;
+}
+
+async function press(name: string | RegExp): Promise<void> {
+  fireEvent.click(screen.getByRole('button', { name }));
+  await idle();
+}
+
+const handle = (name: string): Element => screen.getByRole('slider', { name });
+const legend = () => document.querySelector('.timeline-panel .timeline-behind')?.textContent;
+
+async function key(name: string, pressed: string): Promise<void> {
+  fireEvent.keyDown(handle(name), { key: pressed });
+  await idle(100);
+  fireEvent.keyUp(handle(name), { key: pressed });
+  await idle();
+}
+
+afterEach(() => localStorage.clear());
+
+describe('the timeline', () => {
+  it('shows the program on the screen, with what the timer holds behind it once they differ', async () => {
+    const { editor } = await opened();
+    expect(handle('DT time').getAttribute('aria-valuetext')).toBe('3:00');
+    expect(legend()).toBeUndefined();
+    editor.type(S1, '99');
+    await expect.poll(() => handle('Function 4, S1').getAttribute('aria-valuenow')).toBe('99');
+    expect(legend()).toBe('Timer holds');
+  });
+
+  it('edits the program, in one step for each movement', async () => {
+    const { editor } = await opened();
+    const before = Number(editor.textOf(S1));
+    await key('Function 4, S1', 'ArrowUp');
+    await key('Function 4, S1', 'ArrowUp');
+    expect(editor.textOf(S1)).toBe(String(before + 2));
+    editor.undo();
+    expect(editor.textOf(S1)).toBe(String(before + 1));
+    editor.undo();
+    expect([editor.textOf(S1), editor.dirty.value]).toEqual([String(before), false]);
+  });
+
+  it('brings the servo to the front whose field has the focus', async () => {
+    await opened();
+    act(() => screen.getByRole('textbox', { name: 'Function 4, S3' }).focus());
+    await idle();
+    expect(handle('Function 4, S3')).toBeTruthy();
+  });
+
+  it('marks in the table the cell of the handle that has the focus, or that the mouse is over', async () => {
+    await opened();
+    const marked = () =>
+      [...document.querySelectorAll('td.marked input')].map((input) => input.getAttribute('aria-label'));
+    expect(marked()).toEqual([]);
+    act(() => (handle('Function 4, S1') as SVGElement).focus());
+    expect(marked()).toEqual(['Function 4, S1']);
+    const picture = screen.getByRole('group', { name: /^Servo positions over time/ });
+    const [, x, y] = /translate\((\S+) (\S+)\)/.exec(handle('Function 6 time').getAttribute('transform') ?? '') ?? [];
+    const { left, top } = picture.getBoundingClientRect();
+    const place = { pointerType: 'mouse', clientX: left + Number(x), clientY: top + Number(y) };
+    fireEvent.pointerMove(picture, place);
+    await expect.poll(marked).toEqual(['Function 6 time']);
+    fireEvent.pointerLeave(picture, place);
+    await expect.poll(marked).toEqual(['Function 4, S1']);
+  });
+
+  it('has no row of the table drawn for that but the one that is left and the one that is come to', async () => {
+    await opened();
+    act(() => (handle('Function 4, S1') as SVGElement).focus());
+    await idle(100);
+    const drawn: string[] = [];
+    const before = options.diffed ?? (() => {});
+    options.diffed = (vnode) => {
+      if (typeof vnode.type === 'function') drawn.push(vnode.type.name);
+      before(vnode);
+    };
+    onTestFinished(() => {
+      options.diffed = before;
+    });
+    act(() => (handle('Function 6, S1') as SVGElement).focus());
+    await idle(100);
+    expect(drawn.filter((name) => name === 'ProgramRow')).toHaveLength(2);
+  });
+
+  it('has a backup behind it, or nothing, as chosen', async () => {
+    const app = await opened();
+    const backup = { ...app.editor.baseline.value, timers: app.editor.baseline.value?.timers.map((time) => time + 1) };
+    await app.session.backups.add(backup as Parameters<typeof app.session.backups.add>[0], 'write', false);
+    app.editor.type(S1, '99');
+    await idle();
+    const choice = screen.getByRole<HTMLSelectElement>('combobox', { name: /Behind it/ });
+    fireEvent.change(choice, { target: { value: 'nothing' } });
+    await idle();
+    expect(legend()).toBeUndefined();
+    fireEvent.change(choice, { target: { value: app.session.backups.list.value[0]?.key } });
+    await idle();
+    expect(legend()).toMatch(/\d{4}/);
+  });
+
+  it('plays the flight only when it is unfolded', async () => {
+    await opened();
+    expect(screen.queryByRole('button', { name: 'Play' })).toBeNull();
+    const flight = document.querySelector('details.flight') as HTMLDetailsElement;
+    flight.open = true;
+    fireEvent(flight, new Event('toggle'));
+    await idle(0);
+    expect(screen.getByRole('button', { name: 'Play' })).toBeTruthy();
+    const time = within(flight).getByRole('slider', { name: 'Time of the flight' });
+    fireEvent.input(time, { target: { value: '500' } });
+    await idle(0);
+    expect(document.querySelector('.timeline-panel .crosshair')).toBeTruthy();
+  });
+});
+
+describe('what the servos move', () => {
+  it('is kept for timers of one kind', () => {
+    const linkages = new KeptLinkages('timer/Q', 3);
+    linkages.set({ ...usualLinkages(3), rudder: { servo: 2, reversed: true } });
+    expect(new KeptLinkages('timer/Q', 3).value.value.rudder).toEqual({ servo: 2, reversed: true });
+    expect(new KeptLinkages('timer/B', 3).value.value).toEqual(usualLinkages(3));
+  });
+
+  it.each(['', '{', '{"rudder":1}', '{"rudder":{"servo":9,"reversed":false}}', 'null'])(
+    'is as usual where nonsense is kept: %s',
+    (text) => {
+      localStorage.setItem('sidus-timer/linkages/timer/Q', text);
+      expect(new KeptLinkages('timer/Q', 3).value.value).toEqual(usualLinkages(3));
+    },
+  );
+
+  it('is as usual where what is kept speaks of more servos than there are', () => {
+    new KeptLinkages('timer/Q', 3).set({ ...usualLinkages(3), wing: { servo: 2, reversed: false } });
+    expect(new KeptLinkages('timer/Q', 2).value.value).toEqual(usualLinkages(2));
+  });
+});
+
+describe('the colours', () => {
+  it('follow the system or the choice, are kept, and colour the bars of the browser too', () => {
+    const page = document.implementation.createHTMLDocument();
+    page.head.innerHTML = '<meta name="theme-color" content="#111111">';
+    const dark = Object.assign(new EventTarget(), { matches: true });
+    const theme = new Theme();
+    const stop = theme.follow(page, dark as MediaQueryList);
+    const look = () => [page.documentElement.getAttribute('data-theme'), page.querySelector('meta')?.content];
+    expect(look()).toEqual(['dark', '#10171e']);
+    theme.choose('sun');
+    expect(look()).toEqual(['sun', '#ffffff']);
+    expect(new Theme().chosen.value).toBe('sun');
+    dark.matches = false;
+    dark.dispatchEvent(new Event('change'));
+    expect(look()).toEqual(['sun', '#ffffff']);
+    theme.choose('system');
+    expect(look()).toEqual(['light', '#f4f7f9']);
+    stop();
+    dark.matches = true;
+    dark.dispatchEvent(new Event('change'));
+    expect(look()).toEqual(['light', '#f4f7f9']);
+  });
+
+  it('are chosen on the page', async () => {
+    const app = await opened();
+    const sun = screen.getByRole<HTMLInputElement>('radio', { name: 'Sun' });
+    fireEvent.click(sun);
+    await idle(0);
+    expect([app.models.theme.chosen.value, sun.checked]).toEqual(['sun', true]);
+  });
+});
+
+describe('the memories side by side', () => {
+  async function read(): Promise<AppBench> {
+    const app = await opened();
+    (document.querySelector('details.overview') as HTMLDetailsElement).open = true;
+    await press('Read all…');
+    fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Back up' }));
+    await idle();
+    fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Close' }));
+    await idle();
+    return app;
+  }
+
+  const overview = () => within(document.querySelector('.overview') as HTMLElement);
+
+  it('are shown once they were read, each as a small picture, and picked with one click', async () => {
+    const { timer } = await read();
+    expect(document.querySelectorAll('.overview .timeline.small')).toHaveLength(4);
+    expect(overview().getByText('DT 3:30 min')).toBeTruthy();
+    await press('Make M3 fly next');
+    expect(timer.core.memory).toBe(2);
+    expect(overview().queryByRole('button', { name: 'Make M3 fly next' })).toBeNull();
+  });
+
+  it('are compared two by two, and copied from any to any', async () => {
+    const { timer } = await read();
+    fireEvent.change(overview().getByRole('combobox', { name: 'Memory' }), { target: { value: '1' } });
+    fireEvent.change(overview().getByRole('combobox', { name: 'compared with' }), { target: { value: '3' } });
+    await idle();
+    expect(overview().getByText('1 value differs.')).toBeTruthy();
+    const cells = [...document.querySelectorAll('.overview .difference tbody td')].map((cell) => cell.textContent);
+    expect(cells).toEqual(['3:30 min', '4:30 min']);
+    fireEvent.click(overview().getByRole('button', { name: 'Copy M2 to M4…' }));
+    await idle();
+    const dialog = within(screen.getByRole('dialog'));
+    fireEvent.click(dialog.getByRole('checkbox'));
+    await idle(0);
+    fireEvent.click(dialog.getByRole('button', { name: 'Copy' }));
+    await idle();
+    expect(timer.core.memories[3]?.timers).toEqual(timer.core.memories[1]?.timers);
+    expect(overview().getByText('They hold the same.')).toBeTruthy();
+  });
+
+  it('are forgotten with the connection', async () => {
+    const { session } = await read();
+    expect(session.knowledge.of(2).state).toBe('read');
+    await press('Disconnect');
+    expect(session.knowledge.of(2).state).toBe('unread');
+  });
+});

@@ -1,0 +1,168 @@
+import { render, screen, within } from '@testing-library/preact';
+import { describe, expect, it, vi } from 'vitest';
+import { App } from '../../../src/app/app.js';
+import type { Backup } from '../../../src/app/storage/index.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from '../bench/bench.js';
+import { programOf } from '../programs.js';
+import { press } from '../screen.js';
+
+function kept(store: MemoryStore, ...keys: string[]): void {
+  for (const [i, key] of keys.entries()) {
+    const program = { ...programOf('Q', [0, 1, 2, 3]), memory: i };
+    const backup: Backup = { key, savedAt: 5, reason: 'memories', program, simulated: false };
+    store.backups.records.set(key, backup);
+  }
+}
+const stored = ({ store }: AppBench): string[] => [...store.backups.records.keys()];
+const listed = ({ session }: AppBench): string[] => session.backups.list.value.map(({ key }) => key);
+
+describe('a backup that is deleted', () => {
+  async function shown(): Promise<AppBench> {
+    const store = new MemoryStore();
+    kept(store, 'a', 'b', 'c');
+    const bench = await appBench({ store });
+    render(<App models={bench.models} />);
+    return bench;
+  }
+  const some = (bench: AppBench, ...keys: string[]): Backup[] =>
+    bench.session.backups.list.value.filter(({ key }) => keys.includes(key));
+
+  it('can be put back for ten seconds, a set of several as one', async () => {
+    const bench = await shown();
+    bench.session.backups.remove(some(bench, 'a', 'b'));
+    await idle(9999);
+    expect([listed(bench), stored(bench)]).toEqual([['c'], ['a', 'b', 'c']]);
+    expect(screen.getByText('2 backups deleted.')).toBeTruthy();
+    await press('Undo');
+    await idle();
+    expect([listed(bench), stored(bench)]).toEqual([
+      ['c', 'b', 'a'],
+      ['a', 'b', 'c'],
+    ]);
+    expect(screen.queryByText(/deleted\./)).toBeNull();
+  });
+
+  it('is gone after that', async () => {
+    const bench = await shown();
+    bench.session.backups.remove(some(bench, 'a'));
+    await idle(10_000);
+    expect([stored(bench), screen.queryByText(/deleted\./)]).toEqual([['b', 'c'], null]);
+    bench.session.backups.undoRemove();
+    expect(listed(bench)).toEqual(['c', 'b']);
+  });
+
+  it('is gone when the page is left', async () => {
+    const bench = await shown();
+    bench.session.backups.remove(some(bench, 'a'));
+    bench.session.backups.flush();
+    await idle(0);
+    expect(stored(bench)).toEqual(['b', 'c']);
+  });
+
+  it('has ten seconds from the last one, together with those before', async () => {
+    const bench = await shown();
+    bench.session.backups.remove(some(bench, 'a'));
+    await idle(9000);
+    bench.session.backups.remove(some(bench, 'b'));
+    await idle(9000);
+    expect(screen.getByText('2 backups deleted.')).toBeTruthy();
+    bench.session.backups.undoRemove();
+    expect(listed(bench)).toEqual(['c', 'b', 'a']);
+  });
+
+  it('does not come back by looking again', async () => {
+    const bench = await shown();
+    bench.session.backups.remove(some(bench, 'a'));
+    await run(bench.session.bringBack());
+    expect(listed(bench)).toEqual(['c', 'b']);
+  });
+});
+
+describe('what cannot be read', () => {
+  async function found(shelf: string): Promise<AppBench> {
+    localStorage.clear();
+    const store = new MemoryStore();
+    store.aside.records.set('a', { key: 'a', shelf, at: 5, stored: { key: 'x', time: Number.NaN } });
+    const bench = await appBench({ store });
+    render(<App models={bench.models} />);
+    return bench;
+  }
+
+  it('is said, can be saved, and is said no more when it was seen', async () => {
+    const bench = await found('drafts');
+    expect(screen.getByText('1 record could not be read and was set aside.')).toBeTruthy();
+    expect(screen.queryByText(/read the timer before you fly/)).toBeNull();
+    expect(JSON.parse(bench.models.aside.asText())).toMatchObject([{ stored: { key: 'x', time: 'NaN' } }]);
+    expect(screen.getByRole('button', { name: 'Save to a file' })).toBeTruthy();
+    await press('Dismiss');
+    expect(screen.queryByText(/could not be read/)).toBeNull();
+    const next = await appBench({ store: bench.store });
+    expect([next.models.aside.isNew.value, next.models.aside.list.value.length]).toEqual([false, 1]);
+  });
+
+  it('and may be the note of a write is said to be that', async () => {
+    await found('unfinished');
+    expect(screen.getByText(/read the timer before you fly/)).toBeTruthy();
+  });
+});
+
+describe('everything on this device', () => {
+  const dialog = () => within(screen.getByRole('dialog', { name: 'Delete everything on this device' }));
+
+  it('is deleted when it was asked for, once, and the page begins afresh', async () => {
+    const reload = vi.fn();
+    const done: string[] = [];
+    const eraser = (name: string) => async () => void done.push(name);
+    const bench = await connectedBench({
+      reload,
+      erasers: { settings: eraser('settings'), ports: eraser('ports'), offline: eraser('offline') },
+    });
+    bench.editor.type({ kind: 'position', servo: 0, column: 2 }, '7');
+    await idle();
+    render(<App models={bench.models} />);
+    await press('Delete everything on this device…');
+    expect(dialog().getByText('Edits that are not written: 1')).toBeTruthy();
+    expect(dialog().getByText('Adapters with their settings: 1')).toBeTruthy();
+    expect(dialog().queryByRole('alert')).toBeNull();
+    expect([bench.store.drafts.records.size, reload.mock.calls.length], 'nothing before it is asked').toEqual([1, 0]);
+    await press('Delete everything');
+    await idle();
+    expect([bench.store.drafts.records.size, bench.store.ports.records.size]).toEqual([0, 0]);
+    expect(done).toEqual(['settings', 'ports', 'offline']);
+    expect([reload.mock.calls.length, bench.session.link.state.value.status]).toEqual([1, 'off']);
+  });
+
+  it('warns when it is not known what a timer holds', async () => {
+    const bench = await connectedBench();
+    const { baseline } = bench.editor;
+    if (!baseline.value) throw new Error('nothing was read');
+    await bench.session.knowledge.cut(baseline.value, {
+      ...baseline.value,
+      timers: baseline.value.timers.map(() => 0),
+    });
+    await run(bench.session.disconnect());
+    render(<App models={bench.models} />);
+    await press('Delete everything on this device…');
+    expect(dialog().getByText('Notes of interrupted writes: 1')).toBeTruthy();
+    expect(dialog().getByRole('alert').textContent).toMatch(/read that timer before you fly/);
+  });
+
+  it('that could not be deleted is named, and the page stays', async () => {
+    const reload = vi.fn();
+    const fine = async () => {};
+    const bench = await appBench({
+      reload,
+      erasers: { settings: fine, ports: () => new Promise(() => {}), offline: () => Promise.reject(new Error('no')) },
+    });
+    bench.store.broken = true;
+    render(<App models={bench.models} />);
+    await press('Delete everything on this device…');
+    expect(dialog().getByText('Backups: not known')).toBeTruthy();
+    await press('Delete everything');
+    await idle();
+    expect(dialog().getByRole('alert').textContent).toMatch(
+      /could not be deleted: drafts, backups and notes of writes, the right to use serial ports, the page for use without/,
+    );
+    expect(reload).not.toHaveBeenCalled();
+  });
+});

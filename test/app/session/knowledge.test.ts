@@ -1,0 +1,345 @@
+import { signal } from '@preact/signals';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
+import { type Locks, TabNumber } from '../../../src/app/browser/tab-number.js';
+import { Knowledge, openValues, possibleValues, type TimerAtHand } from '../../../src/app/session/knowledge.js';
+import { UnfinishedRecords } from '../../../src/app/session/unfinished.js';
+import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
+import { MemoryStore } from '../bench/bench.js';
+import { programOf } from '../programs.js';
+
+const DT: ProgramField = { kind: 'time', column: 3 };
+const STOP: ProgramField = { kind: 'time', column: 0 };
+const S1: ProgramField = { kind: 'position', servo: 0, column: 1 };
+
+/** DT 3:00, motor stop 10 s. */
+const BEFORE = programOf('Q', [1000, 30, 1200, 18_000]);
+const GOAL = withValue(withValue(BEFORE, DT, 36_000), S1, 77);
+const PART = withValue(BEFORE, DT, 36_000);
+const STRANGE = withValue(BEFORE, STOP, 4321);
+const Q: TimerAtHand = { identity: BEFORE.identity, simulated: false };
+
+/** A page that has looked into the storage. The same store again stands for a reload or another tab. */
+async function page(store = new MemoryStore(), tab = new TabNumber(null, { load: () => null, save: () => {} })) {
+  const timer = signal<TimerAtHand | null>(Q);
+  const records = new UnfinishedRecords(store.unfinished, tab);
+  const knowledge = new Knowledge(records, timer, () => tab.value);
+  await knowledge.refresh();
+  return { knowledge, timer, store };
+}
+
+/** A write of DT and S1 that was cut off, and nothing read since. */
+async function cutOff(store?: MemoryStore) {
+  const one = await page(store);
+  one.knowledge.read(BEFORE, 5000);
+  await one.knowledge.begin(BEFORE, GOAL);
+  await one.knowledge.cut(BEFORE, GOAL);
+  return one;
+}
+
+function values({ knowledge }: { knowledge: Knowledge }, field: ProgramField): readonly number[] {
+  return possibleValues(knowledge.of(0), field);
+}
+
+describe('what is known of a memory', () => {
+  it('is nothing before it was read', async () => {
+    const one = await page();
+    expect(one.knowledge.of(0)).toEqual({ state: 'unread' });
+    expect(values(one, DT)).toEqual([]);
+  });
+
+  it('is what a reading gave, and when', async () => {
+    const one = await page();
+    one.knowledge.read(BEFORE, 5000);
+    expect(one.knowledge.of(0)).toEqual({ state: 'read', program: BEFORE, at: 5000, verified: false });
+    expect([one.knowledge.of(1).state, values(one, DT)]).toEqual(['unread', [18_000]]);
+    one.knowledge.read(GOAL, 6000, true);
+    expect(one.knowledge.of(0)).toMatchObject({ at: 6000, verified: true });
+  });
+
+  it('is nothing again when a timer was connected: it may be any', async () => {
+    const { knowledge } = await page();
+    knowledge.read(BEFORE);
+    knowledge.meet();
+    expect(knowledge.of(0)).toEqual({ state: 'unread' });
+  });
+
+  it('is of the kind of timer at hand alone', async () => {
+    const { knowledge, timer } = await cutOff();
+    expect(knowledge.of(0).state).toBe('uncertain');
+    timer.value = { ...Q, simulated: true };
+    expect(knowledge.of(0).state).toBe('unread');
+    timer.value = { identity: { ...BEFORE.identity, timerClass: 'B' }, simulated: false };
+    expect(knowledge.of(0).state).toBe('unread');
+    timer.value = null;
+    expect(knowledge.of(0).state).toBe('unread');
+    expect(knowledge.uncertain.value, 'but no timer makes it certain').toHaveLength(1);
+  });
+});
+
+describe('a write', () => {
+  it('leaves nothing uncertain while it is under way, nor when its end was seen', async () => {
+    const { knowledge, store } = await page();
+    knowledge.read(BEFORE, 5000);
+    expect(await knowledge.begin(BEFORE, GOAL)).toBe(true);
+    expect([...store.unfinished.records.values()]).toMatchObject([{ before: BEFORE, goal: GOAL, readAt: 5000 }]);
+    expect([knowledge.uncertain.value, knowledge.of(0).state]).toEqual([[], 'read']);
+    await knowledge.ended(BEFORE);
+    knowledge.jobOver();
+    expect([knowledge.uncertain.value, store.unfinished.records.size]).toEqual([[], 0]);
+  });
+
+  it('that is cut off leaves two values for what it was to change, and one for all else', async () => {
+    const one = await cutOff();
+    expect(one.knowledge.of(0)).toMatchObject({ state: 'uncertain', before: BEFORE, goal: GOAL, readAt: 5000 });
+    expect([values(one, DT), values(one, S1), values(one, STOP)]).toEqual([[18_000, 36_000], [11, 77], [1000]]);
+    expect(one.knowledge.uncertain.value).toMatchObject([{ memory: 0, simulated: false, identity: BEFORE.identity }]);
+  });
+
+  it('whose job ends without a word is cut off', async () => {
+    const { knowledge } = await page();
+    await knowledge.begin(BEFORE, GOAL);
+    knowledge.jobOver();
+    expect(knowledge.of(0).state).toBe('uncertain');
+  });
+
+  it.each([
+    ['crash or a reload in the middle of it', false],
+    ['crash or a reload after it was cut off', true],
+  ])('survives a %s', async (_, isCut) => {
+    const store = new MemoryStore();
+    const { knowledge } = await page(store);
+    await knowledge.begin(BEFORE, GOAL);
+    if (isCut) await knowledge.cut(BEFORE, GOAL);
+    const after = await page(store);
+    expect([values(after, DT), after.knowledge.uncertain.value.length]).toEqual([[18_000, 36_000], 1]);
+  });
+
+  it.each(['the connection is lost', 'the pilot disconnects', 'a timer is connected'])(
+    'that was cut off stays uncertain when %s',
+    async (how) => {
+      const one = await cutOff();
+      one.knowledge.connectionOver();
+      if (how !== 'the connection is lost') one.timer.value = null;
+      if (how === 'a timer is connected') one.knowledge.meet();
+      one.timer.value = Q;
+      expect(values(one, DT)).toEqual([18_000, 36_000]);
+    },
+  );
+
+  it('may begin where the browser keeps nothing: then this page remembers', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const { knowledge } = await page(store);
+    expect(await knowledge.begin(BEFORE, GOAL)).toBe(false);
+    expect(await knowledge.cut(BEFORE, GOAL)).toBe(false);
+    await knowledge.refresh();
+    expect(knowledge.of(0).state).toBe('uncertain');
+    knowledge.read(PART);
+    await knowledge.refresh();
+    expect(knowledge.of(0).state).toBe('read');
+  });
+
+  it('waits for the storage 5 s and no longer', async () => {
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+    onTestFinished(() => void vi.useRealTimers());
+    const store = new MemoryStore();
+    const { knowledge } = await page(store);
+    store.unfinished.save = () => new Promise(() => {});
+    store.unfinished.all = () => new Promise(() => {});
+    let kept: boolean | null = null;
+    void knowledge.begin(BEFORE, GOAL).then((result) => {
+      kept = result;
+    });
+    await vi.advanceTimersByTimeAsync(4999);
+    expect(kept).toBeNull();
+    await vi.advanceTimersByTimeAsync(1);
+    expect(kept).toBe(false);
+    const refreshed = knowledge.refresh();
+    await vi.advanceTimersByTimeAsync(5000);
+    await refreshed;
+    await knowledge.refresh();
+    knowledge.jobOver();
+    expect(knowledge.of(0).state).toBe('uncertain');
+  });
+});
+
+describe('a fresh reading', () => {
+  it.each([
+    ['nothing of it arrived', BEFORE, null, 1],
+    ['a part of it arrived', PART, null, 1],
+    ['all of it arrived', GOAL, 'completed', 0],
+  ])('ends the uncertainty when %s', async (_, read, said, offered) => {
+    const one = await cutOff();
+    expect(one.knowledge.read(read, 9000)).toBe(said);
+    expect(one.knowledge.of(0)).toEqual({ state: 'read', program: read, at: 9000, verified: false });
+    expect([one.knowledge.uncertain.value.length, one.knowledge.writes.value.length]).toEqual([0, offered]);
+    const after = await page(one.store);
+    expect([after.knowledge.uncertain.value.length, after.knowledge.writes.value.length]).toEqual([0, offered]);
+  });
+
+  it('ends nothing when it holds what the write does not explain', async () => {
+    const one = await cutOff();
+    one.knowledge.read(STRANGE);
+    expect(values(one, DT)).toEqual([18_000, 36_000]);
+    expect((await page(one.store)).knowledge.uncertain.value).toHaveLength(1);
+  });
+
+  it('of another memory ends nothing', async () => {
+    const one = await cutOff();
+    one.knowledge.read({ ...BEFORE, memory: 1 });
+    expect([one.knowledge.of(0).state, one.knowledge.of(1).state]).toEqual(['uncertain', 'read']);
+  });
+
+  it('of what is another timer by the pilot is that timer: the first stays uncertain', async () => {
+    const one = await cutOff();
+    one.knowledge.read(PART);
+    const [{ key } = { key: '' }] = one.knowledge.writes.value;
+    one.knowledge.notThisTimer(key);
+    expect([one.knowledge.of(0).state, one.knowledge.uncertain.value.length]).toEqual(['read', 1]);
+    one.knowledge.read(GOAL);
+    expect(one.knowledge.uncertain.value, 'nothing that is read of it explains the first').toHaveLength(1);
+    one.knowledge.meet();
+    expect(one.knowledge.of(0).state).toBe('uncertain');
+    expect((await page(one.store)).knowledge.uncertain.value).toHaveLength(1);
+  });
+
+  it('of one of two timers of a kind leaves the other uncertain where it does not explain it', async () => {
+    const one = await cutOff();
+    one.knowledge.notThisTimer(one.knowledge.uncertain.value[0]?.key ?? '');
+    const other = withValue(STRANGE, DT, 12_000);
+    await one.knowledge.begin(STRANGE, other);
+    await one.knowledge.cut(STRANGE, other);
+    expect(one.knowledge.uncertain.value, 'the second does not take the place of the first').toHaveLength(2);
+    one.knowledge.meet();
+    one.knowledge.read(other);
+    expect(one.knowledge.uncertain.value).toMatchObject([{ before: BEFORE }]);
+  });
+
+  it('is not asked for by a write that was explained and is followed by another', async () => {
+    const one = await cutOff();
+    one.knowledge.read(PART);
+    const next = withValue(PART, DT, 24_000);
+    await one.knowledge.begin(PART, next);
+    await one.knowledge.cut(PART, next);
+    expect(values(one, DT)).toEqual([36_000, 24_000]);
+    expect([one.knowledge.writes.value.length, one.store.unfinished.records.size]).toEqual([1, 1]);
+  });
+});
+
+describe('single values, sent one after the other', () => {
+  const step = (value: number): TimerProgram => withValue(BEFORE, S1, value);
+
+  it('are not uncertain while each is acknowledged, and are when the connection is lost before a reading', async () => {
+    const one = await page();
+    one.knowledge.read(BEFORE);
+    await one.knowledge.begin(BEFORE, step(40));
+    one.knowledge.acknowledged(0);
+    one.knowledge.jobOver();
+    expect(one.knowledge.of(0).state).toBe('read');
+    await one.knowledge.begin(step(40), step(45));
+    one.knowledge.acknowledged(0);
+    one.knowledge.jobOver();
+    expect(one.store.unfinished.records.size).toBe(1);
+    one.knowledge.connectionOver();
+    expect(values(one, S1)).toEqual([40, 45]);
+  });
+
+  it('are uncertain when one has no answer', async () => {
+    const one = await page();
+    await one.knowledge.begin(BEFORE, step(40));
+    one.knowledge.acknowledged(0);
+    await one.knowledge.begin(step(40), step(45));
+    one.knowledge.jobOver();
+    expect(values(one, S1)).toEqual([40, 45]);
+  });
+
+  it('are known by a reading at the end', async () => {
+    const one = await page();
+    await one.knowledge.begin(BEFORE, step(40));
+    one.knowledge.acknowledged(0);
+    one.knowledge.jobOver();
+    expect(one.knowledge.read(step(40)), 'nothing was interrupted').toBeNull();
+    one.knowledge.connectionOver();
+    expect([one.knowledge.uncertain.value, one.store.unfinished.records.size]).toEqual([[], 0]);
+  });
+
+  it('may be uncertain without a beginning', async () => {
+    const one = await page();
+    await one.knowledge.cut(BEFORE, { ...BEFORE, idleThrottle: 7 });
+    expect(values(one, { kind: 'idleThrottle' })).toEqual([7]);
+    expect(one.knowledge.of(0).state).toBe('uncertain');
+  });
+});
+
+describe("the pilot's word", () => {
+  it('that there is nothing more to find out ends it, for good; then nothing is known', async () => {
+    const one = await cutOff();
+    await one.knowledge.forget(one.knowledge.uncertain.value[0]?.key ?? '');
+    expect(one.knowledge.of(0)).toEqual({ state: 'unread' });
+    expect((await page(one.store)).knowledge.uncertain.value).toEqual([]);
+  });
+});
+
+describe('another tab', () => {
+  /** Which numbers are taken, by tabs that are open. */
+  function locksOf(taken: Set<string>): Locks {
+    return {
+      request: async (name, _, work) => {
+        const free = !taken.has(name);
+        taken.add(name);
+        const until = work(free ? {} : null);
+        void until?.then(() => taken.delete(name));
+        return undefined;
+      },
+    };
+  }
+  async function tabs() {
+    const taken = new Set<string>();
+    const numbered = async (number: number): Promise<TabNumber> => {
+      const tab = new TabNumber(locksOf(taken), { load: () => null, save: () => {} });
+      await tab.take(number);
+      return tab;
+    };
+    const store = new MemoryStore();
+    const first = await page(store, await numbered(1));
+    const second = await page(store, await numbered(2));
+    return { first, second, taken };
+  }
+
+  it('does not call a write cut off that is under way in this one, and does when this one is closed', async () => {
+    const { first, second, taken } = await tabs();
+    await first.knowledge.begin(BEFORE, GOAL);
+    await second.knowledge.refresh();
+    expect(second.knowledge.uncertain.value).toEqual([]);
+    taken.delete('sidus-timer/tab/1');
+    await second.knowledge.refresh();
+    expect(second.knowledge.uncertain.value).toHaveLength(1);
+  });
+
+  it('knows of a write that was cut off in this one, and what it reads this one knows', async () => {
+    const { first, second } = await tabs();
+    await first.knowledge.begin(BEFORE, GOAL);
+    await first.knowledge.cut(BEFORE, GOAL);
+    await second.knowledge.refresh();
+    expect(second.knowledge.uncertain.value).toHaveLength(1);
+    second.knowledge.read(GOAL);
+    await first.knowledge.refresh();
+    expect(first.knowledge.uncertain.value).toEqual([]);
+  });
+});
+
+describe('the values that are open', () => {
+  it('begin with DT and the motor stop', () => {
+    const goal = withValue(withValue(withValue(GOAL, STOP, 900), { kind: 'time', column: 1 }, 40), DT, 1);
+    expect(openValues({ before: BEFORE, goal }).map(({ field }) => field)).toEqual([
+      DT,
+      STOP,
+      { kind: 'time', column: 1 },
+      S1,
+    ]);
+  });
+
+  it('are none where it was not to be changed', () => {
+    expect(openValues({ before: { ...BEFORE, idleThrottle: 5 }, goal: { ...BEFORE, idleThrottle: null } })).toEqual([]);
+  });
+});

@@ -1,0 +1,335 @@
+import { describe, expect, it } from 'vitest';
+import type { ProgramField } from '../../../src/program/index.js';
+import { type AppBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+
+const DT: ProgramField = { kind: 'time', column: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+
+type Name = 'GETSWVER' | 'SETTIMERS' | 'SETSERVO';
+
+function notice({ session }: AppBench): string | undefined {
+  return session.notice.value?.code;
+}
+
+function offer({ session }: AppBench) {
+  return session.recovery.offer.value;
+}
+
+function sets({ timer }: AppBench): string[] {
+  return timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'));
+}
+
+/** What the three values are that the pilot has edited. */
+function held({ timer }: AppBench) {
+  const { timers, positions } = timer.core.content;
+  return [timers[10], positions[0]?.[2], positions[2]?.[4]];
+}
+
+const BEFORE = [18000, 35, 55];
+const GOAL = [24000, 7, 8];
+
+/** The pilot has edited a time and two positions, and the timer falls asleep behind the answer to such a request. */
+async function writing(last: Name, isBroken = false): Promise<{ bench: AppBench; written: Promise<void> }> {
+  const store = new MemoryStore();
+  const bench = await connectedBench({ store });
+  expect(held(bench)).toEqual(BEFORE);
+  bench.editor.type(DT, '4:00');
+  bench.editor.type(S1, '7');
+  bench.editor.type(S3, '8');
+  await run(bench.write.open());
+  bench.session.safe.value = true;
+  let questions = 0;
+  bench.timer.core.onAnswer = ({ name }) => {
+    if (name === 'GETSWVER') questions++;
+    // Who is there is asked before and behind the reading that comes before the first value.
+    if (name === last && (name !== 'GETSWVER' || questions === 2)) bench.timer.core.sleep();
+  };
+  store.broken = isBroken;
+  return { bench, written: bench.write.start() };
+}
+
+/** The timer has fallen asleep in a write, and its switch was pressed. */
+async function interrupted(last: Name, meanwhile?: (bench: AppBench) => void): Promise<AppBench> {
+  const { bench, written } = await writing(last);
+  await run(written);
+  expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'unknown' } });
+  bench.write.dismiss();
+  bench.timer.core.onAnswer = undefined;
+  meanwhile?.(bench);
+  bench.timer.core.press();
+  await idle();
+  expect(bench.session.link.state.value.status).toBe('on');
+  return bench;
+}
+
+async function finishDialog(bench: AppBench): Promise<void> {
+  expect(bench.write.current.value?.step).toBe('review');
+  bench.session.safe.value = true;
+  await run(bench.write.start());
+  expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+  await idle();
+}
+
+describe('a write of which a part arrived', () => {
+  it('is offered with what is written and what is missing, and nothing is written unasked', async () => {
+    const bench = await interrupted('SETTIMERS');
+    expect(offer(bench)).toMatchObject({
+      kind: 'write',
+      part: {
+        extent: 'part',
+        written: [{ field: DT, from: 18000, to: 24000 }],
+        missing: [
+          { field: S1, from: 35, to: 7 },
+          { field: S3, from: 55, to: 8 },
+        ],
+        foreign: [],
+      },
+    });
+    await idle();
+    expect(sets(bench)).toEqual(['SETTIMERS']);
+    expect(notice(bench), 'nothing else is said of what it explains').toBeUndefined();
+  });
+
+  it('is finished by a write of what is missing', async () => {
+    const bench = await interrupted('SETTIMERS');
+    await run(bench.recover.finish());
+    expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
+    await finishDialog(bench);
+    expect(held(bench)).toEqual(GOAL);
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
+    await run(bench.session.read());
+    expect([offer(bench), bench.editor.dirty.value]).toEqual([null, false]);
+  });
+
+  it('is put back to what was there before', async () => {
+    const bench = await interrupted('SETTIMERS');
+    await run(bench.recover.goBack());
+    expect(bench.editor.changes.value).toEqual([{ field: DT, from: 24000, to: 18000 }]);
+    await finishDialog(bench);
+    expect(held(bench)).toEqual(BEFORE);
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+
+  it('is left as it is, for good; the backup stays', async () => {
+    const bench = await interrupted('SETTIMERS');
+    await bench.session.recovery.settle();
+    await run(bench.session.read());
+    expect(offer(bench)).toBeNull();
+    expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
+    expect(bench.session.backups.list.value[0]).toMatchObject({ reason: 'write', program: { memory: 0 } });
+    expect(bench.session.backups.list.value[0]?.program.timers[10]).toBe(18000);
+  });
+
+  it.each<[how: string, meet: (bench: AppBench) => Promise<void>]>([
+    [
+      'by Connect',
+      async ({ session }) => {
+        await run(session.disconnect());
+        await run(session.connect());
+      },
+    ],
+    [
+      'by its plug',
+      async ({ adapter }) => {
+        adapter.unplug();
+        await idle();
+        adapter.replug();
+        await idle();
+      },
+    ],
+  ])('is said no more of what is another timer, until the next one is met %s', async (_, meet) => {
+    const bench = await interrupted('SETTIMERS');
+    bench.session.recovery.setAside();
+    await run(bench.session.read());
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
+    await meet(bench);
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+  });
+
+  it('is not offered while nothing is connected', async () => {
+    const bench = await interrupted('SETTIMERS');
+    await run(bench.session.disconnect());
+    expect(offer(bench)).toBeNull();
+  });
+});
+
+describe('another end of a write', () => {
+  it('of which nothing arrived is offered, and can be finished', async () => {
+    const bench = await interrupted('GETSWVER');
+    expect(sets(bench)).toEqual([]);
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'nothing', written: [], foreign: [] } });
+    await run(bench.recover.finish());
+    await finishDialog(bench);
+    expect(held(bench)).toEqual(GOAL);
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
+  });
+
+  it('that turns out to be complete is only said', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(DT, '4:00');
+    await run(bench.write.open());
+    bench.session.safe.value = true;
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
+    await run(bench.write.start());
+    bench.timer.core.onAnswer = undefined;
+    expect(bench.store.unfinished.records.size).toBe(1);
+    bench.adapter.replug();
+    await idle();
+    expect([notice(bench), offer(bench)]).toEqual(['write-completed', null]);
+    expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
+    expect(bench.editor.dirty.value).toBe(false);
+  });
+
+  const strange = ({ timer }: AppBench): void => {
+    (timer.core.content.positions[1] as number[])[5] = 77;
+  };
+
+  it('by which a value is not explained wants a person: it is another timer', async () => {
+    const bench = await interrupted('SETTIMERS', strange);
+    expect(offer(bench)).toMatchObject({
+      kind: 'write',
+      part: { extent: 'foreign', foreign: [{ field: { kind: 'position', servo: 1, column: 5 }, to: 77 }] },
+    });
+    bench.session.recovery.setAside();
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
+    expect(sets(bench)).toEqual(['SETTIMERS']);
+  });
+
+  it('after which the timer holds what was not written wants a person at once', async () => {
+    const { bench, written } = await writing('SETTIMERS');
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.timer.core.content.positions[1]?.fill(77);
+    await run(written);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { stopped: { code: 'changed' } } });
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'foreign' } });
+    expect(bench.store.unfinished.records.size).toBe(1);
+  });
+
+  it('is all that is said, also where the value is one that was to be written', async () => {
+    const bench = await interrupted('SETTIMERS', ({ timer }) => {
+      (timer.core.content.positions[0] as number[])[2] = 9;
+    });
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'foreign' } });
+    expect(notice(bench)).toBeUndefined();
+  });
+
+  it('or it is the same timer: what was to be written is shown as edits, and nothing is written', async () => {
+    const bench = await interrupted('SETTIMERS', strange);
+    await run(bench.recover.show());
+    expect([offer(bench), bench.store.unfinished.records.size, bench.write.current.value]).toEqual([null, 0, null]);
+    expect(bench.editor.changes.value.map(({ field, to }) => [field, to])).toEqual([
+      [S1, 7],
+      [{ kind: 'position', servo: 1, column: 5 }, 65],
+      [S3, 8],
+    ]);
+    expect(sets(bench)).toEqual(['SETTIMERS']);
+  });
+
+  it('in another memory is offered by its name, and told when that is current', async () => {
+    const bench = await interrupted('SETTIMERS', ({ timer }) => {
+      timer.core.memory = 2;
+    });
+    expect(offer(bench)).toMatchObject({ kind: 'elsewhere', memory: 0 });
+    expect(sets(bench), 'nothing is selected unasked').toEqual(['SETTIMERS']);
+    await run(bench.session.selectMemory(0));
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    expect(notice(bench), 'the edits are those of that write').toBeUndefined();
+  });
+
+  it('in another memory is said no more of what is another timer', async () => {
+    const bench = await interrupted('SETTIMERS', ({ timer }) => {
+      timer.core.memory = 2;
+    });
+    bench.session.recovery.setAside();
+    await run(bench.session.read());
+    expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
+  });
+
+  it('at another kind of timer is not offered', async () => {
+    const bench = await interrupted('SETTIMERS');
+    await run(bench.session.trySimulated('Q'));
+    expect(offer(bench)).toBeNull();
+    expect(bench.store.unfinished.records.size).toBe(1);
+  });
+
+  it('that went well leaves nothing behind but the backup', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(DT, '4:00');
+    await run(bench.write.open());
+    await finishDialog(bench);
+    expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
+  });
+});
+
+describe('after a reload in the middle of a write', () => {
+  it.each(['finish', 'goBack'] as const)('the timer is read and the write offered: %s', async (way) => {
+    const { bench: before } = await writing('SETTIMERS');
+    await idle(100);
+    expect(before.write.current.value?.step).toBe('running');
+    const after = await reloaded(before);
+    expect(offer(after)).toBeNull();
+    await run(after.session.connect());
+    expect(offer(after)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    expect(notice(after)).toBeUndefined();
+    await run(after.recover[way]());
+    await finishDialog(after);
+    expect(held(after)).toEqual(way === 'finish' ? GOAL : BEFORE);
+    expect(after.store.unfinished.records.size).toBe(0);
+    expect(after.session.backups.list.value.map(({ program }) => program.timers[10])).toEqual([24000, 18000]);
+  });
+});
+
+describe('before the first byte of a write', () => {
+  it('its goal and a backup are kept, however long that takes', async () => {
+    const bench = await connectedBench();
+    for (const shelf of [bench.store.unfinished, bench.store.backups]) {
+      const save = shelf.save.bind(shelf) as (record: { key: string }) => Promise<void>;
+      shelf.save = async (record: { key: string }) => {
+        await new Promise((resolve) => setTimeout(resolve, 700));
+        await save(record);
+      };
+    }
+    bench.editor.type(DT, '4:00');
+    await run(bench.write.open());
+    bench.session.safe.value = true;
+    const kept: unknown[] = [];
+    bench.timer.core.onAnswer = ({ name }) => {
+      if (!name.startsWith('SET')) return;
+      const [unfinished] = [...bench.store.unfinished.records.values()];
+      const [backup] = [...bench.store.backups.records.values()];
+      kept.push(unfinished, backup);
+    };
+    const written = bench.write.start();
+    await idle(1000);
+    await run(written);
+    expect(kept).toMatchObject([
+      { kind: 'write', before: { memory: 0 }, goal: { memory: 0 } },
+      { reason: 'write', simulated: false, program: { memory: 0 } },
+    ]);
+    const [unfinished, backup] = kept as [{ before: unknown; goal: { timers: number[] } }, { program: unknown }];
+    expect(unfinished.goal.timers[10]).toBe(24000);
+    expect(backup.program).toEqual(unfinished.before);
+  });
+
+  it('a browser that keeps nothing is said, and this page remembers', async () => {
+    const { bench, written } = await writing('SETTIMERS', true);
+    await idle();
+    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
+    bench.write.answer(true);
+    await run(written);
+    bench.write.dismiss();
+    bench.timer.core.onAnswer = undefined;
+    expect(bench.store.unfinished.records.size).toBe(0);
+    bench.timer.core.press();
+    await idle();
+    expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    await run(bench.recover.goBack());
+    bench.session.safe.value = true;
+    const back = bench.write.start();
+    await idle();
+    bench.write.answer(true);
+    await run(back);
+    expect([held(bench), offer(bench)]).toEqual([BEFORE, null]);
+  });
+});

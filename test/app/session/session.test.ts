@@ -1,0 +1,598 @@
+import { describe, expect, it } from 'vitest';
+import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
+import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+
+const DT: ProgramField = { kind: 'time', column: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+
+function status({ session }: AppBench): string {
+  return session.link.state.value.status;
+}
+
+function notice({ session }: AppBench): string | undefined {
+  return session.notice.value?.code;
+}
+
+/** Lets one step after another happen until the link stands there. */
+async function until(bench: AppBench, wanted: string): Promise<void> {
+  for (let i = 0; i < 1000 && status(bench) !== wanted; i++) await Promise.resolve();
+  expect(status(bench)).toBe(wanted);
+}
+
+/** The requests that the timer has answered. */
+function answered({ timer }: AppBench): string[] {
+  return timer.core.answered.map(({ name }) => name);
+}
+
+/** The questions of one reading. */
+const READ_ALL = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM', 'GETMEMORY', 'GETSWVER'];
+
+describe('connect', () => {
+  it('lets the pilot choose, opens, asks what it is, and shows what it holds', async () => {
+    const bench = await connectedBench();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', undefined, false]);
+    expect(bench.editor.baseline.value?.positions).toEqual([
+      CAPTURED_POSITIONS,
+      CAPTURED_POSITIONS,
+      CAPTURED_POSITIONS,
+    ]);
+    expect(bench.editor.dirty.value).toBe(false);
+    expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
+    expect(bench.session.log.entries.value).toHaveLength(14);
+  });
+
+  it('takes the port of the last time without asking', async () => {
+    const bench = await appBench({ plug: { granted: true } });
+    bench.serial.choose(null);
+    await run(bench.session.connect());
+    expect(status(bench)).toBe('on');
+  });
+
+  it('asks when more than one is remembered, or when the pilot wants to choose', async () => {
+    const bench = await appBench({ plug: { granted: true } });
+    bench.serial.choose(null);
+    await run(bench.session.connect(true));
+    expect([status(bench), notice(bench)]).toEqual(['off', 'nothing-chosen']);
+    bench.serial.plug({}, { granted: true });
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)]).toEqual(['off', 'nothing-chosen']);
+  });
+
+  const troubles: [code: string, set: (bench: AppBench, trouble: boolean) => void][] = [
+    ['nothing-chosen', ({ serial, port }, trouble) => serial.choose(trouble ? null : port)],
+    ['busy', ({ port }, trouble) => Object.assign(port.device, { busy: trouble })],
+    ['not-allowed', ({ serial }, trouble) => Object.assign(serial, { userActivation: !trouble })],
+  ];
+
+  it.each(troubles)('says %s, and works when that is mended', async (code, set) => {
+    const bench = await appBench();
+    set(bench, true);
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['off', code, false]);
+    expect(bench.port.device.opened).toBeNull();
+    set(bench, false);
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+
+  it('tries a port that is in use again for 15 s', async () => {
+    const bench = await appBench();
+    bench.port.device.busy = true;
+    const connecting = bench.session.connect();
+    await idle(14_000);
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['opening', undefined, true]);
+    bench.port.device.busy = false;
+    await run(connecting);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+
+  const waits: [why: string, wanted: string, set: (bench: AppBench, trouble: boolean) => void][] = [
+    ['does not answer', 'waiting', ({ timer: { core } }, trouble) => (trouble ? core.sleep() : core.press())],
+    ['is unplugged', 'away', ({ adapter }, trouble) => (trouble ? adapter.unplugAfter(3) : adapter.replug())],
+  ];
+
+  it.each(waits)('waits for a timer that %s, and reads it by itself when that is mended', async (_, wanted, set) => {
+    const bench = await appBench();
+    set(bench, true);
+    await run(bench.session.connect());
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual([wanted, undefined, false]);
+    expect(bench.editor.working.value).toBeNull();
+    set(bench, false);
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', undefined, false]);
+    expect(answered(bench).filter((name) => name !== 'GETSWVER')).toEqual(READ_ALL.slice(0, -1));
+  });
+
+  it.each(waits)('stops waiting for a timer that %s, and leaves the port free', async (_, wanted, set) => {
+    const bench = await appBench();
+    set(bench, true);
+    await run(bench.session.connect());
+    expect(status(bench)).toBe(wanted);
+    await run(bench.session.disconnect());
+    expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
+    set(bench, false);
+    await idle();
+    expect([status(bench), bench.port.device.opened, answered(bench).slice(1)]).toEqual(['off', null, []]);
+  });
+
+  it('stops when asked to, and leaves the port free', async () => {
+    const bench = await appBench();
+    bench.timer.core.sleep();
+    const connecting = bench.session.connect();
+    await until(bench, 'opening');
+    await run(bench.session.disconnect());
+    await run(connecting);
+    expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
+  });
+
+  it('does nothing the second time of a double click', async () => {
+    const bench = await appBench();
+    await run(Promise.all([bench.session.connect(), bench.session.connect(), bench.session.trySimulated('B')]));
+    expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
+    expect(bench.session.simulated.value).toBe(false);
+  });
+
+  it('tries one simulated timer by a double click', async () => {
+    const bench = await appBench();
+    await run(Promise.all([bench.session.trySimulated('Q'), bench.session.trySimulated('B')]));
+    expect(bench.editor.working.value?.identity.timerClass).toBe('Q');
+    const identified = bench.session.log.entries.value.filter(({ frame }) => frame?.code === 0x6b);
+    // Once to connect, once behind what it holds.
+    expect(identified).toHaveLength(2);
+  });
+
+  it('knows when there can be no wire here', async () => {
+    const bench = await appBench({ webSerial: false });
+    expect(bench.session.link.unavailable).toBe('unsupported');
+    await run(bench.session.connect());
+    expect(status(bench)).toBe('off');
+    await run(bench.session.trySimulated('B'));
+    expect([status(bench), bench.editor.working.value?.identity.timerClass]).toEqual(['on', 'B']);
+  });
+});
+
+describe('when the first read does not come to its end', () => {
+  it.each([
+    ['the timer fell asleep', ({ timer }: AppBench) => timer.core.sleep(), ({ timer }: AppBench) => timer.core.press()],
+    ['the pilot stopped it', ({ session }: AppBench) => session.job.value?.stop.abort(), () => {}],
+  ])('because %s, it is read by itself or by Connect', async (_, hinder, mend) => {
+    const bench = await appBench();
+    bench.timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETMEMORY') hinder(bench);
+    };
+    await run(bench.session.connect());
+    expect([bench.editor.working.value, bench.session.memoryOpen.value]).toEqual([null, true]);
+    bench.timer.core.onAnswer = undefined;
+    mend(bench);
+    await run(bench.session.connect());
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+    expect(bench.editor.working.value?.timers[10]).toBe(18000);
+  });
+
+  it('trying a simulated timer gives the port back', async () => {
+    const bench = await appBench();
+    bench.timer.core.onAnswer = () => bench.session.job.value?.stop.abort();
+    await run(bench.session.connect());
+    await run(bench.session.trySimulated('Q'));
+    expect(bench.session.simulated.value).toBe(true);
+    expect(bench.port.device.opened).toBeNull();
+  });
+});
+
+describe('a lost port', () => {
+  it('is waited for without a word, comes back by itself, and is read', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['away', undefined, false]);
+    expect(bench.editor.working.value, 'the program stays on the screen').not.toBeNull();
+    bench.timer.core.answered.length = 0;
+    bench.adapter.replug();
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
+    await run(bench.session.read());
+    expect(notice(bench), 'it was not away again').toBeUndefined();
+  });
+
+  it('keeps what was typed', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.editor.type(DT, 'x');
+    bench.adapter.unplug();
+    await idle();
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT)]).toEqual(['7', 'x']);
+    bench.adapter.replug();
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT)]).toEqual(['7', 'x']);
+    expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
+  });
+
+  it('says what has changed meanwhile: below the edits, and without any', async () => {
+    const bench = await connectedBench();
+    const elsewhere = async (position: number): Promise<void> => {
+      bench.adapter.unplug();
+      await idle();
+      (bench.timer.core.content.positions[2] as number[])[4] = position;
+      bench.adapter.replug();
+      await idle();
+    };
+    await elsewhere(98);
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-changed']);
+    bench.editor.type(S1, '7');
+    await elsewhere(99);
+    expect([status(bench), notice(bench)]).toEqual(['on', 'edits-moved']);
+    expect([bench.editor.textOf(S1), bench.editor.working.value?.positions[2]?.[4]]).toEqual(['7', 99]);
+  });
+
+  it('wants the safety again: it may be another timer', async () => {
+    const bench = await connectedBench();
+    bench.session.safe.value = true;
+    bench.adapter.unplug();
+    await idle();
+    bench.adapter.replug();
+    await idle();
+    expect(bench.session.safe.value).toBe(false);
+  });
+
+  it.each([3, 20, 60])('is waited for when it goes %i bytes into a read', async (bytes) => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.adapter.unplugAfter(bytes);
+    expect(await run(bench.session.read())).toBe(false);
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['away', undefined, false]);
+    expect(bench.editor.textOf(S1)).toBe('7');
+    bench.adapter.replug();
+    await idle();
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', 'back-same', false]);
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('can be back at once, also while the old connection is still being closed', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await Promise.resolve();
+    bench.adapter.replug();
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
+  });
+
+  it('comes back on its own way, also when Connect is asked for while the old connection is still being closed', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await Promise.resolve();
+    bench.adapter.replug();
+    await until(bench, 'away');
+    bench.timer.core.answered.length = 0;
+    await run(bench.session.connect());
+    await idle();
+    expect([status(bench), bench.session.busy.value]).toEqual(['on', false]);
+    expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
+    expect(bench.editor.baseline.value?.timers[10]).toBe(18000);
+  });
+});
+
+describe('disconnect', () => {
+  it('closes the port, and keeps what was typed', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.session.say('back-same');
+    await run(bench.session.disconnect());
+    expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('leaves what was read last on the screen when it only ends the waiting', async () => {
+    const bench = await connectedBench();
+    bench.adapter.unplug();
+    await idle();
+    await run(bench.session.disconnect());
+    expect([status(bench), bench.editor.textOf(S1)]).toEqual(['off', '35']);
+    bench.adapter.replug();
+    await run(bench.session.connect());
+    expect([status(bench), notice(bench)], 'it was not waited for').toEqual(['on', undefined]);
+  });
+
+  it('and Connect work one behind the other without a pause', async () => {
+    const bench = await connectedBench();
+    const closing = bench.session.disconnect();
+    await run(bench.session.connect());
+    await run(closing);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+    expect(bench.editor.working.value).not.toBeNull();
+  });
+
+  it('in the middle of a read lets its request end; then Connect works at once', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.sleep();
+    const reading = bench.session.read();
+    await Promise.resolve();
+    const closing = bench.session.disconnect();
+    await run(reading);
+    bench.timer.core.press();
+    await run(bench.session.connect());
+    await run(closing);
+    expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
+  });
+});
+
+describe('a backup', () => {
+  it('is shown as edits, with the idle throttle as it is where that is not known', async () => {
+    const bench = await connectedBench();
+    const working = bench.editor.working.value as TimerProgram;
+    const program = { ...withValue(working, S1, 7), memory: 2, idleThrottle: null };
+    bench.session.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
+    expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
+    expect(bench.editor.working.value?.memory).toBe(0);
+    bench.editor.undo();
+    expect(bench.editor.working.value).toEqual(working);
+  });
+
+  it('of a timer of another layout is not shown', async () => {
+    const bench = await connectedBench();
+    const working = bench.editor.working.value as TimerProgram;
+    const program = { ...working, identity: { ...working.identity, servos: 1 }, positions: [[]] };
+    bench.session.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
+    expect(bench.editor.working.value).toEqual(working);
+  });
+});
+
+describe('another memory', () => {
+  it('is made current and read; edits of the one that is left are kept', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.editor.type(DT, 'x');
+    await run(bench.session.selectMemory(1));
+    expect(bench.timer.core.memory).toBe(1);
+    expect([bench.editor.working.value?.memory, bench.editor.textOf(DT)]).toEqual([1, '3:30']);
+    expect([bench.editor.textOf(S1), bench.editor.dirty.value, notice(bench)]).toEqual([
+      '35',
+      false,
+      'edits-set-aside',
+    ]);
+
+    bench.editor.type(S1, '8');
+    await run(bench.session.selectMemory(0));
+    expect([bench.editor.textOf(S1), bench.editor.textOf(DT), notice(bench)]).toEqual(['7', 'x', 'edits-kept']);
+    await run(bench.session.selectMemory(1));
+    expect(bench.editor.textOf(S1)).toBe('8');
+  });
+
+  it('says nothing of edits that were undone', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.editor.undo();
+    await run(bench.session.selectMemory(1));
+    await run(bench.session.selectMemory(0));
+    expect([notice(bench), bench.editor.redoStep.value?.code]).toEqual([undefined, 'type']);
+  });
+
+  it('keeps the edits of the one that is left where the browser stores nothing', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const bench = await connectedBench({ store });
+    bench.editor.type(S1, '7');
+    await idle();
+    expect(bench.keeping.storage.value).toBe('full');
+    await run(bench.session.selectMemory(1));
+    await run(bench.session.selectMemory(0));
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('that the timer does not select is said, and the screen stays with the one that is current', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETMEMORY') bench.timer.core.memory = 0;
+    };
+    bench.editor.type(S1, '7');
+    await run(bench.session.selectMemory(1));
+    expect([notice(bench), bench.editor.working.value?.memory, bench.editor.textOf(S1)]).toEqual([
+      'other-memory',
+      0,
+      '7',
+    ]);
+  });
+});
+
+describe('read again', () => {
+  it('keeps the edits and says when the timer holds something else', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    (bench.timer.core.content.positions[2] as number[])[4] = 99;
+    await run(bench.session.read());
+    expect([notice(bench), bench.editor.textOf(S1)]).toEqual(['edits-moved', '7']);
+    expect(bench.editor.working.value?.positions[2]?.[4]).toBe(99);
+  });
+
+  it('waits when nobody answers, and reads by itself when the switch is pressed', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.timer.core.sleep();
+    expect(await run(bench.session.read())).toBe(false);
+    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['waiting', undefined, false]);
+    await idle();
+    expect([status(bench), notice(bench)]).toEqual(['waiting', undefined]);
+    bench.timer.core.answered.length = 0;
+    bench.timer.core.press();
+    await idle();
+    expect([status(bench), notice(bench), bench.editor.textOf(S1)]).toEqual(['on', 'back-same', '7']);
+    expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
+  });
+
+  it('twice in a row reads once', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.answered.length = 0;
+    await run(Promise.all([bench.session.read(), bench.session.read(), bench.session.selectMemory(2)]));
+    expect(answered(bench)).toEqual(READ_ALL);
+  });
+
+  it('that is stopped says nothing and leaves the wire usable', async () => {
+    const bench = await connectedBench();
+    bench.timer.core.onAnswer = () => bench.session.job.value?.stop.abort();
+    await run(bench.session.read());
+    expect([status(bench), notice(bench), bench.session.job.value]).toEqual(['on', undefined, null]);
+    bench.timer.core.onAnswer = undefined;
+    await run(bench.session.read());
+    expect(notice(bench)).toBeUndefined();
+  });
+});
+
+describe('after a reload', () => {
+  it('what was typed is back before anything is connected, and is put on top of what the timer holds', async () => {
+    const store = new MemoryStore();
+    const before = await connectedBench({ store });
+    before.editor.type(S1, '7');
+    before.editor.type(DT, 'soon');
+    await idle();
+
+    const after = await appBench({ store });
+    expect([notice(after), status(after)]).toEqual(['edits-restored', 'off']);
+    expect([after.editor.textOf(S1), after.editor.textOf(DT), after.editor.blocked.value]).toEqual(['7', 'soon', true]);
+    await run(after.session.connect());
+    expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
+  });
+
+  it('of several memories, the one that was worked on last is back', async () => {
+    const store = new MemoryStore();
+    const before = await connectedBench({ store });
+    before.editor.type(S1, '7');
+    await run(before.session.selectMemory(1));
+    before.editor.type(S1, '8');
+    await idle();
+    [...store.drafts.records.values()].forEach((draft, at) => {
+      store.drafts.records.set(draft.key, { ...draft, savedAt: at });
+    });
+    const after = await appBench({ store });
+    expect([after.editor.working.value?.memory, after.editor.textOf(S1)]).toEqual([1, '8']);
+  });
+
+  it('there is nothing to bring back once it was undone, or written; but it can be redone, or undone', async () => {
+    const store = new MemoryStore();
+    const bench = await connectedBench({ store });
+    bench.editor.type(S1, '7');
+    await idle();
+    expect(store.drafts.records.size).toBe(1);
+    bench.editor.undo();
+    await idle();
+    const undone = await reloaded(bench);
+    expect([notice(undone), undone.editor.working.value]).toEqual([undefined, null]);
+    await run(undone.session.connect());
+    undone.editor.redo();
+    expect(undone.editor.textOf(S1)).toBe('7');
+    undone.editor.undo();
+
+    bench.editor.type(S1, '8');
+    bench.session.safe.value = true;
+    await run(bench.write.open());
+    await run(bench.write.start());
+    await idle();
+    const written = await reloaded(bench);
+    expect([notice(written), written.editor.working.value]).toEqual([undefined, null]);
+    await run(written.session.connect());
+    written.editor.undo();
+    expect([written.editor.textOf(S1), written.editor.dirty.value]).toEqual(['35', true]);
+  });
+
+  it('edits of the simulated timer are not put onto a real one', async () => {
+    const store = new MemoryStore();
+    const before = await appBench({ store });
+    await run(before.session.trySimulated('Q'));
+    before.editor.type(S1, '7');
+    await idle();
+
+    const after = await appBench({ store });
+    expect([after.session.simulated.value, after.editor.textOf(S1)]).toEqual([true, '7']);
+    await run(after.session.connect());
+    expect([after.session.simulated.value, after.editor.textOf(S1), notice(after)]).toEqual([
+      false,
+      '35',
+      'edits-set-aside',
+    ]);
+    await run(after.session.disconnect());
+    await run(after.session.trySimulated('Q'));
+    expect(after.editor.textOf(S1)).toBe('7');
+  });
+
+  it('starts without storage, and says that nothing is kept', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const bench = await appBench({ store });
+    expect(bench.keeping.storage.value).toBe('full');
+    await run(bench.session.connect());
+    expect(status(bench)).toBe('on');
+  });
+
+  it('starts with a draft whose two programs do not fit together', async () => {
+    const store = new MemoryStore();
+    const bench = await connectedBench({ store });
+    bench.editor.type(S1, '7');
+    await idle();
+    const [draft] = [...store.drafts.records.values()];
+    if (!draft) throw new Error('nothing was kept');
+    const { working } = draft;
+    const fewer = { ...working, identity: { ...working.identity, functions: 9 }, timers: working.timers.slice(1) };
+    const small = { ...fewer, positions: working.positions.map((row) => row.slice(1)) };
+    store.drafts.records.set(draft.key, { ...draft, working: small });
+    store.drafts.records.set('older', { ...draft, key: 'older', savedAt: 0 });
+    const after = await appBench({ store });
+    expect(after.editor.textOf(S1), 'an older one that does').toBe('7');
+    await run(after.session.connect());
+    expect(status(after)).toBe('on');
+  });
+});
+
+describe('a job', () => {
+  it('hands back what ended it, and says nothing of its own', async () => {
+    const bench = await connectedBench();
+    const failure = new RangeError('not foreseen');
+    const end = await run(
+      bench.session.perform('bench', null, async () => {
+        throw failure;
+      }),
+    );
+    expect([end, notice(bench)]).toEqual([{ good: false, error: failure, lost: false }, undefined]);
+    expect(await run(bench.session.perform('bench', null, async () => {}))).toEqual({ good: true });
+  });
+
+  it('does not begin where another one holds the wire, or there is none', async () => {
+    const bench = await connectedBench();
+    const reading = bench.session.read();
+    const begun: string[] = [];
+    const work = async () => void begun.push('work');
+    expect(await bench.session.perform('bench', null, work)).toEqual({ good: false, error: null, lost: false });
+    await run(reading);
+    await run(bench.session.disconnect());
+    expect(await bench.session.perform('bench', null, work)).toEqual({ good: false, error: null, lost: true });
+    expect(begun).toEqual([]);
+  });
+
+  it('may no longer go on once the connection is another, it was stopped, or is no longer safe', async () => {
+    const bench = await connectedBench();
+    const stillOn = async (change: () => void): Promise<unknown> => {
+      bench.session.safe.value = true;
+      let fault: unknown = null;
+      await run(
+        bench.session.perform('bench', null, async (_, options) => {
+          options.stillOn();
+          change();
+          await idle(10);
+          try {
+            options.stillOn();
+          } catch (error) {
+            fault = error;
+          }
+        }),
+      );
+      return fault;
+    };
+    expect(await stillOn(() => {})).toBeNull();
+    expect(await stillOn(() => bench.session.job.value?.stop.abort())).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => (bench.session.safe.value = false))).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => bench.adapter.unplug())).toMatchObject({ code: 'closed' });
+  });
+});

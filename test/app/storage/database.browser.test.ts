@@ -1,0 +1,86 @@
+import { describe, expect, it, onTestFinished } from 'vitest';
+import { openStorage, Shelf } from '../../../src/app/storage/database.js';
+import { browserStorage, StorageError } from '../../../src/app/storage/index.js';
+import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
+
+describe('the storage of the browser', () => {
+  function name(): string {
+    const own = `test ${Math.random()}`;
+    onTestFinished(() => void indexedDB.deleteDatabase(own));
+    return own;
+  }
+
+  const PORT = {
+    key: 'usb 0403:6001',
+    usedAt: 5,
+    settings: { baudRate: 'find', dataBits: 8, parity: 'none', stopBits: 1, dtr: null, rts: null },
+    foundRate: 9600,
+    quirks: { 'timer/Q': { bigEndianTimes: true, positionsNeedMove: true } },
+  } as const;
+
+  it('gives back what was saved, by key and in the order of the keys, also to the next page', async () => {
+    const own = name();
+    const shelf = browserStorage(own).ports;
+    await shelf.save({ ...PORT, key: 'b' });
+    await shelf.save({ ...PORT, key: 'a' });
+    await shelf.save({ ...PORT, key: 'b', usedAt: 6 });
+    const next = browserStorage(own).ports;
+    expect(await next.load('b')).toEqual({ ...PORT, key: 'b', usedAt: 6 });
+    expect((await next.all()).map(({ key }) => key)).toEqual(['a', 'b']);
+    await next.remove('a');
+    expect([await shelf.load('a'), (await shelf.all()).length]).toEqual([undefined, 1]);
+  });
+
+  it('passes over what another version has stored', async () => {
+    const opened = openStorage(name());
+    const database = await opened;
+    await database.put('ports', { ...PORT, key: 'a', settings: { baudRate: -1 } });
+    await database.put('ports', PORT);
+    const shelf = new Shelf(opened, 'ports', portSchema);
+    expect([await shelf.load('a'), await shelf.all()]).toEqual([undefined, [PORT]]);
+    await database.put('unfinished', { key: 'a', kind: 'memories', home: -1 });
+    await database.put('backups', { key: 'a' });
+    expect(await new Shelf(opened, 'unfinished', unfinishedSchema).all()).toEqual([]);
+    expect(await new Shelf(opened, 'backups', backupSchema).all()).toEqual([]);
+    database.close();
+  });
+
+  it('sets aside what cannot be read, once, and keeps it', async () => {
+    const own = name();
+    const bad = { ...PORT, key: 'a', settings: { baudRate: -1 } };
+    const database = await openStorage(own);
+    await database.put('ports', bad);
+    await database.put('ports', PORT);
+    const storage = browserStorage(own);
+    expect(await storage.ports.all()).toEqual([PORT]);
+    expect(await storage.ports.load('a')).toBeUndefined();
+    expect(await database.getAllKeys('ports')).toEqual([PORT.key]);
+    expect(await browserStorage(own).aside.all()).toMatchObject([{ shelf: 'ports', stored: bad }]);
+    database.close();
+  });
+
+  it('says by code that a newer version of the page has been here', async () => {
+    const own = name();
+    await new Promise<void>((resolve, reject) => {
+      const opening = indexedDB.open(own, 9);
+      opening.onsuccess = () => {
+        opening.result.close();
+        resolve();
+      };
+      opening.onerror = () => reject(opening.error);
+    });
+    const failed = await browserStorage(own)
+      .ports.all()
+      .catch((error) => error);
+    expect(StorageError.of(failed).code).toBe('newer');
+  });
+
+  it('is thrown away, also from under another tab', async () => {
+    const own = name();
+    const other = browserStorage(own);
+    await other.ports.save(PORT);
+    await browserStorage(own).erase();
+    expect(await browserStorage(own).ports.all()).toEqual([]);
+    await expect(other.ports.save(PORT)).rejects.toThrow();
+  });
+});

@@ -1,0 +1,116 @@
+import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
+import { limited, SHELF_CALLS, SHELVES } from '../../../src/app/storage/index.js';
+import { StorageError, type StorageErrorCode, within } from '../../../src/app/storage/limit.js';
+import { MemoryStore } from '../bench/bench.js';
+
+beforeEach(() => {
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+  onTestFinished(() => void vi.useRealTimers());
+});
+
+/** What a promise has come to so far. */
+function watched(promise: Promise<unknown>): { said: unknown } {
+  const seen: { said: unknown } = { said: 'open' };
+  promise.then(
+    (value) => Object.assign(seen, { said: value }),
+    (error) => Object.assign(seen, { said: error instanceof StorageError ? error.code : error }),
+  );
+  return seen;
+}
+
+describe('what the storage is asked for', () => {
+  it('is given as it comes, and no clock runs on', async () => {
+    expect(await within(Promise.resolve(7))).toBe(7);
+    expect(await within(async () => 8)).toBe(8);
+    expect(vi.getTimerCount()).toBe(0);
+  });
+
+  it('has five seconds, or as long as is said', async () => {
+    const usual = watched(within(new Promise(() => {})));
+    const short = watched(within(() => new Promise(() => {}), 100));
+    await vi.advanceTimersByTimeAsync(99);
+    expect([usual.said, short.said]).toEqual(['open', 'open']);
+    await vi.advanceTimersByTimeAsync(1);
+    expect([usual.said, short.said]).toEqual(['open', 'slow']);
+    await vi.advanceTimersByTimeAsync(4899);
+    expect(usual.said).toBe('open');
+    await vi.advanceTimersByTimeAsync(1);
+    expect(usual.said).toBe('slow');
+  });
+
+  it.each<[what: string, settle: (resolve: () => void, reject: (error: Error) => void) => void]>([
+    ['comes', (resolve) => resolve()],
+    ['fails', (_, reject) => reject(new Error('late'))],
+  ])('is passed over when it %s later', async (_, settle) => {
+    let end = (): void => {};
+    const work = new Promise<void>((resolve, reject) => {
+      end = () => settle(resolve, reject);
+    });
+    const late = watched(within(work, 10));
+    await vi.advanceTimersByTimeAsync(10);
+    end();
+    await vi.advanceTimersByTimeAsync(0);
+    expect(late.said).toBe('slow');
+  });
+
+  it.each<[StorageErrorCode, unknown]>([
+    ['full', new DOMException('no room', 'QuotaExceededError')],
+    ['newer', new DOMException('version 9', 'VersionError')],
+    ['missing', new DOMException('not here', 'SecurityError')],
+    ['missing', new ReferenceError('indexedDB is not defined')],
+    ['blocked', new StorageError('blocked', 'another tab')],
+    ['failed', new DOMException('the disk', 'UnknownError')],
+    ['failed', 'a text'],
+  ])('fails by code: %s', async (code, cause) => {
+    const rejected = await within(Promise.reject(cause)).catch((error) => error);
+    const thrown = await within(() => {
+      throw cause;
+    }).catch((error) => error);
+    expect([rejected, thrown]).toMatchObject([{ code }, { code }]);
+    expect(rejected).toBeInstanceOf(StorageError);
+    expect(vi.getTimerCount()).toBe(0);
+  });
+});
+
+it('every call of every shelf of the storage goes through it', async () => {
+  const store = new MemoryStore();
+  const storage = limited(store, { answered: () => {}, failed: () => {} });
+  expect(Object.keys(storage), 'all shelves').toEqual([...SHELVES, 'erase']);
+  for (const shelf of SHELVES) {
+    expect(Object.keys(storage[shelf])).toEqual(Object.keys(SHELF_CALLS));
+    for (const call of Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[]) {
+      const spy = vi.spyOn(store[shelf], call).mockReturnValue(new Promise<never>(() => {}));
+      const said = watched(
+        limited(store, { answered: () => {}, failed: () => {} })[shelf][call]({ key: 'a' } as never),
+      );
+      await vi.advanceTimersByTimeAsync(5000);
+      expect([said.said, spy.mock.calls.length], `${shelf}.${call}`).toEqual(['slow', 1]);
+    }
+  }
+});
+
+it('one that did not answer is waited for shortly, until it does', async () => {
+  const store = new MemoryStore();
+  const told: unknown[] = [];
+  const { drafts } = limited(store, {
+    answered: (_, kind) => told.push(kind),
+    failed: (_, __, code) => told.push(code),
+  });
+  const spy = vi.spyOn(store.drafts, 'all').mockReturnValue(new Promise(() => {}));
+  const first = watched(drafts.all());
+  await vi.advanceTimersByTimeAsync(2999);
+  expect(told).toEqual([]);
+  await vi.advanceTimersByTimeAsync(1);
+  expect(told, 'it is said before it is given up').toEqual(['slow']);
+  await vi.advanceTimersByTimeAsync(2000);
+  const second = watched(drafts.all());
+  await vi.advanceTimersByTimeAsync(250);
+  expect([first.said, second.said]).toEqual(['slow', 'slow']);
+  spy.mockRestore();
+  expect(await drafts.all()).toEqual([]);
+  expect(told.at(-1)).toBe('read');
+  vi.spyOn(store.drafts, 'all').mockReturnValue(new Promise(() => {}));
+  const third = watched(drafts.all());
+  await vi.advanceTimersByTimeAsync(4999);
+  expect(third.said).toBe('open');
+});

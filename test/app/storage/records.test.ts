@@ -1,0 +1,117 @@
+import * as v from 'valibot';
+import { describe, expect, it } from 'vitest';
+import { backupSchema, draftSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
+import { programOf } from '../programs.js';
+
+const PROGRAM = programOf('Q', [1000, 0, 100, 18000]);
+const DRAFT = {
+  key: 'timer/Q/536/3/3/0',
+  baseline: PROGRAM,
+  working: PROGRAM,
+  texts: {},
+  history: { past: [], future: [], open: null },
+  savedAt: 5,
+  simulated: false,
+  tab: 1,
+};
+const WRITE = {
+  kind: 'write',
+  key: 'a',
+  startedAt: 5,
+  before: PROGRAM,
+  goal: PROGRAM,
+  readAt: 4,
+  seenAt: null,
+  tab: 1,
+};
+const BACKUP = { key: 'a', savedAt: 5, reason: 'write', program: PROGRAM, simulated: false };
+
+/** Each place of a program that can be spoilt, and with what. */
+const SPOILT: [string, object][] = [
+  ...[1e300, -1, 65536, 1.5, Number.NaN, Number.POSITIVE_INFINITY, null, '100'].map((value): [string, object] => [
+    `a time of ${value}`,
+    { timers: [1000, 0, value, 18000] },
+  ]),
+  ...[256, -1, 0.5, Number.NaN].map((value): [string, object] => [
+    `a position of ${value}`,
+    { positions: PROGRAM.positions.map((row, i) => (i === 1 ? [value, ...row.slice(1)] : row)) },
+  ]),
+  ['an idle throttle of 256', { idleThrottle: 256 }],
+  ['a memory past the last', { memory: 4 }],
+  ['a memory that is none', { memory: -1 }],
+  ['a time too few', { timers: [1000, 0, 100] }],
+  ['a servo too many', { positions: [...PROGRAM.positions, PROGRAM.positions[0]] }],
+  ['a class of two letters', { identity: { ...PROGRAM.identity, timerClass: 'QQ' } }],
+  ['five digits of firmware', { identity: { ...PROGRAM.identity, firmware: '53600' } }],
+  [
+    'more positions than a frame can hold',
+    {
+      identity: { ...PROGRAM.identity, functions: 100 },
+      timers: Array(101).fill(0),
+      positions: Array(3).fill(Array(101).fill(0)),
+    },
+  ],
+];
+const spoil = (change: object) => ({ ...PROGRAM, ...change });
+
+it('records that are right are read', () => {
+  for (const [schema, record] of [
+    [draftSchema, DRAFT],
+    [unfinishedSchema, WRITE],
+    [backupSchema, BACKUP],
+  ] as const) {
+    expect(v.safeParse(schema as v.GenericSchema, record).output).toEqual(record);
+  }
+});
+
+describe.each(SPOILT)('%s', (_, change) => {
+  it('is refused wherever a timer has said it, or is to be told it', () => {
+    const bad = spoil(change);
+    expect([
+      v.is(draftSchema, { ...DRAFT, baseline: bad }),
+      v.is(unfinishedSchema, { ...WRITE, before: bad }),
+      v.is(unfinishedSchema, { ...WRITE, goal: bad }),
+      v.is(backupSchema, { ...BACKUP, program: bad }),
+    ]).toEqual([false, false, false, false]);
+  });
+});
+
+describe('what a pilot has typed', () => {
+  it('is read back, also where no timer could hold it', () => {
+    const working = {
+      ...PROGRAM,
+      timers: [1000, 0, 99_990_000, 18000],
+      positions: PROGRAM.positions.map((row) => row.map(() => -999_999)),
+    };
+    expect(v.is(draftSchema, { ...DRAFT, working })).toBe(true);
+  });
+
+  it.each([1e300, 1.5, Number.NaN])('cannot be a time of %s', (time) => {
+    expect(v.is(draftSchema, { ...DRAFT, working: { ...PROGRAM, timers: [1000, 0, time, 18000] } })).toBe(false);
+  });
+
+  it('is lost with nothing but a history that cannot be', () => {
+    const state = { working: spoil({ timers: [1e300] }), texts: {} };
+    const past = [{ name: { code: 'type', params: {} }, state }];
+    expect(v.parse(draftSchema, { ...DRAFT, history: { past, future: [], open: null } })).toEqual({
+      ...DRAFT,
+      history: undefined,
+    });
+  });
+});
+
+it.each<[string, object]>([
+  ['of two layouts', { working: programOf('Q', [0, 1, 2]) }],
+  ['saved at no time', { savedAt: Number.NaN }],
+  ['saved after the end of all calendars', { savedAt: 1e300 }],
+  ['with a text that is none', { texts: { 'time/1': 5 } }],
+  ['with a text without end', { texts: { 'time/1': 'x'.repeat(10_001) } }],
+  ['with more texts than fields', { texts: Object.fromEntries(Array.from({ length: 1001 }, (_, i) => [i, 'x'])) }],
+  ['of a tab that cannot be', { tab: 0.5 }],
+])('a draft %s is refused', (_, change) => {
+  expect(v.is(draftSchema, { ...DRAFT, ...change })).toBe(false);
+});
+
+it('a write between two layouts is refused', () => {
+  expect(v.is(unfinishedSchema, { ...WRITE, goal: programOf('Q', [0, 1, 2]) })).toBe(false);
+});

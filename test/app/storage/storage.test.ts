@@ -1,0 +1,91 @@
+import { describe, expect, it, vi } from 'vitest';
+import { type AppBench, connectedBench, MemoryStore, reloaded, run } from '../bench/bench.js';
+
+/** The rates at which the port was opened, by the test's own order: each question is one line of the log. */
+function asked({ session }: AppBench): number {
+  return session.log.entries.value.filter(({ direction, frame }) => direction === 'out' && frame?.code === 0x6b).length;
+}
+
+describe('what is remembered of a port', () => {
+  it('is how its timers were taken to be: the next one is taken so at once', async () => {
+    const before = await connectedBench();
+    expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
+    await run(before.session.assume({ bigEndianTimes: true }));
+    const after = await reloaded(before);
+    let first: unknown;
+    after.session.connection.subscribe((connection) => {
+      first ??= connection && { ...connection.client.quirksAssumed };
+    });
+    await run(after.session.connect());
+    expect(first).toEqual({ bigEndianTimes: true });
+  });
+
+  it('is what a job found out by itself, too', async () => {
+    const before = await connectedBench({ quirks: { memoriesFromOne: true } });
+    expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
+    before.timer.core.memory = 3;
+    await run(before.session.read());
+    expect(before.session.connection.value?.client.quirksAssumed).toEqual({ memoriesFromOne: true });
+    const [record] = before.store.ports.records.values();
+    expect(Object.values(record?.quirks ?? {})).toEqual([{ memoriesFromOne: true }]);
+  });
+
+  it('is kept again only when a job has found out something', async () => {
+    const bench = await connectedBench();
+    const saved = vi.spyOn(bench.store.ports, 'save');
+    await run(bench.session.read());
+    await run(bench.session.selectMemory(1));
+    expect(saved).not.toHaveBeenCalled();
+  });
+
+  it('is not how another kind of timer was taken to be', async () => {
+    const before = await connectedBench();
+    await run(before.session.assume({ bigEndianTimes: true }));
+    const after = await connectedBench({ store: before.store, identity: { timerClass: 'B' } });
+    expect(after.session.connection.value?.client.quirksAssumed).toEqual({});
+  });
+
+  it('is nothing of a simulated timer', async () => {
+    const bench = await connectedBench();
+    await run(bench.session.disconnect());
+    bench.store.ports.records.clear();
+    await run(bench.session.trySimulated('Q'));
+    await run(bench.session.assume({ bigEndianTimes: true }));
+    expect(bench.store.ports.records.size).toBe(0);
+  });
+
+  it('is the rate at which a timer answered: it is asked there first', async () => {
+    const bench = await connectedBench({ answersAt: 19_200 });
+    expect(bench.session.connection.value?.settings.baudRate).toBe(19_200);
+    expect(asked(bench)).toBeGreaterThan(3);
+    expect([...bench.store.ports.records.values()]).toMatchObject([
+      { foundRate: 19_200, settings: { baudRate: 'find' } },
+    ]);
+
+    const after = await connectedBench({ store: bench.store, answersAt: 19_200 });
+    expect(after.session.connection.value?.settings.baudRate).toBe(19_200);
+    // Once to find it, once behind the reading.
+    expect(asked(after)).toBe(2);
+  });
+
+  it('is forgotten with the port', async () => {
+    const bench = await connectedBench({ answersAt: 19_200 });
+    await run(bench.session.disconnect());
+    const [port] = bench.session.link.ports.value;
+    if (!port) throw new Error('no port is known');
+    await run(bench.session.link.forget(port));
+    expect([bench.session.link.ports.value, bench.store.ports.records.size]).toEqual([[], 0]);
+    expect(bench.session.link.recordOf(port.key)).toBeUndefined();
+  });
+
+  it('is not needed: a browser that keeps nothing connects all the same', async () => {
+    const store = new MemoryStore();
+    store.broken = true;
+    const bench = await connectedBench({ store, answersAt: 19_200 });
+    expect(bench.session.connection.value?.settings.baudRate).toBe(19_200);
+    await run(bench.session.disconnect());
+    bench.session.log.clear();
+    await run(bench.session.connect());
+    expect(asked(bench), 'this page remembers').toBe(2);
+  });
+});

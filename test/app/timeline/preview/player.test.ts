@@ -1,0 +1,198 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { type Frames, Player, SPEEDS } from '../../../../src/app/timeline/preview/player.js';
+import { deflection, usualLinkages } from '../../../../src/app/timeline/preview/surfaces.js';
+import { programOf } from '../../programs.js';
+
+/** Frames that come when they are told to. */
+class HandFrames implements Frames {
+  now = 1000;
+  #waiting = new Set<(now: number) => void>();
+
+  next(callback: (now: number) => void): () => void {
+    this.#waiting.add(callback);
+    return () => void this.#waiting.delete(callback);
+  }
+
+  get waiting(): number {
+    return this.#waiting.size;
+  }
+
+  /** So many frames, each some milliseconds after the one before. */
+  run(count: number, ms: number): void {
+    for (let i = 0; i < count; i++) {
+      this.now += ms;
+      const due = [...this.#waiting];
+      this.#waiting.clear();
+      for (const callback of due) callback(this.now);
+    }
+  }
+}
+
+function bench(end = 18300) {
+  const frames = new HandFrames();
+  const player = new Player(frames);
+  player.setEnd(end);
+  return { frames, player };
+}
+
+/** Starts it, and lets the first frame come, from which time counts. */
+function started(end?: number) {
+  const { frames, player } = bench(end);
+  player.play();
+  frames.run(1, 16);
+  return { frames, player };
+}
+
+describe('a player', () => {
+  it('stands at launch, and does nothing by itself', () => {
+    const { frames, player } = bench();
+    expect([player.time.value, player.playing.value, player.speed.value, frames.waiting]).toEqual([0, false, 1, 0]);
+  });
+
+  it.each(SPEEDS.map((speed) => [speed]))('runs %i times as fast as the flight', (speed) => {
+    const { frames, player } = started();
+    player.setSpeed(speed);
+    frames.run(50, 20);
+    expect(player.time.value).toBe(Math.min(18300, 100 * speed));
+  });
+
+  it('loses no part of a hundredth, however short the frames are', () => {
+    const { frames, player } = started();
+    frames.run(1000, 1);
+    expect(player.time.value).toBeGreaterThanOrEqual(99);
+    expect(player.time.value).toBeLessThanOrEqual(100);
+  });
+
+  it('pauses and goes on where it was', () => {
+    const { frames, player } = started();
+    frames.run(10, 100);
+    player.toggle();
+    expect([player.playing.value, frames.waiting]).toEqual([false, 0]);
+    frames.now += 60_000;
+    player.toggle();
+    frames.run(1, 16);
+    expect(player.time.value).toBe(100);
+    frames.run(10, 100);
+    expect(player.time.value).toBe(200);
+  });
+
+  it('goes on where it was after the page was hidden', () => {
+    const { frames, player } = started();
+    frames.run(10, 100);
+    frames.run(1, 3_600_000);
+    expect(player.time.value).toBe(125);
+  });
+
+  it('stops at the end, and starts again at launch', () => {
+    const { frames, player } = started(250);
+    frames.run(40, 100);
+    expect([player.time.value, player.playing.value, frames.waiting]).toEqual([250, false, 0]);
+    player.play();
+    expect([player.time.value, player.playing.value]).toEqual([0, true]);
+  });
+
+  it('is sought while it plays and while it does not', () => {
+    const { frames, player } = started();
+    player.seek(5000);
+    frames.run(10, 100);
+    expect(player.time.value).toBe(5100);
+    player.pause();
+    player.seek(-3);
+    expect(player.time.value).toBe(0);
+    player.seek(1e9);
+    expect(player.time.value).toBe(18300);
+  });
+
+  it('comes back to the end of a shorter program', () => {
+    const { player } = bench();
+    player.seek(18000);
+    player.setEnd(6300);
+    expect(player.time.value).toBe(6300);
+  });
+
+  it('plays once, however often it is told to', () => {
+    const { frames, player } = started();
+    player.play();
+    player.play();
+    expect(frames.waiting).toBe(1);
+    // As whoever follows the time might.
+    const stop = player.time.subscribe((time) => {
+      if (time !== 10) return;
+      player.pause();
+      player.play();
+    });
+    frames.run(20, 100);
+    expect(frames.waiting).toBe(1);
+    stop();
+  });
+
+  it('never leaves the flight and never runs backwards by itself, whatever is done', () => {
+    const action = fc.oneof(
+      fc.record({ frames: fc.integer({ min: 1, max: 20 }), ms: fc.integer({ min: 0, max: 2000 }) }),
+      fc.record({ seek: fc.integer({ min: -100, max: 20000 }) }),
+      fc.record({ end: fc.integer({ min: 300, max: 20000 }) }),
+      fc.record({ speed: fc.constantFrom(...SPEEDS) }),
+      fc.constant({ toggle: true } as const),
+    );
+    fc.assert(
+      fc.property(fc.array(action, { maxLength: 30 }), (actions) => {
+        const { frames, player } = bench();
+        for (const one of actions) {
+          const before = player.time.value;
+          if ('frames' in one) {
+            frames.run(one.frames, one.ms);
+            expect(player.time.value).toBeGreaterThanOrEqual(before);
+          } else if ('seek' in one) player.seek(one.seek);
+          else if ('end' in one) player.setEnd(one.end);
+          else if ('speed' in one) player.setSpeed(one.speed);
+          else player.toggle();
+          expect(Number.isInteger(player.time.value)).toBe(true);
+          expect(player.time.value).toBeGreaterThanOrEqual(0);
+          expect(player.time.value).toBeLessThanOrEqual(player.end.value);
+          expect(frames.waiting).toBe(player.playing.value ? 1 : 0);
+        }
+      }),
+      { numRuns: 500 },
+    );
+  });
+});
+
+describe('a surface', () => {
+  const program = programOf(
+    'Q',
+    [0, 100, 18000],
+    [
+      [0, 65, 130],
+      [255, 131, 13],
+      [1, 2, 3],
+    ],
+  );
+  const by = (servo: number | null, reversed = false) =>
+    [0, 1, 2].map((column) => deflection(program, column, { servo, reversed }));
+
+  it('is turned from one end to the other, and the other way round when reversed', () => {
+    expect(by(0)).toEqual([-1, 0, 1]);
+    expect(by(0, true).map((turned) => (turned ?? 0) + 0)).toEqual([1, 0, -1]);
+  });
+
+  it('is not turned further than the end by a position past the last step', () => {
+    expect(by(1)).toEqual([1, 1, -0.8]);
+  });
+
+  it('is not turned by a servo that is not there', () => {
+    expect([by(null), by(7)]).toEqual([
+      [null, null, null],
+      [null, null, null],
+    ]);
+  });
+
+  it('is moved by S1, S2 and S3, as far as there are', () => {
+    const servos = (count: number) => Object.values(usualLinkages(count)).map(({ servo }) => servo);
+    expect([servos(3), servos(1), servos(5)]).toEqual([
+      [0, 1, 2],
+      [0, null, null],
+      [0, 1, 2],
+    ]);
+  });
+});

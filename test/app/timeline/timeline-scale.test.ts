@@ -1,0 +1,376 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { limitsOf, snapped, stepped, timeStep } from '../../../src/app/timeline/drag.js';
+import { spread } from '../../../src/app/timeline/layout.js';
+import { endOf, eventsBetween, reachedAt, stagesOf } from '../../../src/app/timeline/preview/flight.js';
+import { between, evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
+import { shortTime, ticks } from '../../../src/app/timeline/ticks.js';
+import { TimelineModel } from '../../../src/app/timeline/view-model.js';
+import type { ProgramField } from '../../../src/program/index.js';
+import { programOf } from '../programs.js';
+
+const time = fc.oneof(fc.integer({ min: 0, max: 65535 }), fc.integer({ min: 0, max: 100 }));
+const times = fc.array(time, { minLength: 1, maxLength: 126 });
+const options = fc.record({
+  minGap: fc.double({ min: 0.001, max: 0.2, noNaN: true }),
+  runOut: fc.double({ min: 0.001, max: 0.1, noNaN: true }),
+  others: fc.array(time, { maxLength: 30 }),
+});
+const stretched = fc.tuple(times, options).map(([marks, given]) => stretchedScale(marks, given));
+const even = fc.integer({ min: 0, max: 65535 }).map(evenScale);
+const blended = fc
+  .tuple(stretched, stretched, fc.double({ min: 0, max: 1, noNaN: true }))
+  .map(([a, b, share]) => between(a, b, share));
+const anyScale: fc.Arbitrary<Scale> = fc.oneof(stretched, even, blended);
+
+describe('times that no timer has', () => {
+  const hostile = fc.oneof(
+    fc.double(),
+    fc.constantFrom(1e300, Number.MAX_VALUE, Number.MAX_SAFE_INTEGER, Infinity, -Infinity, Number.NaN, -1, 0.1),
+  );
+
+  it('are drawn in a bounded number of steps', () => {
+    fc.assert(
+      fc.property(fc.array(hostile, { minLength: 1, maxLength: 20 }), fc.array(hostile), (marks, others) => {
+        for (const scale of [
+          stretchedScale(marks, { minGap: 0.05, runOut: 0.05, others }),
+          evenScale(marks[0] as number),
+        ]) {
+          let places = 0;
+          const place = scale.place.bind(scale);
+          scale.place = (at) => {
+            if (++places > 10_000) throw new Error('no end of it');
+            return place(at);
+          };
+          const shown = ticks(scale, [0], [], { from: 0, to: 1, gap: 0.02 });
+          expect(shown.every(Number.isFinite)).toBe(true);
+          expect(scale.times.every((at, i) => i === 0 || at > (scale.times[i - 1] as number))).toBe(true);
+        }
+      }),
+      { numRuns: 500 },
+    );
+  });
+
+  it('are counted in a bounded number of steps on a scale that came from elsewhere', () => {
+    const scale = new Scale([0, 1e300, 1e300], [0, 0.5, 1]);
+    let places = 0;
+    const place = scale.place.bind(scale);
+    scale.place = (at) => {
+      if (++places > 10_000) throw new Error('no end of it');
+      return place(at);
+    };
+    expect(ticks(scale, [], [], { from: 0, to: 1, gap: 0.02 }).length).toBeLessThan(100);
+  });
+
+  it('are drawn at launch or at the end', () => {
+    const program = programOf('Q', [1e300, Number.NaN, -5, Infinity]);
+    expect(stagesOf(program).every(({ from, until }) => Number.isFinite(from) && Number.isFinite(until ?? 0))).toBe(
+      true,
+    );
+    expect(endOf(program)).toBe(1e9 + RUN_OUT);
+  });
+});
+
+describe('any scale', () => {
+  it('rises strictly, also past its end', () => {
+    fc.assert(
+      fc.property(anyScale, time, fc.integer({ min: 1, max: 70000 }), (scale, from, by) => {
+        expect(scale.place(from + by)).toBeGreaterThan(scale.place(from));
+      }),
+      { numRuns: 2000 },
+    );
+  });
+
+  it('gives every time back from its place', () => {
+    fc.assert(
+      fc.property(anyScale, fc.integer({ min: 0, max: 200000 }), (scale, at) => {
+        expect(Math.round(scale.time(scale.place(at)))).toBe(at);
+      }),
+      { numRuns: 2000 },
+    );
+  });
+
+  it('gives every place back from its time', () => {
+    fc.assert(
+      fc.property(anyScale, fc.double({ min: 0, max: 2, noNaN: true }), (scale, place) => {
+        expect(scale.place(scale.time(place))).toBeCloseTo(place, 9);
+      }),
+      { numRuns: 2000 },
+    );
+  });
+
+  it('begins at launch', () => {
+    fc.assert(
+      fc.property(anyScale, (scale) => {
+        expect([scale.place(0), scale.time(0), scale.place(-5), scale.time(-0.1)]).toEqual([0, 0, 0, 0]);
+      }),
+    );
+  });
+});
+
+describe('the stretched scale', () => {
+  it('keeps neighbouring marks apart, as far as there is room', () => {
+    fc.assert(
+      fc.property(times, options, (marks, given) => {
+        const scale = stretchedScale(marks, given);
+        const own = [...new Set([0, ...marks])].sort((a, b) => a - b);
+        const least = Math.min(given.minGap, (0.8 * (1 - given.runOut)) / own.length);
+        for (let i = 1; i < own.length; i++) {
+          const gap = scale.place(own[i] as number) - scale.place(own[i - 1] as number);
+          expect(gap).toBeGreaterThanOrEqual(least - 1e-9);
+        }
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it('ends with the run-out, at 1', () => {
+    fc.assert(
+      fc.property(times, options, (marks, given) => {
+        const scale = stretchedScale(marks, given);
+        const last = Math.max(0, ...marks, ...given.others);
+        expect(scale.end).toBe(last + RUN_OUT);
+        expect(scale.place(scale.end)).toBeCloseTo(1, 9);
+        if (last > 0) expect(scale.place(last)).toBeCloseTo(1 - given.runOut, 9);
+      }),
+    );
+  });
+
+  it('shows 0.05 s and 6 min alike', () => {
+    const scale = stretchedScale([5, 10, 36000], { minGap: 26 / 300, runOut: 14 / 300 });
+    const width = (from: number, to: number): number => (scale.place(to) - scale.place(from)) * 300;
+    expect(width(5, 10)).toBeGreaterThanOrEqual(26);
+    expect(width(10, 36000)).toBeGreaterThan(5 * width(5, 10));
+  });
+});
+
+describe('the times at the axis', () => {
+  it('rise, lie in view, and leave each other room', () => {
+    const fraction = fc.double({ min: 0, max: 0.9, noNaN: true });
+    fc.assert(
+      fc.property(anyScale, fraction, fc.double({ min: 0.02, max: 0.1, noNaN: true }), (scale, from, share) => {
+        const room = { from, to: from + 0.1, gap: share * 0.1 };
+        const shown = ticks(scale, [], [], room);
+        const places = shown.map((at) => scale.place(at));
+        places.forEach((place, i) => {
+          expect(place).toBeGreaterThanOrEqual(room.from - 1e-9);
+          expect(place).toBeLessThanOrEqual(room.to + 1e-9);
+          if (i > 0) expect(place - (places[i - 1] as number)).toBeGreaterThanOrEqual(room.gap - 1e-9);
+        });
+      }),
+      { numRuns: 500 },
+    );
+  });
+
+  it('are DT before all others, then marks, then round ones', () => {
+    const scale = evenScale(18030);
+    const room = { from: 0, to: 1, gap: 0.1 };
+    expect(ticks(scale, [18030], [17900, 7777], room)).toEqual([0, 3000, 7777, 12000, 15000, 18030]);
+  });
+
+  it.each([
+    [0, '0'],
+    [50, '0.5'],
+    [1000, '10'],
+    [1005, '10.05'],
+    [18000, '3:00'],
+    [6050, '1:00.50'],
+  ])('%i is short as %s', (at, text) => {
+    expect(shortTime(at)).toBe(text);
+  });
+});
+
+describe('spread', () => {
+  const numbers = fc.array(fc.double({ min: 0, max: 100, noNaN: true }), { maxLength: 30 });
+
+  it('keeps the order, the distance and the bounds', () => {
+    fc.assert(
+      fc.property(numbers, fc.double({ min: 0, max: 20, noNaN: true }), (given, gap) => {
+        const result = spread(given, gap, 0, 100);
+        const order = given.map((_, i) => i).sort((a, b) => (given[a] as number) - (given[b] as number) || a - b);
+        const least = Math.min(gap, 100 / Math.max(1, given.length - 1));
+        order.forEach((at, i) => {
+          const here = result[at] as number;
+          expect(here).toBeGreaterThanOrEqual(-1e-6);
+          expect(here).toBeLessThanOrEqual(100 + 1e-6);
+          if (i > 0) expect(here - (result[order[i - 1] as number] as number)).toBeGreaterThanOrEqual(least - 1e-6);
+        });
+      }),
+      { numRuns: 2000 },
+    );
+  });
+
+  it('moves nothing that is far enough apart', () => {
+    expect(spread([30, 10, 20], 5, 0, 100)).toEqual([30, 10, 20]);
+    expect(spread([50, 50], 4, 0, 100)).toEqual([48, 52]);
+  });
+});
+
+describe('what is in view', () => {
+  it('never leaves the picture, whatever is done', () => {
+    const act = fc.oneof(
+      fc.record({
+        zoom: fc.double({ min: 0.1, max: 10, noNaN: true }),
+        at: fc.double({ min: 0, max: 1, noNaN: true }),
+      }),
+      fc.record({ pan: fc.double({ min: -3, max: 3, noNaN: true }) }),
+      fc.record({ reveal: fc.double({ min: 0, max: 1, noNaN: true }) }),
+    );
+    fc.assert(
+      fc.property(fc.array(act, { maxLength: 20 }), (acts) => {
+        const model = new TimelineModel();
+        for (const one of acts) {
+          if ('zoom' in one) model.zoom(one.zoom, one.at);
+          else if ('pan' in one) model.pan(one.pan);
+          else {
+            model.reveal(one.reveal);
+            const { start, span } = model.view.value;
+            expect(one.reveal).toBeGreaterThanOrEqual(start - 1e-9);
+            expect(one.reveal).toBeLessThanOrEqual(start + span + 1e-9);
+          }
+          const { start, span } = model.view.value;
+          expect([start >= 0, start + span <= 1 + 1e-9, span > 0]).toEqual([true, true, true]);
+        }
+      }),
+    );
+  });
+
+  it('keeps what lies under the pointer there while it zooms', () => {
+    const model = new TimelineModel();
+    model.zoom(4, 0.3);
+    expect(model.view.value).toEqual({ start: 0.3 - 0.3 / 4, span: 0.25 });
+  });
+
+  it('keeps what lies under two fingers there', () => {
+    const model = new TimelineModel();
+    model.hold({ place: 0.4, share: 0.1 }, { place: 0.5, share: 0.9 });
+    const { start, span } = model.view.value;
+    expect(start + 0.1 * span).toBeCloseTo(0.4, 9);
+    expect(start + 0.9 * span).toBeCloseTo(0.5, 9);
+  });
+});
+
+const at = (column: number): ProgramField => ({ kind: 'time', column });
+
+describe('moving a time', () => {
+  const q = programOf('Q', [1000, 200, 400, 600, 18000]);
+
+  it.each([
+    ['Q', 1, 10],
+    ['Q', 0, 10],
+    ['Q', 4, 100],
+    ['B', 1, 1],
+    ['B', 2, 1],
+    ['B', 3, 10],
+    ['B', 4, 100],
+    ['E', 1, 1],
+    ['E', 4, 1],
+  ])('goes on %s, column %i, by %i', (timerClass, column, step) => {
+    expect(timeStep(programOf(timerClass, [1000, 200, 400, 600, 18000]).identity, column)).toBe(step);
+  });
+
+  it('stays one step away from its neighbours', () => {
+    expect(limitsOf(q, at(2))).toEqual({ min: 210, max: 590 });
+    expect(limitsOf(q, at(1))).toEqual({ min: 10, max: 390 });
+    expect(limitsOf(q, at(4))).toEqual({ min: 700, max: 65500 });
+    expect(limitsOf(q, at(0)), 'the motor stop, between launch and DT').toEqual({ min: 10, max: 17990 });
+    expect(limitsOf(q, at(2), true)).toEqual({ min: 0, max: 65530 });
+  });
+
+  it('is not held by a neighbour that it has passed or reached', () => {
+    const falls = programOf('Q', [0, 500, 300, 300, 18000]);
+    expect(limitsOf(falls, at(2))).toEqual({ min: 0, max: 300 });
+    expect(limitsOf(falls, at(3))).toEqual({ min: 300, max: 17990 });
+  });
+
+  it('stays where it is when there is no whole step between its neighbours', () => {
+    const close = programOf('Q', [0, 201, 203, 205, 18000]);
+    expect(snapped(close, at(2), 999)).toBe(203);
+    expect(stepped(close, at(2), -1)).toBe(203);
+  });
+
+  it('goes from between two steps to the next of them', () => {
+    const odd = programOf('Q', [0, 203, 400, 600, 18000]);
+    expect([stepped(odd, at(1), 1), stepped(odd, at(1), -1), stepped(odd, at(1), 10)]).toEqual([210, 200, 300]);
+  });
+
+  it('is a whole step inside of what the wire can carry, or where it was', () => {
+    fc.assert(
+      fc.property(
+        fc.array(time, { minLength: 5, maxLength: 5 }),
+        fc.nat({ max: 4 }),
+        fc.double({ min: -1e6, max: 1e6, noNaN: true }),
+        fc.boolean(),
+        (timers, column, to, free) => {
+          const program = programOf('Q', timers);
+          const value = snapped(program, at(column), to, free);
+          const step = timeStep(program.identity, column);
+          const kept = value === timers[column];
+          expect([value >= 0, value <= 65535, kept || value % step === 0]).toEqual([true, true, true]);
+        },
+      ),
+      { numRuns: 2000 },
+    );
+  });
+});
+
+describe('moving a position', () => {
+  const program = programOf('Q', [0, 200, 400, 600, 18000], [[0, 10, 200, 130, 5]]);
+  const position = (column: number): ProgramField => ({ kind: 'position', servo: 0, column });
+
+  it('is a whole step from 0 to 130', () => {
+    expect([-5, 3.4, 3.5, 130.4, 500].map((to) => snapped(program, position(1), to))).toEqual([0, 3, 4, 130, 130]);
+    expect([stepped(program, position(0), -1), stepped(program, position(3), 10)]).toEqual([0, 130]);
+    expect(stepped(program, position(2), -1), 'from past the last step').toBe(130);
+  });
+});
+
+describe('a flight', () => {
+  const rising = programOf('Q', [300, 200, 400, 400, 18000]);
+  const falling = programOf('Q', [300, 500, 200, 600, 18000]);
+
+  it('holds, passes over, and goes back', () => {
+    expect(stagesOf(rising).map(({ from, until, passing }) => [from, until, passing])).toEqual([
+      [0, 200, 'held'],
+      [200, 400, 'held'],
+      [400, 400, 'passed'],
+      [400, 18000, 'held'],
+      [18000, null, 'held'],
+    ]);
+    expect(stagesOf(falling).map(({ passing }) => passing)).toEqual(['held', 'back', 'held', 'held', 'held']);
+  });
+
+  it.each([
+    [0, 0],
+    [199, 0],
+    [200, 1],
+    [399, 1],
+    [400, 3],
+    [17999, 3],
+    [18000, 4],
+    [70000, 4],
+  ])('at %i has reached column %i', (time, column) => {
+    expect(reachedAt(rising, time)).toEqual({ column, certain: true });
+  });
+
+  it('is not known where a later function has come and an earlier one has not', () => {
+    expect(reachedAt(falling, 199)).toEqual({ column: 0, certain: true });
+    expect(reachedAt(falling, 300)).toEqual({ column: 0, certain: false });
+    expect(reachedAt(falling, 500)).toEqual({ column: 2, certain: true });
+  });
+
+  it('tells what happens between two times, each thing once', () => {
+    expect(eventsBetween(rising, 200, 400)).toEqual([
+      { kind: 'motor-stop', time: 300 },
+      { kind: 'column', column: 2, time: 400 },
+      { kind: 'column', column: 3, time: 400 },
+    ]);
+    expect(eventsBetween(programOf('B', [300, 200, 400]), 0, 65535)).toHaveLength(2);
+  });
+
+  it('ends after the last event', () => {
+    expect(endOf(rising)).toBe(18000 + RUN_OUT);
+    expect(endOf(programOf('Q', [20000, 200, 18000]))).toBe(20000 + RUN_OUT);
+    expect(endOf(programOf('B', [20000, 200, 18000])), 'column 0 is reserved').toBe(18000 + RUN_OUT);
+  });
+});

@@ -1,0 +1,494 @@
+import { signal } from '@preact/signals';
+import { act, fireEvent, render, screen, within } from '@testing-library/preact';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import type { OnEdit } from '../../../src/app/timeline/drag.js';
+import { Timeline, type TimelineProps } from '../../../src/app/timeline/timeline.js';
+import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
+import { programOf } from '../programs.js';
+
+/** Every call of onEdit in one line: the value, and a full stop after the last one of a movement. */
+type Log = string[];
+
+const PROGRAM = programOf('Q', [1000, 200, 400, 600, 18000]);
+
+/** A timeline whose program changes as it says. */
+function shown(program: TimerProgram = PROGRAM, props: Partial<TimelineProps> = {}) {
+  const current = signal(program);
+  const selected = signal<ProgramField | null>(null);
+  const log: Log = [];
+  const onEdit: OnEdit = (changes, { name, final }) => {
+    for (const { field, value } of changes) {
+      current.value = withValue(current.value, field, value);
+      log.push(`${name} ${value}${final ? '.' : ''}`);
+    }
+  };
+  const Bench = () => (
+    <Timeline
+      program={current.value}
+      selected={selected.value}
+      onEdit={onEdit}
+      onSelect={(field) => {
+        selected.value = field;
+      }}
+      {...props}
+    />
+  );
+  const { unmount } = render(<Bench />);
+  return { current, selected, log, unmount };
+}
+
+const handle = (name: string): Element => screen.getByRole('slider', { name });
+const picture = (): HTMLElement => screen.getByRole('group', { name: /over time/ });
+
+/** Where a handle is in the window. */
+function placeOf(element: Element): { clientX: number; clientY: number } {
+  const [, x, y] = /translate\((\S+) (\S+)\)/.exec(element.getAttribute('transform') ?? '') ?? [];
+  const { left, top } = picture().getBoundingClientRect();
+  return { clientX: left + Number(x), clientY: top + Number(y) };
+}
+
+const mouse = { pointerId: 1, pointerType: 'mouse', button: 0 };
+
+/** Takes a handle with the mouse and moves it by so many pixels, without letting go. */
+async function hold(name: string, dx: number, dy: number, more: object = {}): Promise<() => Promise<void>> {
+  const start = placeOf(handle(name));
+  const end = { ...mouse, ...more, clientX: start.clientX + dx, clientY: start.clientY + dy };
+  await act(() => void fireEvent.pointerDown(handle(name), { ...mouse, ...start }));
+  await act(() => void fireEvent.pointerMove(window, end));
+  return () => act(() => void fireEvent.pointerUp(window, end));
+}
+
+/** Waits until the screen has drawn what the pointer has reported. */
+async function drawn(): Promise<void> {
+  await act(() => new Promise<void>((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve()))));
+}
+
+async function key(element: Element, pressed: string, more: object = {}): Promise<void> {
+  await act(() => void fireEvent.keyDown(element, { key: pressed, ...more }));
+  await act(() => void fireEvent.keyUp(element, { key: pressed, ...more }));
+}
+
+afterEach(() => void vi.unstubAllGlobals());
+
+describe('the handles', () => {
+  it('are sliders with the names of the fields, one for each time and one for each step of the servo in front', () => {
+    shown();
+    const names = screen.getAllByRole('slider').map((slider) => slider.getAttribute('aria-label'));
+    expect(names).toEqual([
+      'Motor stop time',
+      'Start, S1',
+      'Function 1 time',
+      'Function 1, S1',
+      'Function 2 time',
+      'Function 2, S1',
+      'Function 3 time',
+      'Function 3, S1',
+      'DT time',
+      'DT, S1',
+    ]);
+  });
+
+  it('say their value and how far they can go', () => {
+    shown();
+    const told = (name: string) =>
+      ['aria-valuemin', 'aria-valuenow', 'aria-valuemax', 'aria-valuetext'].map((a) => handle(name).getAttribute(a));
+    expect(told('Function 2 time')).toEqual(['2.1', '4', '5.9', '4.00 s']);
+    expect(told('DT time')).toEqual(['7', '180', '655', '3:00']);
+    expect(told('Function 2, S1')).toEqual(['0', '12', '130', '12 steps']);
+  });
+
+  it('are those of the servo that is chosen, and of the one whose field is selected elsewhere', async () => {
+    const { selected } = shown();
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: /^S2/ })));
+    expect(handle('Function 2, S2').getAttribute('aria-valuenow')).toBe('22');
+    expect(screen.getByRole('button', { name: /^S2/ }).getAttribute('aria-pressed')).toBe('true');
+    await act(() => {
+      selected.value = { kind: 'position', servo: 2, column: 1 };
+    });
+    expect(handle('Function 2, S3').getAttribute('aria-valuenow')).toBe('32');
+  });
+
+  it('are not there when nothing can be changed, nor a reserved time ever', () => {
+    shown(programOf('B', [77, 200, 400, 600, 18000]), { onEdit: undefined });
+    expect(screen.queryAllByRole('slider')).toEqual([]);
+    shown(programOf('B', [77, 200, 400, 600, 18000]));
+    expect(screen.queryByRole('slider', { name: 'Start time' })).toBeNull();
+  });
+});
+
+describe('the mouse', () => {
+  it('moves a time in steps of the class, tells so meanwhile, and says when it is let go', async () => {
+    const { log, current } = shown();
+    const release = await hold('Function 2 time', 12, 0);
+    await drawn();
+    expect(log).toHaveLength(1);
+    expect(log[0]).toMatch(/^move-time 4[1-9]0$/);
+    expect(screen.getByText('Function 2 time', { selector: '.timeline-readout span' })).toBeTruthy();
+    await release();
+    expect(log).toEqual([log[0], `${log[0]}.`]);
+    expect(current.value.timers[2]).toBe(Number(log[0]?.split(' ')[1]));
+  });
+
+  it('stops before the neighbour, unless Alt is held', async () => {
+    const { log } = shown();
+    await (await hold('Function 2 time', 5000, 0))();
+    expect(log.at(-1)).toBe('move-time 590.');
+    await (await hold('Function 2 time', -5000, 0, { altKey: true }))();
+    expect(log.at(-1)).toBe('move-time 0.');
+  });
+
+  it('moves a position up and down, whole steps from 0 to 130', async () => {
+    const { log } = shown();
+    await (await hold('Function 2, S1', 0, -25))();
+    expect(log.at(-1)).toMatch(/^move-position 3\d\.$/);
+    await (await hold('Function 2, S1', 0, -5000))();
+    expect(log.at(-1)).toBe('move-position 130.');
+    await (await hold('Function 2, S1', 0, 5000))();
+    expect(log.at(-1)).toBe('move-position 0.');
+  });
+
+  it('says nothing of a click', async () => {
+    const { log, selected } = shown();
+    await (await hold('Function 2 time', 0, 0))();
+    expect(log).toEqual([]);
+    expect(selected.value).toEqual({ kind: 'time', column: 2 });
+    expect(document.activeElement).toBe(handle('Function 2 time'));
+    expect(handle('DT time').getAttribute('tabindex'), 'from here Tab goes on among the handles').toBe('0');
+  });
+
+  it('puts back with Escape, and what moves after that is nothing', async () => {
+    const { log, current } = shown();
+    const release = await hold('Function 2, S1', 0, -40);
+    await drawn();
+    const seen: string[] = [];
+    const outside = (event: KeyboardEvent): void => void seen.push(event.key);
+    document.addEventListener('keydown', outside);
+    await act(() => void fireEvent.keyDown(document.body, { key: 'Escape' }));
+    document.removeEventListener('keydown', outside);
+    expect(log.at(-1)).toBe('move-position 12.');
+    expect(seen, 'nothing else is to be left by this Escape').toEqual([]);
+    await release();
+    expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12.', 12]);
+  });
+
+  it('takes a line by any part of it, which brings it to the front', async () => {
+    shown();
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: /^S3/ })));
+    const line = placeOf(handle('Function 3, S3'));
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: /^S1/ })));
+    const from = { ...mouse, clientX: line.clientX + 20, clientY: line.clientY };
+    await act(() => void fireEvent.pointerDown(picture(), from));
+    await act(() => void fireEvent.pointerUp(window, { ...from, clientY: from.clientY + 1000 }));
+    expect(handle('Function 3, S3').getAttribute('aria-valuenow')).toBe('0');
+  });
+
+  it('keeps the axis still while a handle is held, and no longer', async () => {
+    vi.stubGlobal('matchMedia', () => ({ matches: true }));
+    shown();
+    const before = placeOf(handle('Function 3, S1'));
+    const release = await hold('Function 2 time', 15, 0);
+    await drawn();
+    expect(placeOf(handle('Function 3, S1'))).toEqual(before);
+    await release();
+    expect(placeOf(handle('Function 3, S1'))).not.toEqual(before);
+  });
+
+  it('goes on beyond the edge for as long as it stays there', async () => {
+    const { log } = shown();
+    const release = await hold('DT time', 80, 0);
+    await drawn();
+    const soon = log.length;
+    await drawn();
+    expect(log.length).toBeGreaterThan(soon);
+    await release();
+    const values = log.map((line) => Number.parseInt(line.split(' ')[1] ?? '', 10));
+    expect(values).toEqual([...values].sort((a, b) => a - b));
+  });
+
+  it('puts back what is held when the timeline goes away', async () => {
+    const { log, unmount } = shown();
+    await hold('Function 2, S1', 0, -40);
+    await drawn();
+    await act(() => void unmount());
+    expect(log.at(-1)).toBe('move-position 12.');
+  });
+});
+
+describe('fingers', () => {
+  const finger = (pointerId: number, clientX: number, clientY: number) => ({
+    pointerId,
+    pointerType: 'touch',
+    button: 0,
+    clientX,
+    clientY,
+  });
+
+  it('take the nearest handle within reach', async () => {
+    const { log } = shown();
+    const { clientX, clientY } = placeOf(handle('Function 2, S1'));
+    await act(() => void fireEvent.pointerDown(picture(), finger(1, clientX + 6, clientY - 14)));
+    await act(() => void fireEvent.pointerUp(window, finger(1, clientX + 6, clientY - 1000)));
+    expect(log.at(-1)).toBe('move-position 130.');
+  });
+
+  it('take of two handles within reach the nearer one', async () => {
+    const { log } = shown(
+      programOf(
+        'B',
+        Array.from({ length: 41 }, (_, column) => column * 100),
+      ),
+    );
+    const { clientX, clientY } = placeOf(handle('Function 20, S1'));
+    await act(() => void fireEvent.pointerDown(picture(), finger(1, clientX + 1, clientY + 2)));
+    await act(() => void fireEvent.pointerUp(window, finger(1, clientX + 1, clientY - 1000)));
+    expect(log.at(-1)).toBe('move-position 130.');
+    expect(handle('Function 20, S1').getAttribute('aria-valuenow')).toBe('130');
+  });
+
+  it('put back what they held when the page scrolls after all', async () => {
+    const { log } = shown();
+    const { clientX, clientY } = placeOf(handle('Function 2, S1'));
+    await act(() => void fireEvent.pointerDown(picture(), finger(1, clientX, clientY)));
+    await act(() => void fireEvent.pointerMove(window, finger(1, clientX, clientY - 30)));
+    await drawn();
+    await act(() => void fireEvent.pointerCancel(window, finger(1, clientX, clientY - 30)));
+    expect(log.at(-1)).toBe('move-position 12.');
+  });
+
+  it('zoom with two of them, and drop what the first one held', async () => {
+    const { log } = shown();
+    const { clientX, clientY } = placeOf(handle('Function 2, S1'));
+    const gap = () => placeOf(handle('Function 3, S1')).clientX - placeOf(handle('Function 2, S1')).clientX;
+    const before = gap();
+    await act(() => void fireEvent.pointerDown(picture(), finger(1, clientX, clientY)));
+    await act(() => void fireEvent.pointerMove(window, finger(1, clientX, clientY - 30)));
+    await drawn();
+    await act(() => void fireEvent.pointerDown(picture(), finger(2, clientX + 60, clientY)));
+    await act(() => void fireEvent.pointerMove(window, finger(2, clientX + 120, clientY)));
+    await drawn();
+    expect(gap() / before).toBeCloseTo(2, 1);
+    expect(log.at(-1)).toBe('move-position 12.');
+    for (const id of [1, 2]) await act(() => void fireEvent.pointerUp(window, finger(id, clientX, clientY)));
+  });
+
+  it('on a handle keep the page from scrolling, beside one they do not', async () => {
+    shown();
+    const { clientX, clientY } = placeOf(handle('DT, S1'));
+    const scrolls = async (x: number, y: number): Promise<boolean> => {
+      await act(() => void fireEvent.pointerDown(picture(), finger(1, x, y)));
+      const free = fireEvent(picture(), new Event('touchstart', { bubbles: true, cancelable: true }));
+      await act(() => void fireEvent.pointerUp(window, finger(1, x, y)));
+      return free;
+    };
+    expect([await scrolls(clientX, clientY), await scrolls(clientX - 30, clientY - 60)]).toEqual([false, true]);
+  });
+});
+
+describe('the keyboard', () => {
+  it.each([
+    ['Function 2 time', 'ArrowRight', {}, 410],
+    ['Function 2 time', 'ArrowDown', {}, 390],
+    ['Function 2 time', 'ArrowRight', { shiftKey: true }, 500],
+    ['Function 2 time', 'PageDown', {}, 300],
+    ['Function 2 time', 'Home', {}, 210],
+    ['Function 2 time', 'End', {}, 590],
+    ['Function 2 time', 'End', { altKey: true }, 65530],
+    ['DT time', 'ArrowLeft', {}, 17900],
+    ['Motor stop time', 'ArrowUp', {}, 1010],
+    ['Function 2, S1', 'ArrowUp', {}, 13],
+    ['Function 2, S1', 'PageUp', {}, 22],
+    ['Function 2, S1', 'Home', {}, 0],
+    ['Function 2, S1', 'End', {}, 130],
+  ])('%s: %s %j gives %i', async (name, pressed, more, value) => {
+    const { log } = shown();
+    await key(handle(name), pressed, more);
+    const step = name.endsWith('time') ? 'move-time' : 'move-position';
+    expect(log).toEqual([`${step} ${value}`, `${step} ${value}.`]);
+  });
+
+  it('makes one movement of a key that is held', async () => {
+    const { log } = shown();
+    const dt = handle('DT time');
+    for (let i = 0; i < 3; i++) await act(() => void fireEvent.keyDown(dt, { key: 'ArrowRight', repeat: i > 0 }));
+    await act(() => void fireEvent.keyUp(dt, { key: 'ArrowRight' }));
+    expect(log).toEqual(['move-time 18100', 'move-time 18200', 'move-time 18300', 'move-time 18300.']);
+  });
+
+  it('puts back with Escape while a key is held, else leaves the handles', async () => {
+    const { log } = shown();
+    const dt = handle('DT time');
+    await act(() => void fireEvent.keyDown(dt, { key: 'ArrowRight' }));
+    await act(() => void fireEvent.keyDown(dt, { key: 'ArrowRight', repeat: true }));
+    await act(() => void fireEvent.keyDown(dt, { key: 'Escape' }));
+    expect(log).toEqual(['move-time 18100', 'move-time 18200', 'move-time 18000.']);
+    await act(() => (dt as SVGElement).focus());
+    await key(dt, 'Escape');
+    expect(document.activeElement).toBe(picture());
+  });
+
+  it('passes the handles over with Tab, until Enter goes among them', async () => {
+    shown();
+    const stops = () =>
+      screen.getAllByRole('slider').filter((slider) => slider.getAttribute('tabindex') === '0').length;
+    expect(stops()).toBe(0);
+    await act(() => picture().focus());
+    await key(picture(), 'Enter');
+    expect(document.activeElement).toBe(handle('Function 1 time'));
+    expect(stops()).toBe(10);
+    await act(() => (document.activeElement as SVGElement).blur());
+    expect(stops()).toBe(0);
+  });
+
+  it('goes from mark to mark, and what stands there is said', async () => {
+    shown();
+    const said: (string | null)[] = [];
+    for (const pressed of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'End', 'ArrowLeft', 'Home']) {
+      await key(picture(), pressed);
+      said.push(screen.getByRole('status').textContent);
+    }
+    expect(said).toEqual([
+      '0.00 s, Start, S1 10, S2 20, S3 30',
+      '2.00 s, Function 1, S1 11, S2 21, S3 31',
+      '4.00 s, Function 2, S1 12, S2 22, S3 32',
+      '3:00, DT, S1 14, S2 24, S3 34',
+      '10.00 s, Function 3, S1 13, S2 23, S3 33',
+      '0.00 s, Start, S1 10, S2 20, S3 30',
+    ]);
+    await key(picture(), 'Escape');
+    expect(screen.getByRole('status').textContent).toBe('');
+  });
+
+  it('zooms and moves along', async () => {
+    shown();
+    const gap = () => placeOf(handle('DT, S1')).clientX - placeOf(handle('Function 3, S1')).clientX;
+    const before = gap();
+    await key(picture(), '+');
+    expect(gap() / before).toBeCloseTo(1.5, 1);
+    const start = placeOf(handle('DT, S1')).clientX;
+    await key(picture(), 'ArrowRight', { shiftKey: true });
+    expect(placeOf(handle('DT, S1')).clientX).toBeLessThan(start);
+    await key(picture(), '0');
+    expect(gap()).toBeCloseTo(before, 5);
+  });
+});
+
+describe('reading', () => {
+  it('shows time, function and all values where the pointer is, and no more when it leaves', async () => {
+    shown();
+    const { clientX, clientY } = placeOf(handle('Function 2 time'));
+    const over = { ...mouse, clientX: clientX + 2, clientY: clientY + 60 };
+    await act(() => void fireEvent.pointerMove(picture(), over));
+    await drawn();
+    expect(document.querySelector('.timeline-readout')?.textContent).toBe('4.00 s Function 2');
+    expect(screen.getAllByRole('button', { name: /^S\d/ }).map(({ textContent }) => textContent)).toEqual([
+      'S112',
+      'S222',
+      'S332',
+    ]);
+    expect(screen.getByRole('status').textContent, 'not said at each movement').toBe('');
+    const [, line] =
+      /translate\((\S+) /.exec(document.querySelector('.crosshair')?.getAttribute('transform') ?? '') ?? [];
+    expect(Number(line)).toBeCloseTo(clientX - picture().getBoundingClientRect().left, 0);
+    await act(() => void fireEvent.pointerLeave(picture(), over));
+    expect(screen.getByText('Point or tap to read')).toBeTruthy();
+  });
+
+  it('tells what the mouse is over, until it leaves it or takes hold of it', async () => {
+    const told: (ProgramField | null)[] = [];
+    shown(PROGRAM, { onPoint: (field) => told.push(field) });
+    const place = placeOf(handle('Function 2 time'));
+    await act(() => void fireEvent.pointerMove(picture(), { ...mouse, ...place }));
+    await drawn();
+    expect(told.at(-1)).toEqual({ kind: 'time', column: 2 });
+    await act(() => void fireEvent.pointerLeave(picture(), { ...mouse, ...place }));
+    expect(told.at(-1)).toBeNull();
+    await act(() => void fireEvent.pointerMove(picture(), { ...mouse, ...placeOf(handle('Function 2, S1')) }));
+    await drawn();
+    expect(told.at(-1)).toEqual({ kind: 'position', servo: 0, column: 2 });
+    const release = await hold('Function 2 time', 12, 0);
+    expect(told.at(-1), 'the focus says what is in hand').toBeNull();
+    await release();
+  });
+
+  it('shows the cursor when no pointer asks', () => {
+    shown(PROGRAM, { cursor: 450 });
+    expect(document.querySelector('.timeline-readout')?.textContent).toBe('4.50 s Function 2');
+    expect(document.querySelectorAll('.crosshair')).toHaveLength(1);
+  });
+
+  it('says that it does not know, where times fall', () => {
+    shown(programOf('Q', [1000, 500, 200, 600, 18000]), { cursor: 300 });
+    expect(document.querySelector('.timeline-readout')?.textContent).toBe('3.00 s Not known: the times fall');
+    expect(document.querySelectorAll('.unknown rect')).toHaveLength(1);
+    expect(screen.getByText(/^Function 2 comes before Function 1: what the timer does/)).toBeTruthy();
+  });
+
+  it('says which functions are passed over', () => {
+    shown(programOf('Q', [1000, 200, 400, 400, 18000]));
+    expect(screen.getByText('Function 2 is passed over: Function 3 comes at the same time.')).toBeTruthy();
+  });
+
+  it('has the same as a table', async () => {
+    shown(programOf('Q', [1000, 200, 400, 400, 18000]));
+    const details = screen.getByText('As a table').closest('details') as HTMLDetailsElement;
+    details.open = true;
+    await act(() => void fireEvent(details, new Event('toggle')));
+    const table = within(screen.getByRole('table'));
+    const rows = table.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent));
+    expect(rows).toEqual([
+      ['Function', 'From', 'Until', 'S1', 'S2', 'S3'],
+      ['Start', '0.00 s', '2.00 s', '10', '20', '30'],
+      ['Function 1', '2.00 s', '4.00 s', '11', '21', '31'],
+      ['Function 2', '4.00 s', 'passed over', '12', '22', '32'],
+      ['Function 3', '4.00 s', '3:00', '13', '23', '33'],
+      ['DT', '3:00', '', '14', '24', '34'],
+      ['Motor runs', '0.00 s', '10.00 s', ''],
+    ]);
+  });
+
+  it('draws a second program behind, by its name', () => {
+    shown(PROGRAM, { overlay: { program: programOf('Q', [900, 100, 400, 600, 36000]), name: 'Timer holds' } });
+    expect(screen.getByText('Timer holds')).toBeTruthy();
+    expect(document.querySelectorAll('.overlay path:not(.mark)').length).toBeGreaterThanOrEqual(3);
+  });
+
+  it('is one picture with one sentence where it is small', () => {
+    shown(PROGRAM, { compact: true });
+    const name = '3 servos and 3 functions over time, DT at 3:00, motor stop at 10.00 s.';
+    expect(screen.getByRole('img', { name })).toBeTruthy();
+    expect(screen.queryAllByRole('slider')).toEqual([]);
+    expect(screen.queryAllByRole('button')).toEqual([]);
+  });
+});
+
+describe('hard programs', () => {
+  const column = (count: number, of: (at: number) => number): number[] =>
+    Array.from({ length: count }, (_, at) => of(at));
+  it.each<[string, TimerProgram]>([
+    ['only DT', programOf('Q', [0, 18000])],
+    ['all at launch', programOf('Q', [0, 0, 0, 0])],
+    [
+      'the most functions',
+      programOf(
+        'B',
+        column(126, (at) => at * 37),
+      ),
+    ],
+    [
+      'the most servos',
+      programOf(
+        'B',
+        [0, 18000],
+        column(126, (servo) => servo).map((servo) => [servo, 130 - servo]),
+      ),
+    ],
+    ['times that no wire carries', programOf('Q', [999999, 700000, 5, 18000])],
+    ['positions past the last step', programOf('Q', [0, 100, 18000], [[255, 131, 0]])],
+    ['times that fall all the way', programOf('B', [0, 500, 400, 300, 200, 100])],
+  ])('%s: every handle has its place, and no figure is without one', (_, program) => {
+    shown(program);
+    expect(picture().innerHTML).not.toMatch(/NaN|Infinity|undefined/);
+    for (const slider of screen.getAllByRole('slider'))
+      expect(slider.getAttribute('transform')).toMatch(/^translate\(/);
+  });
+});

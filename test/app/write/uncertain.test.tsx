@@ -1,0 +1,215 @@
+import { cleanup, fireEvent, render, screen, within } from '@testing-library/preact';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { App } from '../../../src/app/app.js';
+import { type AppBench, idle, MemoryStore, reloaded } from '../bench/bench.js';
+import { button, connected, opened, press, type } from '../screen.js';
+
+const SENTENCE = 'It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+const ELSEWHERE = SENTENCE.replace('M1', 'M1 of the F1Q 536');
+
+function band(): string | null {
+  return screen.queryByRole('region', { name: 'Not certain' })?.textContent ?? null;
+}
+
+function described(name: string): string[] {
+  const ids = screen.getByRole('textbox', { name }).getAttribute('aria-describedby')?.split(' ') ?? [];
+  return ids.map((id) => document.getElementById(id)?.textContent ?? '');
+}
+
+async function write(): Promise<void> {
+  await press('Write…');
+  fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+  await press(/^Write 1/);
+}
+
+/** DT 6:00 is written, and the cable is pulled before the answer: the timer holds 6:00. */
+async function cut(): Promise<AppBench> {
+  const bench = await connected({ store: new MemoryStore() });
+  await type('DT time', '6:00');
+  bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
+  await write();
+  bench.timer.core.onAnswer = undefined;
+  expect(bench.timer.core.content.timers[10]).toBe(36_000);
+  return bench;
+}
+
+/** The page is loaded again. */
+async function loadedAgain(bench: AppBench): Promise<AppBench> {
+  cleanup();
+  const after = await reloaded(bench);
+  render(<App models={after.models} />);
+  await idle();
+  return after;
+}
+
+describe('after a write whose answer never came', () => {
+  let bench: AppBench;
+  beforeEach(async () => {
+    bench = await cut();
+  });
+
+  it('the dialog and the page say what is not known, and nothing is said that is not so', async () => {
+    expect(screen.getByRole('dialog').textContent).toContain('It is not certain what the timer holds.');
+    expect(screen.getByRole('dialog').textContent, 'over the dialog, too').toContain(SENTENCE);
+    await press('Close');
+    expect(band()).toContain(ELSEWHERE);
+    expect(screen.queryByText('was 3:00')).toBeNull();
+    expect(described('DT time')).toContain('last read 3:00, not certain now');
+    expect(document.body.textContent).not.toContain('Timer holds');
+    expect(document.querySelector('.uncertain-behind .overlay')).not.toBeNull();
+    expect(screen.getByText('Marked fields differ from what was last read, which is not certain now.')).toBeTruthy();
+  });
+
+  it('it stays through Close, Stop, Undo all and Disconnect', async () => {
+    await press('Close');
+    expect(band()).toContain(ELSEWHERE);
+    await press('Undo all');
+    expect(band()).toContain(ELSEWHERE);
+    expect(screen.getByText('Not known what M1 holds')).toBeTruthy();
+    expect(screen.queryByText(/As in the timer|No change/)).toBeNull();
+    await press('Stop');
+    expect(band()).toContain(ELSEWHERE);
+  });
+
+  it.each(['with the edits', 'with nothing on the screen'])('it stays through a reload, %s', async (how) => {
+    await press('Close');
+    if (how === 'with nothing on the screen') {
+      bench.editor.clear();
+      bench.store.drafts.records.clear();
+    }
+    await loadedAgain(bench);
+    expect(band()).toContain(ELSEWHERE);
+    expect(document.body.textContent).not.toMatch(/They have not been written|As in the timer/);
+    if (how === 'with the edits') {
+      expect(screen.getByText(/It is not known whether they were written\./)).toBeTruthy();
+    }
+  });
+
+  it('it goes by a fresh reading, which says what the timer holds', async () => {
+    await press('Close');
+    bench.adapter.replug();
+    await idle();
+    expect(band()).toBeNull();
+    expect(screen.getByText(/^As in the timer, read/)).toBeTruthy();
+    expect(screen.getByText('The interrupted write is complete.')).toBeTruthy();
+  });
+
+  it('it goes by a fresh reading after a reload', async () => {
+    const after = await loadedAgain(bench);
+    await press('Connect and read');
+    expect(band()).toBeNull();
+    expect(after.editor.baseline.value?.timers[10]).toBe(36_000);
+  });
+
+  it('it stays when what is read is not explained, and the pilot says which timer that is', async () => {
+    const after = await loadedAgain(bench);
+    (after.timer.core.content.positions[1] as number[])[5] = 77;
+    await press('Connect and read');
+    expect(band()).toContain(SENTENCE);
+    expect(document.body.textContent).not.toContain('Timer holds what');
+    await press('It is another timer');
+    expect(band()).toContain(SENTENCE.replace('M1', 'M1 of another F1Q 536'));
+    expect(screen.queryByRole('button', { name: 'Connect and read' })).toBeNull();
+  });
+
+  it('it goes by the word of the pilot, who is asked twice', async () => {
+    await press('Close');
+    await press('Forget this…');
+    expect(band()).toContain('Forget it only if you have read it elsewhere');
+    await press('Keep it');
+    expect(band()).toContain(ELSEWHERE);
+    await press('Forget this…');
+    await press('Forget it now');
+    expect([band(), bench.store.unfinished.records.size]).toEqual([null, 0]);
+    await press('Undo all');
+    expect(screen.getByText('As last read')).toBeTruthy();
+  });
+});
+
+describe('a write that was read back in part', () => {
+  it('can be read again from the band', async () => {
+    const bench = await connected();
+    await type('DT time', '6:00');
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && button('Stop').click();
+    await write();
+    bench.timer.core.onAnswer = undefined;
+    const dialog = within(screen.getByRole('dialog'));
+    expect(dialog.getByText(SENTENCE), 'over the dialog, too').toBeTruthy();
+    expect(dialog.queryAllByText(/not known not known/)).toEqual([]);
+    await press('Close');
+    expect(band()).toContain(SENTENCE);
+    fireEvent.click(
+      within(screen.getByRole('region', { name: 'Not certain' })).getByRole('button', { name: 'Read again' }),
+    );
+    await idle();
+    expect(band()).toBeNull();
+  });
+});
+
+describe('what is said of what is known', () => {
+  it('is “was” while the timer is there, and “last read” when it is not', async () => {
+    const { adapter } = await connected();
+    await type('DT time', '6:00');
+    expect(described('DT time')).toContain('was 3:00');
+    expect(screen.getAllByText('Timer holds').length).toBeGreaterThan(0);
+    adapter.unplug();
+    await idle();
+    expect(described('DT time')).toContain('last read 3:00');
+    expect(document.body.textContent).not.toContain('Timer holds');
+    expect(screen.getByText(/^Marked fields differ from what was last read, \d\d:\d\d\.$/)).toBeTruthy();
+    await press('Undo all');
+    expect(screen.getByText(/^As last read \d\d:\d\d$/)).toBeTruthy();
+  });
+
+  it('is as in the timer when it was read, verified when it was written, until something changes', async () => {
+    await connected();
+    expect(screen.getByText(/^As in the timer, read \d\d:\d\d$/)).toBeTruthy();
+    await type('DT time', '6:00');
+    expect(screen.queryByText(/^As in the timer/)).toBeNull();
+    await write();
+    await press('Close');
+    expect(screen.getByText(/^As in the timer, verified \d\d:\d\d$/)).toBeTruthy();
+    expect(band()).toBeNull();
+    await type('DT time', 'x');
+    expect(screen.queryByText(/^As in the timer/)).toBeNull();
+    expect(screen.getByText('1 field is no value yet')).toBeTruthy();
+  });
+
+  it('is kept with the edits through a reload', async () => {
+    const bench = await connected();
+    await type('DT time', '6:00');
+    await loadedAgain(bench);
+    expect(described('DT time')).toContain('last read 3:00');
+    expect(screen.getByText(/^Marked fields differ from what was last read, \d\d:\d\d\.$/)).toBeTruthy();
+    expect(document.body.textContent).not.toMatch(/They have not been written|not known whether/);
+  });
+
+  it('is nothing on a page that knows of no timer', async () => {
+    await opened();
+    expect(band()).toBeNull();
+  });
+});
+
+describe('the dialog of a write', () => {
+  it('begins at its top, with DT and the motor stop and the focus on its heading', async () => {
+    await connected();
+    await type('Function 2, S1', '7');
+    await press('Write…');
+    const dialog = screen.getByRole('dialog');
+    expect(document.activeElement).toBe(within(dialog).getByRole('heading', { name: 'Write to the timer' }));
+    expect(dialog.querySelector('.key-figures')?.textContent).toBe('DT 3:00 min as it ismotor stop 10.0 s as it is');
+  });
+
+  it('says once that this device keeps no copy, and asks', async () => {
+    const bench = await connected();
+    await type('DT time', '6:00');
+    bench.store.broken = true;
+    await write();
+    expect(screen.getByRole('dialog').textContent).toContain(
+      'This device could not keep a copy of what the timer holds now.',
+    );
+    await press('Write without a copy');
+    expect(bench.timer.core.content.timers[10]).toBe(36_000);
+    expect(screen.getByRole('alert').textContent).toMatch(/M1 verified .* DT 6:00 min · .* · 1 change$/);
+  });
+});

@@ -1,0 +1,549 @@
+import { describe, expect, it, vi } from 'vitest';
+import type { ValueReport, WriteReport } from '../../../src/client/index.js';
+import type { ProgramField } from '../../../src/program/index.js';
+import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+
+const DT: ProgramField = { kind: 'time', column: 10 };
+const STOP: ProgramField = { kind: 'time', column: 0 };
+const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+
+/** The pilot has edited a time and two positions, has opened the dialog and ticked the safety. */
+async function reviewed(): Promise<AppBench> {
+  const bench = await connectedBench();
+  bench.editor.type(DT, '4:00');
+  bench.editor.type(S1, '7');
+  bench.editor.type(S3, '8');
+  await run(bench.write.open());
+  bench.session.safe.value = true;
+  return bench;
+}
+
+function sets({ timer }: AppBench): string[] {
+  return timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'));
+}
+
+describe('a write', () => {
+  it('sends the difference, reads back, and has no changes left', async () => {
+    const bench = await reviewed();
+    const writing = bench.write.start();
+    expect([bench.write.current.value?.step, bench.write.held]).toEqual(['running', true]);
+    await run(writing);
+    expect(bench.write.held, 'a verified one may be left').toBe(false);
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    expect(bench.timer.core.content.timers[10]).toBe(24000);
+    expect([bench.editor.dirty.value, bench.editor.textOf(S1)]).toEqual([false, '7']);
+    bench.write.dismiss();
+    expect(bench.write.current.value).toBeNull();
+  });
+
+  it('is told apart from what the timer holds now, not from what it held when it was last read', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    (bench.timer.core.content.positions[2] as number[])[4] = 99;
+    await run(bench.write.open());
+    expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
+    expect(bench.editor.textOf(S3)).toBe('99');
+    expect(bench.session.notice.value?.code).toBe('edits-moved');
+  });
+
+  it('decides what was in conflict', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    (bench.timer.core.content.positions[0] as number[])[2] = 99;
+    await run(bench.write.open());
+    expect(bench.editor.conflicts.value.size).toBe(1);
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    bench.editor.type(S1, '8');
+    expect([bench.editor.changes.value.length, bench.editor.conflicts.value.size]).toEqual([1, 0]);
+  });
+
+  it('is not offered as one of nothing when another memory is current by now', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, '7');
+    bench.timer.core.memory = 2;
+    await run(bench.write.open());
+    expect(bench.session.notice.value?.code).toBe('edits-set-aside');
+    expect(bench.write.current.value).toBeNull();
+  });
+
+  it('does not begin without the safety', async () => {
+    const bench = await reviewed();
+    bench.session.safe.value = false;
+    expect(bench.write.ready.value).toBe(false);
+    await run(bench.write.start());
+    expect(sets(bench)).toEqual([]);
+  });
+
+  it('is asked for the safety once in each connection', async () => {
+    const bench = await reviewed();
+    await run(bench.write.start());
+    bench.write.dismiss();
+    await run(bench.write.open());
+    expect(bench.write.ready.value).toBe(true);
+    bench.write.dismiss();
+    await run(bench.session.disconnect());
+    await run(bench.session.connect());
+    await run(bench.write.open());
+    expect(bench.write.ready.value).toBe(false);
+  });
+
+  it('of something serious begins only when that is acknowledged, each time', async () => {
+    const bench = await reviewed();
+    bench.editor.type(STOP, '5:00');
+    expect(bench.write.serious.value).toMatchObject([{ code: 'motor-stop-after-dt' }]);
+    await run(bench.write.start());
+    expect(sets(bench)).toEqual([]);
+    bench.write.acknowledged.value = true;
+    bench.write.dismiss();
+    await run(bench.write.open());
+    expect(bench.write.ready.value).toBe(false);
+    bench.write.acknowledged.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+  });
+
+  it('cannot be opened while a text is no value, while something is read, or without a timer', async () => {
+    const bench = await connectedBench();
+    bench.editor.type(S1, 'x');
+    await run(bench.write.open());
+    expect(bench.write.current.value).toBeNull();
+    bench.editor.revertAll();
+    const reading = bench.session.read();
+    await bench.write.open();
+    expect(bench.write.current.value).toBeNull();
+    await run(reading);
+    const opening = bench.write.open();
+    bench.editor.type(S1, 'x');
+    await run(opening);
+    expect(bench.write.current.value, 'typed while the timer was read for it').toBeNull();
+    bench.editor.revertAll();
+    bench.adapter.unplug();
+    await idle();
+    await run(bench.write.open());
+    expect(bench.write.current.value).toBeNull();
+  });
+
+  it('is written once by a double click', async () => {
+    const bench = await reviewed();
+    await run(Promise.all([bench.write.start(), bench.write.start()]));
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+  });
+
+  it('that is stopped is not called verified, and finishes when it is done again', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.write.dismiss();
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({
+      step: 'done',
+      report: { result: 'unknown', stopped: { code: 'aborted' } },
+    });
+    expect(sets(bench)).toEqual(['SETTIMERS']);
+    bench.write.dismiss();
+    await run(bench.session.read());
+    expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
+    await run(bench.write.open());
+    await run(bench.write.start());
+    expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+
+  it('that is stopped when all of it is done is verified, and stays in sight', async () => {
+    const bench = await reviewed();
+    let asked = 0;
+    bench.timer.core.onAnswer = ({ name }) => {
+      // Behind the last value: who is there, and at the very end once more.
+      if (name === 'GETSWVER' && sets(bench).length === 3) asked++;
+      if (asked === 2) bench.write.dismiss();
+    };
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', stays: true, report: { result: 'verified' } });
+  });
+
+  it('that is stopped before its first byte says that nothing was written', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && bench.write.dismiss();
+    await run(bench.write.start());
+    expect([bench.write.current.value, bench.session.notice.value]).toEqual([
+      null,
+      { kind: 'note', code: 'nothing-written' },
+    ]);
+    expect([sets(bench), bench.session.recovery.offer.value, bench.editor.changes.value.length]).toEqual([[], null, 3]);
+  });
+
+  it.each([
+    ['SETTIMERS', 1, 'part'],
+    ['SETSERVO', 2, 'part'],
+    // Pulled before the first request arrived: its reply never came, and nothing is written.
+    ['GETMEMORY', 0, 'nothing'],
+  ] as const)('whose plug is pulled at %s keeps the edits for the next', async (name, written, extent) => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = (request) => request.name === name && bench.adapter.unplug();
+    await run(bench.write.start());
+    await idle();
+    expect(bench.session.link.state.value.status).toBe('away');
+    expect(bench.session.notice.value).toBeNull();
+    expect(sets(bench)).toHaveLength(written);
+    if (extent === 'part') {
+      expect(bench.write.current.value).toMatchObject({
+        step: 'done',
+        stays: true,
+        report: { result: 'unknown', stopped: { code: 'port-lost' } },
+      });
+    } else {
+      expect(bench.write.current.value, 'there is nothing to say of a write').toBeNull();
+    }
+    expect([bench.editor.textOf(S1), bench.editor.textOf(S3)]).toEqual(['7', '8']);
+
+    bench.timer.core.onAnswer = undefined;
+    bench.adapter.replug();
+    await idle();
+    expect(bench.session.link.state.value.status, 'it comes back by itself').toBe('on');
+    if (extent === 'part') {
+      expect(bench.write.current.value, 'what became of it stays in sight').toMatchObject({ step: 'done' });
+      expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent } });
+    } else {
+      expect(bench.session.recovery.offer.value, 'nothing was begun').toBeNull();
+    }
+    expect(bench.editor.changes.value).toHaveLength(3 - written);
+    bench.write.dismiss();
+    await run(bench.write.open());
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+    expect(bench.session.recovery.offer.value).toBeNull();
+    expect(bench.timer.core.content.positions[2]?.[4]).toBe(8);
+  });
+
+  it('says so when the plug is pulled before it begins', async () => {
+    const bench = await reviewed();
+    bench.adapter.unplug();
+    await idle();
+    await run(bench.write.start());
+    expect(bench.write.current.value?.step, 'the difference is no longer offered').not.toBe('review');
+  });
+
+  it('says so when something goes wrong that nobody has thought of', async () => {
+    const bench = await reviewed();
+    const { client } = bench.session.connection.value ?? {};
+    if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
+    await run(bench.write.start());
+    expect([bench.write.current.value, bench.session.notice.value?.code]).toEqual([null, 'unexpected']);
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+
+  it('into another memory than the one on the screen is refused', async () => {
+    const bench = await reviewed();
+    bench.timer.core.memory = 2;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-memory' } });
+    expect(sets(bench)).toEqual([]);
+    expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('that the timer does not take shows what it holds, and keeps the edit', async () => {
+    const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
+    bench.editor.type(S1, '7');
+    await run(bench.write.open());
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({
+      report: { result: 'differs', values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] },
+    });
+    expect(bench.editor.textOf(S1)).toBe('7');
+  });
+});
+
+describe('a write to a timer that keeps positions only where its servos stand', () => {
+  const moves = ({ timer }: AppBench): number => timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
+
+  /** One write has shown what it does. */
+  async function unkept(): Promise<AppBench> {
+    const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
+    bench.editor.type(S1, '7');
+    await run(bench.write.open());
+    expect(bench.session.servoMoves.needed, 'nothing is known yet').toBe(false);
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', unkept: true });
+    return bench;
+  }
+
+  it('moves nothing unasked, also when it is known what the timer does', async () => {
+    const bench = await unkept();
+    await run(bench.write.again());
+    expect([bench.write.current.value?.step, bench.session.servoMoves.allowed.value]).toEqual(['review', false]);
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'differs' }, unkept: true });
+    expect(moves(bench)).toBe(0);
+  });
+
+  it('moves them when it is asked for, once', async () => {
+    const bench = await unkept();
+    bench.write.dismiss();
+    await run(bench.models.bench.moveTo(9));
+    expect(bench.models.bench.done.value).not.toBeNull();
+    const before = moves(bench);
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, unkept: false });
+    expect([moves(bench) - before, bench.timer.core.content.positions[0]?.[2]]).toEqual([1, 7]);
+    expect(bench.models.bench.done.value, 'the bench no longer says where they stand').toBeNull();
+    bench.write.dismiss();
+    bench.editor.type(S1, '8');
+    await run(bench.write.open());
+    expect(bench.session.servoMoves.allowed.value).toBe(false);
+  });
+
+  it('moves nothing when it was agreed to and the dialog was left', async () => {
+    const bench = await unkept();
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    bench.write.dismiss();
+    await run(bench.write.open());
+    await run(bench.write.start());
+    expect(moves(bench)).toBe(0);
+  });
+
+  it('does not begin, and moves nothing, without the safety', async () => {
+    const bench = await unkept();
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    bench.session.safe.value = false;
+    await run(bench.write.start());
+    expect([bench.write.current.value?.step, moves(bench), bench.session.servoMoves.take()]).toEqual([
+      'review',
+      0,
+      false,
+    ]);
+  });
+
+  it('moves nothing when it was agreed to and the timer at hand does not need it', async () => {
+    const bench = await reviewed();
+    bench.session.servoMoves.allowed.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect([moves(bench), bench.session.servoMoves.allowed.value]).toEqual([0, false]);
+  });
+
+  it.each<[why: string, value: Partial<ValueReport>, moved: boolean]>([
+    ['a time', { field: DT }, false],
+    ['a position that nobody wanted to change', { asked: false }, false],
+    ['a position that was kept', { status: 'verified' }, false],
+    ['a position to which the servo was moved', {}, true],
+  ])('was not wanted by %s', async (_, value, moved) => {
+    const { session } = await unkept();
+    const lost: ValueReport = { field: S1, wanted: 7, held: 35, status: 'differs', asked: true };
+    const reportOf = (given: ValueReport) => ({ values: [given] }) as unknown as WriteReport;
+    expect(session.servoMoves.wanted(false, [reportOf(lost)])).toBe(true);
+    expect(session.servoMoves.wanted(moved, [reportOf({ ...lost, ...value })])).toBe(false);
+  });
+
+  it('is known again after a reload, for this port and kind of timer', async () => {
+    const after = await reloaded(await unkept());
+    await run(after.session.connect());
+    expect(after.session.servoMoves.needed).toBe(true);
+    const other = await connectedBench({ store: after.store, identity: { timerClass: 'B' } });
+    expect(other.session.servoMoves.needed).toBe(false);
+    await idle();
+    const again = await connectedBench({ store: other.store });
+    expect(again.session.servoMoves.needed, 'also when another kind was on this port').toBe(true);
+  });
+
+  it('asks the same of what finishes an interrupted write, or goes back', async () => {
+    const bench = await unkept();
+    bench.editor.type(S3, '8');
+    await run(bench.write.again());
+    bench.session.servoMoves.allowed.value = true;
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && bench.adapter.unplug();
+    await run(bench.write.start());
+    bench.write.dismiss();
+    bench.timer.core.onAnswer = undefined;
+    bench.adapter.replug();
+    await idle();
+    expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
+    await run(bench.recover.finish());
+    expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
+    bench.session.servoMoves.allowed.value = true;
+    bench.session.safe.value = true;
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+});
+
+describe('what was confirmed is what is written', () => {
+  /** The storage answers only when it is told to. */
+  function heldUp({ store }: AppBench): () => void {
+    let release = (): void => {};
+    const gate = new Promise<void>((resolve) => {
+      release = resolve;
+    });
+    const save = store.unfinished.save.bind(store.unfinished);
+    store.unfinished.save = async (record) => {
+      await gate;
+      await save(record);
+    };
+    return release;
+  }
+
+  it('on the connection where it was shown: what the storage held up does not go out on another one', async () => {
+    const bench = await reviewed();
+    const release = heldUp(bench);
+    const writing = bench.write.start();
+    await idle(10);
+    bench.adapter.unplug();
+    await idle(10);
+    bench.adapter.replug();
+    await idle(4000);
+    expect(bench.session.link.state.value.status).toBe('on');
+    release();
+    await run(writing);
+    await idle();
+    expect([sets(bench), bench.session.knowledge.uncertain.value]).toEqual([[], []]);
+    expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('and no longer when the pilot has stopped it, or taken the safety back, while the storage was waited for', async () => {
+    for (const change of [(b: AppBench) => b.write.dismiss(), (b: AppBench) => (b.session.safe.value = false)]) {
+      const bench = await reviewed();
+      const release = heldUp(bench);
+      const writing = bench.write.start();
+      await idle(10);
+      change(bench);
+      release();
+      await run(writing);
+      expect([bench.session.notice.value?.code, sets(bench)]).toEqual(['nothing-written', []]);
+      expect([bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([[], 0]);
+    }
+  });
+
+  it('and is shown once more when something else is wanted by now', async () => {
+    const bench = await reviewed();
+    bench.editor.type(S1, '9');
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'review', moved: 'edits' });
+    expect(sets(bench)).toEqual([]);
+    await run(bench.write.start());
+    expect(bench.timer.core.content.positions[0]?.[2]).toBe(9);
+  });
+
+  it('of the timer whose content was shown: what it holds otherwise is shown, and asked again', async () => {
+    const bench = await reviewed();
+    (bench.timer.core.content.positions[0] as number[])[2] = 99;
+    await run(bench.write.start());
+    const { value } = bench.write.current;
+    expect(value).toMatchObject({ step: 'review', moved: 'timer' });
+    expect([sets(bench), bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([
+      [],
+      [],
+      0,
+    ]);
+    expect(value?.step === 'review' && value.shown.changes).toContainEqual({ field: S1, from: 99, to: 7 });
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+  });
+
+  it('of the kind of timer that was shown: another one is asked what it is, and read', async () => {
+    const bench = await reviewed();
+    Object.assign(bench.timer.core.identity, { timerClass: 'B' });
+    await run(bench.write.start());
+    await idle();
+    expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-timer' } });
+    expect([sets(bench), bench.session.connection.value?.identity.timerClass]).toEqual([[], 'B']);
+    expect(bench.editor.identity.value?.timerClass).toBe('B');
+    expect(bench.session.notice.value?.code).toBe('other-kind');
+  });
+
+  it('leaves the dialog when the connection is another by then', async () => {
+    const bench = await reviewed();
+    bench.adapter.unplug();
+    bench.adapter.replug();
+    await idle();
+    expect([bench.session.link.state.value.status, bench.write.current.value]).toEqual(['on', null]);
+  });
+});
+
+describe('where this device keeps no copy of what the timer holds', () => {
+  async function asked(): Promise<{ bench: AppBench; writing: Promise<void> }> {
+    const bench = await reviewed();
+    bench.store.broken = true;
+    const writing = bench.write.start();
+    await idle();
+    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
+    return { bench, writing };
+  }
+
+  it('it is said, and written without one only when the pilot agrees', async () => {
+    const { bench, writing } = await asked();
+    bench.write.answer(true);
+    await run(writing);
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
+  });
+
+  it.each<[string, (bench: AppBench) => void]>([
+    ['refuses', ({ write }) => write.answer(false)],
+    ['presses Escape', ({ write }) => write.escape()],
+    ['pulls the plug', ({ adapter }) => adapter.unplug()],
+  ])('nothing is written when the pilot %s, and nothing is uncertain', async (_, act) => {
+    const { bench, writing } = await asked();
+    act(bench);
+    await run(writing);
+    await idle();
+    expect([sets(bench), bench.session.knowledge.uncertain.value, bench.write.current.value]).toEqual([[], [], null]);
+    expect(bench.editor.changes.value).toHaveLength(3);
+  });
+
+  it('a storage that hangs is waited for 5 s', async () => {
+    const bench = await reviewed();
+    bench.store.backups.save = () => new Promise(() => {});
+    const writing = bench.write.start();
+    await idle(4990);
+    expect(bench.write.current.value?.step).toBe('running');
+    await idle(20);
+    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
+    bench.write.answer(false);
+    await run(writing);
+  });
+});
+
+describe('what a write leaves unknown', () => {
+  it('is what a cable pulled before the answer leaves, until a fresh reading', async () => {
+    const bench = await reviewed();
+    bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
+    await run(bench.write.start());
+    bench.timer.core.onAnswer = undefined;
+    const { knowledge } = bench.session;
+    expect(knowledge.uncertain.value).toMatchObject([{ memory: 0, before: { timers: expect.anything() } }]);
+    bench.write.dismiss();
+    bench.editor.revertAll();
+    await run(bench.session.disconnect());
+    const after = await reloaded(bench);
+    expect(after.session.knowledge.uncertain.value).toHaveLength(1);
+    expect(bench.timer.core.content.timers[10]).toBe(24000);
+    await run(after.session.connect());
+    expect(after.session.knowledge.uncertain.value).toEqual([]);
+    expect(after.session.knowledge.of(0)).toMatchObject({
+      state: 'read',
+      program: { timers: after.timer.core.content.timers },
+    });
+  });
+
+  it('is anything after an error that nobody has thought of', async () => {
+    const bench = await reviewed();
+    const { client } = bench.session.connection.value ?? {};
+    if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
+    await run(bench.write.start());
+    expect(bench.session.knowledge.of(0).state).toBe('uncertain');
+  });
+
+  it('is nothing after a verified one', async () => {
+    const bench = await reviewed();
+    await run(bench.write.start());
+    expect(bench.session.knowledge.of(0)).toMatchObject({ state: 'read', verified: true });
+    await run(bench.session.read());
+    expect(bench.session.knowledge.of(0), 'a mere reading since').toMatchObject({ verified: false });
+  });
+});

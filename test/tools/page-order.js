@@ -1,0 +1,73 @@
+// Holds the folders of the page in their order: imports run down the list below, and a feature knows no other feature. Part of
+// `npm run lint`.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const page = new URL('../../src/app/', import.meta.url);
+
+/** From the top. What stands in one row does not know each other. */
+const ORDER = [
+  // The files that lie in src/app itself: the start, the models, the views that are shown.
+  ['app'],
+  ['shell'],
+  ['connect', 'program', 'bench', 'memories', 'line', 'settings'],
+  // Memories and bench write, too.
+  ['write'],
+  ['timeline'],
+  ['ui'],
+  ['session'],
+  ['messages'],
+  ['storage'],
+  ['editing'],
+  ['browser'],
+];
+
+/** Features that know another one all the same, with the reason. */
+const BRACKETS = new Map([
+  ['program', { may: 'bench', why: 'a row of the table says where the servos stand, and offers to bring them there' }],
+]);
+
+/** The rooms of the package that the page may use; the two others meet in one file. */
+const ROOMS = ['line', 'protocol', 'program', 'client', 'serial'];
+const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator', 'mock-serial'] };
+
+/**
+ * What is wrong with the imports of one file of the page.
+ * @param {string} file from src/app, such as `program/presets.tsx`
+ * @param {string} text what stands in it
+ * @returns {string[]} a sentence for each
+ */
+export function breaches(file, text) {
+  const [, folder = 'app'] = /^([^/]+)\//.exec(file) ?? [];
+  const rank = ORDER.findIndex((row) => row.includes(folder));
+  if (rank < 0) return [`${file}: the folder ${folder} is not in the order of the page`];
+  return [...text.matchAll(/(?:from|import|import\()\s*'(\.[^']+)'/g)].flatMap(([, path = '']) => {
+    const target = new URL(path, `file:///src/app/${file}`).pathname.slice('/src/'.length);
+    const [top, next = '', ...rest] = target.split('/');
+    if (top !== 'app') {
+      const may = file === SIMULATED.file ? [...ROOMS, ...SIMULATED.rooms] : ROOMS;
+      if (!may.includes(top ?? '')) return [`${file} imports ${path}: of the page only ${SIMULATED.file} may`];
+      return next === 'index.js' ? [] : [`${file} imports ${path}: a room is entered through its index.js`];
+    }
+    const other = rest.length === 0 ? 'app' : next;
+    const otherRank = ORDER.findIndex((row) => row.includes(other));
+    // Still a locator of models: its turn comes.
+    if (target === 'app/models.js') return [];
+    if (other === folder || otherRank > rank || BRACKETS.get(folder)?.may === other) return [];
+    return [`${file} imports ${path}: app/${folder} may not use app/${other}`];
+  });
+}
+
+/** All files of the page, with what is wrong. */
+export function breachesOfPage() {
+  return readdirSync(page, { recursive: true, encoding: 'utf8' })
+    .filter((file) => /\.tsx?$/.test(file))
+    .flatMap((file) => breaches(file, readFileSync(new URL(file, page), 'utf8')));
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const found = breachesOfPage();
+  for (const each of found) console.error(each);
+  process.exitCode = found.length > 0 ? 1 : 0;
+}
