@@ -18,11 +18,16 @@ async function visited(): Promise<{ host: Awaited<ReturnType<typeof openHost>>; 
 function update(page: Page): Promise<string | null> {
   return page.evaluate(async () => {
     const registration = await navigator.serviceWorker.getRegistration();
+    // From the moment it is found: one that is given nothing may be gone again before the look for it is over.
+    let worker = registration?.installing ?? registration?.waiting;
+    registration?.addEventListener('updatefound', () => {
+      worker = registration.installing;
+    });
     await registration?.update().catch(() => {});
-    const worker = registration?.installing ?? registration?.waiting;
+    worker ??= registration?.installing ?? registration?.waiting;
     if (!worker) return null;
     while (worker.state === 'installing' || worker.state === 'parsed') {
-      await new Promise((resolve) => worker.addEventListener('statechange', resolve, { once: true }));
+      await new Promise((resolve) => worker?.addEventListener('statechange', resolve, { once: true }));
     }
     return worker.state;
   });
