@@ -48,7 +48,12 @@ export function openPage(root: HTMLElement): AppModels | null {
   });
   keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
   document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
-  addEventListener('pagehide', () => session.backups.flush());
+  addEventListener('pagehide', () => {
+    session.keepNow();
+    session.backups.flush();
+  });
+  // A page that is put away on a phone may be ended without another word.
+  document.addEventListener('visibilitychange', () => document.hidden && session.keepNow());
   // What another tab has found out, or left behind, since this one was looked at last.
   document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   onWake(() => session.link.recheck());

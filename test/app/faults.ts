@@ -34,12 +34,12 @@ export class FaultyStore extends MemoryStore {
     super();
     for (const door of DOORS) {
       const [name, call] = door.split('.') as [ShelfName, CallName];
-      const shelf = this[name] as unknown as Record<CallName, (argument: unknown) => Promise<unknown>>;
+      const shelf = this[name] as unknown as Record<CallName, (...given: unknown[]) => Promise<unknown>>;
       const own = shelf[call].bind(shelf);
       // Not an async function: what throws at once does so here, too.
-      shelf[call] = (argument) => {
+      shelf[call] = (...given) => {
         const wait = this.before(door);
-        return wait ? wait.then(() => own(argument)) : own(argument);
+        return wait ? wait.then(() => own(...given)) : own(...given);
       };
     }
   }

@@ -49,6 +49,8 @@ export class Drafts {
     await this.#tab.takeAny();
     for (const draft of edited) if (!found && (await this.#tab.isFree(draft.tab))) found = draft;
     const draft = found && wanted() ? this.#adopt(found) : undefined;
+    // It was found among all of them: nothing else that was edited lies in its new place.
+    if (draft) this.#seen.add(draft.key);
     this.#hasBegun = true;
     this.#begin();
     this.#early?.();
@@ -116,6 +118,15 @@ export class Drafts {
       this.#then(() => this.#shelf.remove(key));
     }
   };
+
+  /** The page is left, or may be: what waits for its turn is kept at once, for nothing may come back any more that ends the waiting. */
+  flush(): void {
+    for (const key of this.#unsaved.peek()) {
+      const draft = this.#open.get(key);
+      // What may lie there unseen is not overwritten.
+      if (draft && this.#seen.has(key)) void this.#shelf.save(draft, true).catch(() => {});
+    }
+  }
 
   /** Tries again to keep what the browser has not kept. */
   keepAgain(): void {

@@ -148,6 +148,11 @@ export class Session {
     await this.bringBack();
   }
 
+  /** Keeps at once what was typed: the page is left, or may be. */
+  keepNow(): void {
+    this.#drafts.flush();
+  }
+
   /** Whether all that was typed would be there after a reload. */
   get editsKept(): ReadonlySignal<boolean> {
     return this.#drafts.kept;

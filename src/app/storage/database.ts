@@ -19,7 +19,8 @@ interface Schema extends DBSchema {
 
 /** What the models need of a shelf, so that a test can put another in its place. */
 export interface Keeper<T extends { readonly key: string }> {
-  save(record: T): Promise<void>;
+  /** @param now the page is left: at once, ahead of whatever waits. */
+  save(record: T, now?: boolean): Promise<void>;
   remove(key: string): Promise<void>;
   /** Undefined when there is none; what is stored and cannot be read is set aside. */
   load(key: string): Promise<T | undefined>;
@@ -86,6 +87,8 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly #schema: BaseSchema<unknown, T, BaseIssue<unknown>>;
   readonly #durability: IDBTransactionDurability;
   readonly #onLeft: (records: readonly AsideRecord[]) => void;
+  /** What waits until the browser has nothing else to do, by key. */
+  readonly #waiting = new Map<string, T>();
 
   /**
    * @param durability `strict`: saved means written to the disk, at the cost of some milliseconds.
@@ -105,8 +108,12 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     this.#onLeft = onLeft;
   }
 
-  async save(record: T): Promise<void> {
-    if (this.#durability === 'relaxed') await drawn();
+  async save(record: T, now = false): Promise<void> {
+    this.#waiting.set(record.key, record);
+    if (this.#durability === 'relaxed' && !now) await drawn();
+    // One that something has overtaken must not undo it.
+    if (this.#waiting.get(record.key) !== record) return;
+    this.#waiting.delete(record.key);
     const options = { durability: this.#durability };
     const writing = (await this.#opened).transaction(this.#name, 'readwrite', options);
     const put = writing.store.put(record);
@@ -116,6 +123,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   }
 
   async remove(key: string): Promise<void> {
+    this.#waiting.delete(key);
     await (await this.#opened).delete(this.#name, key);
   }
 

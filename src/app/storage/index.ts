@@ -68,7 +68,7 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
   const inTime = <T extends { readonly key: string }>(keeper: Keeper<T>, name: string): Keeper<T> => {
     const questions = new StorageQuestions(watch, name);
     return {
-      save: (record) => questions.ask(SHELF_CALLS.save, () => keeper.save(record)),
+      save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now), now),
       remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
       load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
       all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),

@@ -88,13 +88,16 @@ export class StorageQuestions {
     this.#shelf = shelf;
   }
 
-  /** @throws StorageError */
-  async ask<T>(kind: StorageCall, work: () => Promise<T>): Promise<T> {
+  /**
+   * @param now at once, and not after the changes before it: the page is left, and nothing that is waited for comes back to it.
+   * @throws StorageError
+   */
+  async ask<T>(kind: StorageCall, work: () => Promise<T>, now = false): Promise<T> {
     const limit = this.#limit;
     const say = setTimeout(() => this.#watch.failed(this.#shelf, kind, 'slow'), Math.min(limit, SAID_AFTER));
     // A change that comes late must not undo the one after it: they go one by one, however long that takes.
-    const answer = kind === 'change' ? this.#changes.then(work) : (async () => work())();
-    if (kind === 'change') this.#changes = answer.catch(() => {});
+    const answer = kind === 'change' && !now ? this.#changes.then(work) : (async () => work())();
+    if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]);
     answer.then(
       () => {
         clearTimeout(say);

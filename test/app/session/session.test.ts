@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+import { FaultyStore } from '../faults.js';
 
 const DT: ProgramField = { kind: 'time', column: 10 };
 const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
@@ -496,6 +497,19 @@ describe('after a reload', () => {
     await run(written.session.connect());
     written.editor.undo();
     expect([written.editor.textOf(S1), written.editor.dirty.value]).toEqual(['35', true]);
+  });
+
+  it('the last key is back, though the browser was still busy with the one before when the page was left', async () => {
+    const store = new FaultyStore();
+    const before = await connectedBench({ store });
+    store.before = () => new Promise(() => {});
+    before.editor.type(S1, '8');
+    await idle(0);
+    store.before = () => undefined;
+    before.editor.type(S1, '9');
+    before.session.keepNow();
+    const after = await appBench({ store: store.next() });
+    expect(after.editor.textOf(S1)).toBe('9');
   });
 
   it('edits of the simulated timer are not put onto a real one', async () => {

@@ -31,6 +31,16 @@ describe('the storage of the browser', () => {
     expect([await shelf.load('a'), (await shelf.all()).length]).toEqual([undefined, 1]);
   });
 
+  it('keeps at once what is kept when the page is left, and nothing that waited comes after it', async () => {
+    const shelf = browserStorage(name()).ports;
+    const waiting = shelf.save({ ...PORT, usedAt: 6 });
+    await Promise.all([shelf.save({ ...PORT, usedAt: 7 }, true), waiting]);
+    expect((await shelf.load(PORT.key))?.usedAt).toBe(7);
+    const late = shelf.save({ ...PORT, usedAt: 8 });
+    await Promise.all([shelf.remove(PORT.key), late]);
+    expect(await shelf.load(PORT.key)).toBeUndefined();
+  });
+
   it('passes over what another version has stored', async () => {
     const opened = openStorage(name());
     const database = await opened;
