@@ -20,8 +20,12 @@ export interface TabMemory {
 const NAME = 'tab';
 /** So long a page that is loaded again waits at most for the one before it to let go, in milliseconds. */
 const RELOAD_WAIT = 1000;
+/** A tab whose number has been free for so long is not being loaded again, in milliseconds. */
+const CLOSED_AFTER = 3000;
 /** So long the browser has to say whether a number is free, in milliseconds. */
 const ANSWER_WAIT = 3000;
+
+const lockName = (number: number): string => `sidus-timer/${NAME}/${number}`;
 
 /** No other tab sees it, but for one that is copied from this one. */
 export const tabMemory: TabMemory = {
@@ -87,6 +91,23 @@ export class TabNumber {
     return number !== this.#number && (await this.#ask(number, { ifAvailable: true }, Promise.resolve())) === 'held';
   }
 
+  /**
+   * Waits until the tab that has this number is closed. One that is only loaded again takes its number again.
+   * @returns false when the waiting was stopped, or where the browser does not say.
+   */
+  async whenClosed(number: number, stop: AbortSignal): Promise<boolean> {
+    try {
+      while (this.#locks && !this.#silent) {
+        await this.#locks.request(lockName(number), { signal: stop }, async () => {});
+        await new Promise((resolve) => setTimeout(resolve, CLOSED_AFTER));
+        if (await this.isFree(number)) return true;
+      }
+    } catch {
+      // Stopped, or refused.
+    }
+    return false;
+  }
+
   #have(number: number): void {
     this.#number = number;
     this.#memory.save(number);
@@ -132,7 +153,7 @@ export class TabNumber {
         end(isAnswer ? 'held' : 'ifAvailable' in options && number === 1 ? 'taken' : 'unknown');
       };
       const request = async (): Promise<unknown> =>
-        this.#locks ? this.#locks.request(`sidus-timer/${NAME}/${number}`, options, work) : failed();
+        this.#locks ? this.#locks.request(lockName(number), options, work) : failed();
       request().catch(failed);
     });
   }

@@ -7,6 +7,8 @@ import { programKey, workKey } from './keys.js';
 
 /** In the place of a key, before it is known under which number this tab keeps its work. */
 const EARLY = '';
+/** So long a browser has at most to clear a closed tab away, in milliseconds. */
+const CLEARING_WAIT = 30_000;
 
 /**
  * What a pilot works on, with what can be undone, by kind of timer, memory and tab: through a reload or a crash where the browser keeps
@@ -48,13 +50,40 @@ export class Drafts {
     for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
     await this.#tab.takeAny();
     for (const draft of edited) if (!found && (await this.#tab.isFree(draft.tab))) found = draft;
-    const draft = found && wanted() ? this.#adopt(found) : undefined;
-    // It was found among all of them: nothing else that was edited lies in its new place.
-    if (draft) this.#seen.add(draft.key);
+    const draft = found && wanted() ? this.#found(found) : undefined;
     this.#hasBegun = true;
     this.#begin();
     this.#early?.();
     return draft;
+  }
+
+  /**
+   * Waits a while for one of the tabs that seem to be open and have edits: a tab that has just been closed may have its number until the
+   * browser has cleared it away.
+   * @param wanted as in {@link latest}, which was asked before.
+   */
+  async leftBehind(wanted: () => boolean): Promise<Draft | undefined> {
+    const stop = new AbortController();
+    const giveUp = setTimeout(() => stop.abort(), CLEARING_WAIT);
+    const others = new Set((await this.#all()).filter(isEdited).map(({ tab }) => tab));
+    others.delete(this.#tab.value);
+    const closing = [...others].map(async (tab) => {
+      if (!(await this.#tab.whenClosed(tab, stop.signal))) throw new Error('it is open');
+    });
+    const isAny = await Promise.any(closing).then(
+      () => true,
+      () => false,
+    );
+    clearTimeout(giveUp);
+    stop.abort();
+    // Looked for afresh: the tab may have kept something as it was closed.
+    const edited = isAny ? (await this.#all()).filter(isEdited) : [];
+    // Work that this tab has begun meanwhile is not buried under it.
+    if (this.#open.size > 0 || edited.some(({ tab }) => tab === this.#tab.value)) return undefined;
+    for (const draft of edited) {
+      if (await this.#tab.isFree(draft.tab)) return wanted() ? this.#found(draft) : undefined;
+    }
+    return undefined;
   }
 
   /**
@@ -73,6 +102,13 @@ export class Drafts {
       if (inherit || (await this.#tab.isFree(draft.tab))) return this.#adopt(draft);
     }
     return undefined;
+  }
+
+  /** Takes over what was found among all that are kept: nothing else that was edited lies in its new place. */
+  #found(draft: Draft): Draft {
+    const own = this.#adopt(draft);
+    this.#seen.add(own.key);
+    return own;
   }
 
   /** Takes a draft over into this tab; an open one that had it keeps it too. */

@@ -11,7 +11,7 @@ import {
 } from '../../serial/index.js';
 import type { TabNumber } from '../browser/tab-number.js';
 import { Editor } from '../editing/editor.js';
-import type { Backup, Storage } from '../storage/index.js';
+import type { Backup, Draft, Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
 import { Drafts } from './drafts.js';
 import { kindKey, programKey, workKey } from './keys.js';
@@ -179,8 +179,20 @@ export class Session {
   }
 
   async #bringBackEdits(): Promise<void> {
-    const draft = await this.#drafts.latest(() => this.editor.working.value === null && !this.engaged.value);
+    const wanted = (): boolean => this.editor.working.value === null && !this.engaged.value;
+    const draft = await this.#drafts.latest(wanted);
+    if (draft) this.#showDraft(draft);
+    else if (wanted()) void this.#bringBackLate(wanted);
+  }
+
+  async #bringBackLate(wanted: () => boolean): Promise<void> {
+    const draft = await this.#drafts.leftBehind(wanted);
     if (!draft) return;
+    this.#showDraft(draft);
+    await this.knowledge.refresh();
+  }
+
+  #showDraft(draft: Draft): void {
     // At one stroke: it must not be kept as the work on a real timer in between.
     batch(() => {
       if (!this.editor.restore(draft)) return;

@@ -18,6 +18,10 @@ interface Tab {
 function browser(): () => Tab {
   const held = new Map<string, object>();
   const queue = new Set<() => void>();
+  const look = (): void => {
+    for (const each of queue) each();
+    queue.clear();
+  };
   const open = (remembered: number | null): Tab => {
     let memory = remembered;
     let page = {};
@@ -35,6 +39,7 @@ function browser(): () => Tab {
         held.set(name, owner);
         await work({});
         if (held.get(name) === owner) held.delete(name);
+        look();
       },
     };
     const save = (number: number): void => {
@@ -47,8 +52,7 @@ function browser(): () => Tab {
       },
       close: () => {
         for (const [name, owner] of held) if (owner === page) held.delete(name);
-        for (const look of queue) look();
-        queue.clear();
+        look();
       },
       copy: () => open(memory),
     };
@@ -179,6 +183,53 @@ describe.each([
     const next = await appBench({ store, tab: newTab().page() });
     expect([notice(next), next.editor.textOf(S1)]).toEqual(['edits-restored', '8']);
     const other = await appBench({ store, tab: newTab().page() });
+    expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
+  });
+
+  it('leave it to the next tab also when the browser takes its time to clear the closed one away', async () => {
+    const [newTab, store] = [browser(), new MemoryStore()];
+    const tabs = [newTab(), newTab()] as const;
+    (await trying({ store, tab: tabs[0].page() })).editor.type(S1, '7');
+    await idle();
+    const next = await appBench({ store, tab: tabs[1].page() });
+    await idle(8000);
+    expect(next.editor.working.value, 'as far as anybody can tell it is open').toBeNull();
+    tabs[0].close();
+    await idle();
+    expect([notice(next), next.editor.textOf(S1)]).toEqual(['edits-restored', '7']);
+    expect([...store.drafts.records.values()].map((draft) => draft.tab)).toEqual([2]);
+  });
+
+  it('leave it to none that has edits of its own by then', async () => {
+    const [newTab, store] = [browser(), new MemoryStore()];
+    const tabs = [newTab(), newTab()] as const;
+    (await trying({ store, tab: tabs[0].page() })).editor.type(S1, '7');
+    await idle(500);
+    const other = await trying({ store, tab: tabs[1].page() });
+    other.editor.type(S1, '9');
+    await run(other.session.selectMemory(1));
+    await run(other.session.disconnect());
+    tabs[0].close();
+    await idle();
+    expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
+    const typed = [...store.drafts.records.values()].map(({ tab, working }) => [tab, working.positions[0]?.[2]]);
+    expect(typed).toEqual([
+      [1, 7],
+      [2, 9],
+    ]);
+  });
+
+  it('keep it while they are only loaded again, also when another one waits for a timer beside them', async () => {
+    const [newTab, store] = [browser(), new MemoryStore()];
+    const tab = newTab();
+    (await trying({ store, tab: tab.page() })).editor.type(S1, '7');
+    await idle();
+    const other = await appBench({ store, tab: newTab().page() });
+    tab.close();
+    await idle(2000);
+    const again = await appBench({ store, tab: tab.page() });
+    await idle();
+    expect([notice(again), again.editor.textOf(S1)]).toEqual(['edits-restored', '7']);
     expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
   });
 
