@@ -39,7 +39,7 @@ async function read(timer, all) {
   }
   return {
     timer: identity,
-    units: 'times in hundredths of a second, positions in steps by servo and column, memories from 0',
+    units: 'times in hundredths of a second, positions in steps by servo and slot, memories from 0',
     memories: programs.map(({ identity: _, ...content }) => content),
   };
 }

@@ -16,7 +16,7 @@ import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
 import { limited } from './storage/index.js';
-import { Recover } from './write/recover.js';
+import { FinishWrite } from './write/finish-write.js';
 import { WriteFlow } from './write/write-flow.js';
 
 /** The models that the screens read and call. */
@@ -26,7 +26,7 @@ export interface AppModels {
   readonly aside: SetAside;
   readonly erase: Erase;
   readonly write: WriteFlow;
-  readonly recover: Recover;
+  readonly recover: FinishWrite;
   readonly memories: Memories;
   readonly leaving: Leaving;
   readonly bench: Bench;
@@ -93,7 +93,7 @@ export function createModels({
     follow: new Follow(session, bench, isElsewhere),
     theme: new Theme(),
     preferences: new Preferences(session.editor),
-    recover: new Recover(session, write),
+    recover: new FinishWrite(session, write),
     update: new UpdateOffer(session),
     tabs: new Tabs(session, isWriting, channel),
     platform,

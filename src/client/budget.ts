@@ -1,7 +1,7 @@
 import type { Clock } from '../line/index.js';
 import type { CommandName, Identity } from '../protocol/index.js';
-import type { LinePace } from './line-pace.js';
-import { longestJob, timeForTheEnd } from './patience.js';
+import type { LearnedTiming } from './line-timing.js';
+import { longestJob, timeForTheEnd } from './retry-policy.js';
 
 /** Exchanges, on a timer of this layout. */
 interface Plan {
@@ -14,7 +14,7 @@ export class Budget {
   /** Told, until the job ends, whenever one of its requests goes out again. */
   onRepeat: (() => void) | undefined;
   readonly #clock: Clock;
-  readonly #pace: LinePace;
+  readonly #timing: LearnedTiming;
   #repeats = 0;
   #repeatsBefore = 0;
   #endsBy = Number.POSITIVE_INFINITY;
@@ -24,10 +24,10 @@ export class Budget {
   /** What the job has to do at its end. */
   readonly #kept = new Set<Plan>();
 
-  constructor(clock: Clock, pace: LinePace) {
+  constructor(clock: Clock, timing: LearnedTiming) {
     this.#clock = clock;
-    this.#pace = pace;
-    pace.onSlower = () => this.#lengthen();
+    this.#timing = timing;
+    timing.onSlower = () => this.#lengthen();
   }
 
   /** How many requests of this job went out again, fences included. */
@@ -51,14 +51,14 @@ export class Budget {
     this.#repeatsBefore += this.#repeats;
     this.#repeats = 0;
     this.#plan = { names, identity };
-    this.#length = longestJob(names, identity, this.#pace);
+    this.#length = longestJob(names, identity, this.#timing);
     this.#endsBy = this.#clock.now() + this.#length;
   }
 
   /** Whether something that takes so many milliseconds at most may still begin. */
   hasTimeFor(ms: number): boolean {
     let kept = 0;
-    for (const { names, identity } of this.#kept) kept += timeForTheEnd(names, identity, this.#pace);
+    for (const { names, identity } of this.#kept) kept += timeForTheEnd(names, identity, this.#timing);
     return this.#clock.now() + ms <= this.#endsBy - kept;
   }
 
@@ -86,7 +86,7 @@ export class Budget {
   /** The timer turns out to be slower than thought: each exchange is given more, and so is the job. */
   #lengthen(): void {
     if (!this.#plan) return;
-    const length = longestJob(this.#plan.names, this.#plan.identity, this.#pace);
+    const length = longestJob(this.#plan.names, this.#plan.identity, this.#timing);
     this.#endsBy += length - this.#length;
     this.#length = length;
   }

@@ -1,8 +1,8 @@
 import type { ReplyOf } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import type { Belief, Patience } from './exchange.js';
-import type { Job } from './job.js';
-import { TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './patience.js';
+import type { Belief, RetryPolicy } from './exchange.js';
+import type { ClientJob } from './job.js';
+import { TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './retry-policy.js';
 
 /** Which memory is current. */
 export interface CurrentMemory {
@@ -28,7 +28,10 @@ export interface MemoryQuestion {
  * when two in a row agree: the numbers of all memories hang on it.
  * @throws TimerError as Exchange.
  */
-export async function askMemory(job: Job, { expected, twice, optional }: MemoryQuestion = {}): Promise<CurrentMemory> {
+export async function askMemory(
+  job: ClientJob,
+  { expected, twice, optional }: MemoryQuestion = {},
+): Promise<CurrentMemory> {
   const { quirks } = job;
   const fromOne = quirks.assumed.memoriesFromOne === true;
   const before: ReplyOf<'GETMEMORY'> | undefined =
@@ -44,7 +47,7 @@ export async function askMemory(job: Job, { expected, twice, optional }: MemoryQ
  * @throws TimerError `other-memory` or `memory-unknown` when it is not; `other-timer`; as Exchange.
  */
 export async function requireMemory(
-  job: Job,
+  job: ClientJob,
   expected: number | null,
   how: Omit<MemoryQuestion, 'expected'> = {},
 ): Promise<CurrentMemory> {
@@ -60,14 +63,14 @@ export async function requireMemory(
 
 /** @returns undefined when it may stay unanswered, and does. */
 async function ask(
-  { exchange, signal, quirks }: Job,
+  { exchange, signal, quirks }: ClientJob,
   belief: Belief<ReplyOf<'GETMEMORY'>>,
   optional: boolean,
 ): Promise<ReplyOf<'GETMEMORY'> | undefined> {
   const isKnown = quirks.found.has('memory-unknown');
-  const patience = optional ? patienceFor(isKnown) : {};
+  const policy = optional ? policyFor(isKnown) : {};
   try {
-    return await exchange.read({ name: 'GETMEMORY' }, signal, { ...belief, ...patience });
+    return await exchange.read({ name: 'GETMEMORY' }, signal, { ...belief, ...policy });
   } catch (error) {
     if (!optional || !isNoAnswer(error, isKnown) || !exchange.awake) throw error;
     quirks.note('memory-unknown');
@@ -76,7 +79,7 @@ async function ask(
 }
 
 /** How long a question is asked that not every timer is known to answer. */
-export function patienceFor(isKnownUnanswered: boolean): Patience {
+export function policyFor(isKnownUnanswered: boolean): RetryPolicy {
   return isKnownUnanswered ? { tries: TRIES_OF_UNANSWERED } : { unanswered: UNANSWERED_OPTIONAL };
 }
 
@@ -87,7 +90,7 @@ export function isNoAnswer(error: unknown, isKnownUnanswered: boolean): error is
 }
 
 /** @param agreed whether two answers have said so. */
-async function judge(job: Job, reply: ReplyOf<'GETMEMORY'>, agreed: boolean): Promise<number | null> {
+async function judge(job: ClientJob, reply: ReplyOf<'GETMEMORY'>, agreed: boolean): Promise<number | null> {
   const { exchange, identity, quirks, signal } = job;
   const isUsual = ({ memory }: ReplyOf<'GETMEMORY'>): boolean =>
     memory !== null && memory >= 0 && memory < identity.memories;

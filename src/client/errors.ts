@@ -7,7 +7,7 @@ import type { CommandName, Identity } from '../protocol/index.js';
  * - `no-answer`: the timer kept silent, or does not answer this request. `sent` says how often it went out; 0: never, because older
  *   requests got no answer either. A command that moves something may have been carried out all the same.
  * - `bad-reply`: replies came with a right checksum and a content that cannot be; `cause` says what.
- * - `unstable`: the line damages too much: the patience for repeats was used up, or no two reads agreed. As after `no-answer`, a request
+ * - `unstable`: the line damages too much: the policy for repeats was used up, or no two reads agreed. As after `no-answer`, a request
  *   that was `sent` may have been carried out.
  * - `crowded`: no two reads agreed, and frames came that nobody asked for: there may be a second timer or programmer in the beam.
  * - `other-memory`: the timer's current memory is not the one that the program was read from.

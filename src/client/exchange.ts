@@ -11,7 +11,7 @@ import {
 } from '../protocol/index.js';
 import { Budget } from './budget.js';
 import { TimerError, throwIfAborted } from './errors.js';
-import type { LinePace } from './line-pace.js';
+import type { LearnedTiming } from './line-timing.js';
 import {
   BAD_REPLIES,
   LATEST_REPLY,
@@ -23,11 +23,11 @@ import {
   SILENT,
   SILENT_AT_FIRST,
   UNANSWERED,
-} from './patience.js';
+} from './retry-policy.js';
 import type { Wire } from './wire.js';
 
 /** How much is done to get an answer. */
-export interface Patience {
+export interface RetryPolicy {
   /** How often the request goes out at most. */
   readonly tries?: number | undefined;
   /** The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that could be why. */
@@ -39,7 +39,7 @@ export interface Patience {
 }
 
 /** How an answer is believed. */
-export interface Belief<Answer> extends Patience {
+export interface Belief<Answer> extends RetryPolicy {
   /** What was known before, or a reading: counts as the first of two. */
   readonly before?: Answer | undefined;
   /** Never believes a single answer. */
@@ -56,7 +56,7 @@ const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 export class Exchange {
   readonly #wire: Wire;
   readonly #clock: Clock;
-  readonly #pace: LinePace;
+  readonly #timing: LearnedTiming;
   #lastSent = Number.NEGATIVE_INFINITY;
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
@@ -77,11 +77,11 @@ export class Exchange {
   identity: Identity | null = null;
   readonly budget: Budget;
 
-  constructor(wire: Wire, clock: Clock, pace: LinePace) {
+  constructor(wire: Wire, clock: Clock, timing: LearnedTiming) {
     this.#wire = wire;
     this.#clock = clock;
-    this.#pace = pace;
-    this.budget = new Budget(clock, pace);
+    this.#timing = timing;
+    this.budget = new Budget(clock, timing);
   }
 
   /** Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed. */
@@ -120,8 +120,12 @@ export class Exchange {
    * Asks until the reply comes. One call at a time: whoever holds an Exchange waits for the last one.
    * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request went out.
    */
-  async ask<R extends Request>(request: R, signal?: AbortSignal, patience: Patience = {}): Promise<ReplyOf<R['name']>> {
-    return (await this.#askUntilAnswered(request, signal, patience)) as ReplyOf<R['name']>;
+  async ask<R extends Request>(
+    request: R,
+    signal?: AbortSignal,
+    policy: RetryPolicy = {},
+  ): Promise<ReplyOf<R['name']>> {
+    return (await this.#askUntilAnswered(request, signal, policy)) as ReplyOf<R['name']>;
   }
 
   /**
@@ -132,13 +136,13 @@ export class Exchange {
   async read<R extends Request>(
     request: R,
     signal?: AbortSignal,
-    { before, twice = before !== undefined, ...patience }: Belief<ReplyOf<R['name']>> = {},
+    { before, twice = before !== undefined, ...policy }: Belief<ReplyOf<R['name']>> = {},
   ): Promise<ReplyOf<R['name']>> {
     const { strays } = this;
     let previous = before === undefined ? undefined : JSON.stringify(before);
     const { damage } = this;
     for (let i = 0; i < READS; i++) {
-      const reply = await this.ask(request, signal, patience);
+      const reply = await this.ask(request, signal, policy);
       const text = JSON.stringify(reply);
       if (text === previous) return reply;
       if (!twice && !this.damaged && this.strays === strays) return reply;
@@ -157,10 +161,10 @@ export class Exchange {
   }
 
   /** Asks the timer what it is, whatever it was before. */
-  async identify(signal?: AbortSignal, patience: Patience = {}): Promise<ReplyOf<'GETSWVER'>> {
+  async identify(signal?: AbortSignal, policy: RetryPolicy = {}): Promise<ReplyOf<'GETSWVER'>> {
     this.#isMet = false;
     try {
-      const reply = await this.read({ name: 'GETSWVER' }, signal, patience);
+      const reply = await this.read({ name: 'GETSWVER' }, signal, policy);
       this.identity = reply.identity;
       return reply;
     } finally {
@@ -209,7 +213,7 @@ export class Exchange {
   async #askUntilAnswered(
     request: Request,
     signal: AbortSignal | undefined,
-    { tries = SENDS, unanswered = UNANSWERED, anyReply = false, strict = false }: Patience,
+    { tries = SENDS, unanswered = UNANSWERED, anyReply = false, strict = false }: RetryPolicy,
   ): Promise<Reply> {
     const { name } = request;
     const wire = this.#wire;
@@ -256,8 +260,8 @@ export class Exchange {
   /** Whether one more attempt, fence and request, makes sense and still ends in time. */
   #mayGoOn(request: Request, damage: number): boolean {
     if (this.#misses >= MISSES || this.#isSilent(request, damage)) return false;
-    const fence = this.#wire.unanswered.size > 0 ? longestFence(this.#pace) : 0;
-    return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#pace));
+    const fence = this.#wire.unanswered.size > 0 ? longestFence(this.#timing) : 0;
+    return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#timing));
   }
 
   /** Whether nothing else may still be answered. */

@@ -4,7 +4,7 @@ import type { OnProgress } from './progress.js';
 import type { Quirks } from './quirks.js';
 
 /** What a job of the client works with. */
-export interface Job {
+export interface ClientJob {
   readonly exchange: Exchange;
   readonly identity: Identity;
   readonly signal: AbortSignal | undefined;

@@ -1,15 +1,15 @@
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
 import { CodecError, type CommandName, encodeReply, encodeRequest } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import type { Job } from './job.js';
+import type { ClientJob } from './job.js';
+import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
 import { readingPlan } from './read-program.js';
-import { requireIndex, SELECT, Tour } from './tour.js';
 import { freshPlan, isHeld, verifyPlan, type WriteReport, writeContent } from './write-program.js';
 
 /** What a job on several memories tells on the way. It waits for an answer that is a promise; when that fails, so does the job. */
 export interface MemoriesHooks {
   /** The memory that is current, before the first other one is selected: to be kept until it is current again. Counted from 0. */
-  readonly onHome?: ((home: number) => unknown) | undefined;
+  readonly onOriginal?: ((original: number) => unknown) | undefined;
   /** What a memory holds, before the first SET in it: to be kept as a backup. */
   readonly onMemory?: ((read: TimerProgram, goal: TimerProgram) => unknown) | undefined;
 }
@@ -17,7 +17,7 @@ export interface MemoriesHooks {
 /** What several memories hold. */
 export interface MemoriesRead {
   /** The memory that was current before and is again, counted from 0. */
-  readonly home: number;
+  readonly original: number;
   /** In the order in which they were asked for. */
   readonly programs: TimerProgram[];
 }
@@ -34,12 +34,12 @@ export interface MemoryReport {
 /** What became of a write into several memories. */
 export interface MemoriesReport {
   /** The memory that was current before, counted from 0. */
-  readonly home: number;
+  readonly original: number;
   /** Whether it is current again, by the timer's own word. */
-  readonly isHome: boolean;
+  readonly restored: boolean;
   /** The memories in which the write began, in the order of the goals. */
   readonly memories: readonly MemoryReport[];
-  /** What stopped it: `memory-left` whenever {@link isHome} is false; null when nothing did. */
+  /** What stopped it: `memory-left` whenever {@link restored} is false; null when nothing did. */
   readonly stopped: TimerError | CodecError | null;
 }
 
@@ -50,29 +50,29 @@ export interface MemoriesReport {
  * as Exchange with the first memory current again.
  */
 export async function readMemories(
-  job: Job,
+  job: ClientJob,
   chosen: readonly number[] | undefined,
   idleThrottle: boolean,
-  { onHome }: MemoriesHooks,
+  { onOriginal }: MemoriesHooks,
 ): Promise<MemoriesRead> {
   const { exchange, identity } = job;
   const memories = chosen ?? Array.from({ length: identity.memories }, (_, memory) => memory);
   for (const memory of memories) requireIndex(memory, identity);
   const plan = readingPlan(identity, { idleThrottle });
   const way = memories.flatMap(() => [...SELECT, ...plan]);
-  const tour = await Tour.begin(job, way, chosen !== undefined, onHome);
+  const trip = await MemoryRoundTrip.begin(job, way, chosen !== undefined, onOriginal);
   const programs: TimerProgram[] = [];
   const readOnce: number[] = [];
-  await tour.run(async () => {
+  await trip.run(async () => {
     for (const [index, memory] of memories.entries()) {
-      programs[index] = await tour.read(memory, plan, idleThrottle);
+      programs[index] = await trip.read(memory, plan, idleThrottle);
       if (!exchange.damaged) readOnce.push(index);
     }
     if (!exchange.damaged) return;
     // They were believed on a single reading before damage was seen.
-    for (const index of readOnce) programs[index] = await tour.read(memories[index] as number, plan, idleThrottle);
+    for (const index of readOnce) programs[index] = await trip.read(memories[index] as number, plan, idleThrottle);
   });
-  return { home: tour.home, programs };
+  return { original: trip.original, programs };
 }
 
 export interface MemoriesWrite extends MemoriesHooks {
@@ -91,9 +91,9 @@ export interface MemoriesWrite extends MemoriesHooks {
  * cannot be carried. Later only what a hook throws, with the first memory current again. Of all else the report tells.
  */
 export async function writeMemories(
-  job: Job,
+  job: ClientJob,
   goals: readonly TimerProgram[],
-  { onHome, onMemory, baselines = [] }: MemoriesWrite,
+  { onOriginal, onMemory, baselines = [] }: MemoriesWrite,
   moveServos = false,
 ): Promise<MemoriesReport> {
   for (const goal of goals) requireGoal(job, goal);
@@ -103,14 +103,14 @@ export async function writeMemories(
       throw new TimerError('other-timer', 'a baseline is of another timer');
   }
   const plan = goals.flatMap((goal) => [...SELECT, ...readPlan(goal), ...wholeWrite(goal, moveServos)]);
-  const tour = await Tour.begin(job, plan, true, onHome);
+  const trip = await MemoryRoundTrip.begin(job, plan, true, onOriginal);
   const memories: MemoryReport[] = [];
   const write = async (goal: TimerProgram): Promise<void> => {
     const memory = goal.memory as number;
-    const before = await tour.read(memory, readPlan(goal), asksThrottle(goal));
+    const before = await trip.read(memory, readPlan(goal), asksThrottle(goal));
     requireBelieved(baselines, before);
     await job.exchange.budget.waitFor(() => onMemory?.(before, goal));
-    const report = await tour.part(memory, wholeWrite(goal, moveServos), (part) =>
+    const report = await trip.part(memory, wholeWrite(goal, moveServos), (part) =>
       writeContent(part, before, goal, moveServos),
     );
     memories.push({ memory, before, report });
@@ -118,14 +118,14 @@ export async function writeMemories(
   };
   let stopped: MemoriesReport['stopped'] = null;
   try {
-    await tour.run(async () => {
+    await trip.run(async () => {
       for (const goal of goals) await write(goal);
     });
   } catch (error) {
     if (!(error instanceof TimerError || error instanceof CodecError)) throw error;
     stopped = error;
   }
-  return { home: tour.home, isHome: stopped?.code !== 'memory-left', memories, stopped };
+  return { original: trip.original, restored: stopped?.code !== 'memory-left', memories, stopped };
 }
 
 /** @throws TimerError `stale` when a memory holds something else than was believed of it. */
@@ -136,12 +136,12 @@ function requireBelieved(baselines: readonly TimerProgram[], held: TimerProgram)
 }
 
 /** All goals must fit before any is written. A position past the last step may stand where the timer holds the same. */
-function requireGoal({ identity }: Job, goal: TimerProgram): void {
+function requireGoal({ identity }: ClientJob, goal: TimerProgram): void {
   requireShape(goal);
   if (!sameKind(identity, goal.identity)) throw new TimerError('other-timer', 'a goal is for another kind of timer');
   if (goal.memory === null) throw new TimerError('memory-unknown', 'a goal does not say for which memory it is');
   requireIndex(goal.memory, identity);
-  encodeRequest({ name: 'SETTIMERS', times: goal.timers }, { identity });
+  encodeRequest({ name: 'SETTIMERS', times: goal.times }, { identity });
   encodeReply({ name: 'GETSERVOPOS', positions: goal.positions }, { identity });
   if (goal.idleThrottle !== null) encodeRequest({ name: 'SETLOWRPM', idleThrottle: goal.idleThrottle }, { identity });
 }
@@ -157,7 +157,7 @@ function readPlan(goal: TimerProgram): CommandName[] {
 /** The exchanges of writing every value of a program and reading it back. */
 function wholeWrite(goal: TimerProgram, moveServos: boolean): CommandName[] {
   const positions = goal.positions.flat().map((): CommandName => 'SETSERVO');
-  const moves = goal.timers.flatMap((): CommandName[] => (moveServos ? ['MOVETOFUNC'] : []));
+  const moves = goal.times.flatMap((): CommandName[] => (moveServos ? ['MOVETOFUNC'] : []));
   const throttle: CommandName[] = asksThrottle(goal) ? ['SETLOWRPM'] : [];
   return [...freshPlan(goal, goal), 'SETTIMERS', ...moves, ...positions, ...throttle, ...verifyPlan(goal)];
 }

@@ -13,7 +13,7 @@ export interface Progress {
   readonly repeats: number;
   /**
    * Milliseconds since 1970, by the client's clock, by which the job has ended at the latest, with success or with an error, whatever
-   * the line does. While the job runs it moves only by the time that the caller's own `onHome` and `onMemory` take, and when the timer turns
+   * the line does. While the job runs it moves only by the time that the caller's own `onOriginal` and `onMemory` take, and when the timer turns
    * out to be slower than thought.
    */
   readonly endsBy: number;

@@ -11,10 +11,10 @@ import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
  * - `bare-checksum`: the reply to GETLOWRPM carries its command byte as checksum (row 5).
  * - `times-big-endian`: the times fall, and with their bytes exchanged they rise (row 7). A hint, not a proof: times are not
  *   written before the pilot has chosen.
- * - `servo-first` (servo, column): SETSERVO changed this cell, where function and servo are exchanged (row 9).
- * - `servo-unanswered` (servo, column): a SETSERVO got no answer where others did. It would be out of range for a timer that
+ * - `servo-first` (servo, slot): SETSERVO changed this cell, where function and servo are exchanged (row 9).
+ * - `servo-unanswered` (servo, slot): a SETSERVO got no answer where others did. It would be out of range for a timer that
  *   takes the servo first (row 9).
- * - `times-rounded` (column, sent, held): SETTIMERS was answered with another time than was sent (row 13).
+ * - `times-rounded` (slot, sent, held): SETTIMERS was answered with another time than was sent (row 13).
  * - `memories-from-one`: the timer counts its memories from 1 (row 14).
  * - `positions-unchanged`: SETSERVO was acknowledged and nothing changed (row 15).
  * - `echo`: the adapter returns the bytes that are sent (row 16).

@@ -1,9 +1,9 @@
 import type { TimerProgram } from '../program/index.js';
 import type { CommandName, Identity, ReplyOf } from '../protocol/index.js';
-import { askMemory, isNoAnswer, patienceFor, requireMemory } from './current-memory.js';
-import type { Job } from './job.js';
-import { ATTEMPTS, READS } from './patience.js';
+import { askMemory, isNoAnswer, policyFor, requireMemory } from './current-memory.js';
+import type { ClientJob } from './job.js';
 import { type Progress, StageProgress } from './progress.js';
+import { ATTEMPTS, READS } from './retry-policy.js';
 
 /** The questions for what a memory holds: only Q is known to have a motor. */
 function contentQuestions({ timerClass }: Identity, idleThrottle: boolean): CommandName[] {
@@ -30,7 +30,7 @@ export function readingPlan(identity: Identity, { idleThrottle = false, strict, 
   return ['GETSWVER', 'GETMEMORY', ...content, ...(known ? [] : content), ...ends];
 }
 
-type Content = Pick<TimerProgram, 'timers' | 'positions' | 'idleThrottle'>;
+type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 
 /**
  * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that another timer, or
@@ -40,7 +40,7 @@ type Content = Pick<TimerProgram, 'timers' | 'positions' | 'idleThrottle'>;
  * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when another memory is current than has to be; `unstable` or `crowded` when no
  * two readings agree or the memory changes all the time; as Exchange.
  */
-export async function readContent(job: Job, stage: Progress['stage'], how: Reading = {}): Promise<TimerProgram> {
+export async function readContent(job: ClientJob, stage: Progress['stage'], how: Reading = {}): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
   const { strict = false, known } = how;
   const progress = new StageProgress(stage, readingPlan(identity, how), job);
@@ -72,11 +72,11 @@ export async function readContent(job: Job, stage: Progress['stage'], how: Readi
   throw exchange.unbelievable(`not one of ${ATTEMPTS} readings was undisturbed`, 'GETMEMORY', damage);
 }
 
-function required(job: Job, memory: number | null): ReturnType<typeof requireMemory> {
+function required(job: ClientJob, memory: number | null): ReturnType<typeof requireMemory> {
   return requireMemory(job, memory, { optional: true });
 }
 
-async function isStillCurrent(job: Job, memory: number | null, how: Reading): Promise<boolean> {
+async function isStillCurrent(job: ClientJob, memory: number | null, how: Reading): Promise<boolean> {
   if (how.memory !== undefined) return (await required(job, how.memory)).memory === memory;
   const now = await askMemory(job, { expected: memory, optional: true });
   return now.memory === memory && !now.renumbered;
@@ -84,7 +84,7 @@ async function isStillCurrent(job: Job, memory: number | null, how: Reading): Pr
 
 /** Reads the content until it is believed. */
 async function agreedContent(
-  job: Job,
+  job: ClientJob,
   { strict = false, idleThrottle = false }: Reading,
   before: Content | undefined,
   progress: StageProgress,
@@ -95,7 +95,7 @@ async function agreedContent(
   for (let i = 0; i < READS; i++) {
     const { content, doubtful } = await readOnce(job, strict, idleThrottle, progress);
     if (previous && textOf(content) === textOf(previous)) {
-      noteByteOrder(job, content.timers);
+      noteByteOrder(job, content.times);
       return { content, agreed: true };
     }
     if (!strict && !doubtful && !previous) return { content, agreed: false };
@@ -107,7 +107,7 @@ async function agreedContent(
 
 /** @returns what was read, and whether anything speaks against believing it alone. */
 async function readOnce(
-  job: Job,
+  job: ClientJob,
   strict: boolean,
   idleThrottle: boolean,
   progress: StageProgress,
@@ -130,17 +130,17 @@ async function readOnce(
     throttle = await askIdleThrottle(job);
     progress.finished('GETLOWRPM');
   }
-  const content = { timers: times, positions, idleThrottle: throttle };
+  const content = { times, positions, idleThrottle: throttle };
   const isOdd =
     isMisprint || !isByteOrderKnown(job, times) || quirks.found.has('idle-throttle-malformed') !== wasMalformed;
   return { content, doubtful: exchange.damaged || exchange.strays > strays || wasRepeated || isOdd };
 }
 
 /** Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either sleeps. */
-async function askIdleThrottle({ exchange, signal, quirks }: Job): Promise<number | null> {
+async function askIdleThrottle({ exchange, signal, quirks }: ClientJob): Promise<number | null> {
   const isKnown = quirks.found.has('idle-throttle-unanswered');
   try {
-    const { idleThrottle } = await exchange.ask({ name: 'GETLOWRPM' }, signal, patienceFor(isKnown));
+    const { idleThrottle } = await exchange.ask({ name: 'GETLOWRPM' }, signal, policyFor(isKnown));
     if (idleThrottle === null) quirks.note('idle-throttle-malformed');
     return idleThrottle;
   } catch (error) {
@@ -152,12 +152,12 @@ async function askIdleThrottle({ exchange, signal, quirks }: Job): Promise<numbe
 
 /** The first question on which two readings did not agree. */
 function differing(a: Content, b: Content): CommandName {
-  if (JSON.stringify(a.timers) !== JSON.stringify(b.timers)) return 'GETTIMERS';
+  if (JSON.stringify(a.times) !== JSON.stringify(b.times)) return 'GETTIMERS';
   return JSON.stringify(a.positions) === JSON.stringify(b.positions) ? 'GETLOWRPM' : 'GETSERVOPOS';
 }
 
-function textOf({ timers, positions, idleThrottle }: Content): string {
-  return JSON.stringify([timers, positions, idleThrottle]);
+function textOf({ times, positions, idleThrottle }: Content): string {
+  return JSON.stringify([times, positions, idleThrottle]);
 }
 
 /** What the times say of their byte order: `other` when they rise only with their bytes exchanged. */
@@ -168,20 +168,20 @@ function byteOrderOf(times: readonly number[]): 'this' | 'other' | 'open' {
 }
 
 /** Whether these times say nothing new of their byte order. */
-function isByteOrderKnown({ quirks }: Job, times: readonly number[]): boolean {
+function isByteOrderKnown({ quirks }: ClientJob, times: readonly number[]): boolean {
   const isSuspected = quirks.found.has('times-big-endian');
   return byteOrderOf(times) !== (isSuspected ? 'this' : 'other') || quirks.assumed.bigEndianTimes === true;
 }
 
-function noteByteOrder(job: Job, times: readonly number[]): void {
+function noteByteOrder(job: ClientJob, times: readonly number[]): void {
   if (isByteOrderKnown(job, times)) return;
   if (byteOrderOf(times) === 'other') job.quirks.note('times-big-endian');
   else job.quirks.drop('times-big-endian');
 }
 
-/** Whether the functions follow one another. Column 0 takes no part: it is the motor stop, or reserved. */
+/** Whether the functions follow one another. Slot 0 takes no part: it is the motor stop, or reserved. */
 function rises(times: readonly number[]): boolean {
-  return times.every((time, column) => column < 2 || time >= (times[column - 1] as number));
+  return times.every((time, slot) => slot < 2 || time >= (times[slot - 1] as number));
 }
 
 function swapBytes(time: number): number {

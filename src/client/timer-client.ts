@@ -2,9 +2,9 @@ import { type Clock, realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
 import { type CommandName, encodeRequest, type Frame, type Identity, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
-import { Exchange, type Patience } from './exchange.js';
-import type { Job } from './job.js';
-import { LinePace } from './line-pace.js';
+import { Exchange, type RetryPolicy } from './exchange.js';
+import type { ClientJob } from './job.js';
+import { LearnedTiming } from './line-timing.js';
 import type { LineEntry, LineErrorKind } from './log.js';
 import {
   type MemoriesHooks,
@@ -14,11 +14,11 @@ import {
   readMemories,
   writeMemories,
 } from './memories.js';
+import { SELECT, select } from './memory-round-trip.js';
 import type { BytePort } from './port.js';
 import type { Progress } from './progress.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
 import { readContent, readingPlan } from './read-program.js';
-import { SELECT, select } from './tour.js';
 import { Wire } from './wire.js';
 import { type WriteReport, writeContent, writePlan } from './write-program.js';
 
@@ -75,7 +75,7 @@ export interface WriteOptions extends JobOptions, MoveOptions {
   readonly baseline: TimerProgram;
 }
 
-export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'onHome'> {
+export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'onOriginal'> {
   /** Counted from 0. Default: all that the timer has. */
   readonly memories?: readonly number[] | undefined;
 }
@@ -90,15 +90,15 @@ export class TimerClient {
   readonly #wire: Wire;
   readonly #exchange: Exchange;
   readonly #quirks: Quirks;
-  readonly #pace: LinePace;
+  readonly #timing: LearnedTiming;
   #queue: Promise<unknown> = Promise.resolve();
 
   constructor(port: BytePort, options: TimerClientOptions = {}) {
     const { baudRate = 9600, clock = realClock, margin = 600, onLine, onLost } = options;
     this.#quirks = new Quirks(options.quirks ?? {});
-    this.#pace = new LinePace({ baudRate, margin });
-    this.#wire = new Wire(port, this.#quirks, { pace: this.#pace, clock, onLine, onLost });
-    this.#exchange = new Exchange(this.#wire, clock, this.#pace);
+    this.#timing = new LearnedTiming({ baudRate, margin });
+    this.#wire = new Wire(port, this.#quirks, { timing: this.#timing, clock, onLine, onLost });
+    this.#exchange = new Exchange(this.#wire, clock, this.#timing);
   }
 
   /** What the timer said of itself; null before {@link identify}. */
@@ -152,12 +152,12 @@ export class TimerClient {
    * requests are given that much longer.
    */
   get delay(): number | null {
-    return this.#pace.delay;
+    return this.#timing.delay;
   }
 
   /** Milliseconds beyond the time of the bytes that a reply may take by now, see {@link TimerClientOptions}. */
   get margin(): number {
-    return this.#pace.margin;
+    return this.#timing.margin;
   }
 
   /** How often the port told of each kind of error of the line. Reading went on behind all of them. */
@@ -171,8 +171,8 @@ export class TimerClient {
   }
 
   /** Asks the timer what it is (GETSWVER). */
-  identify({ signal, ...patience }: IdentifyOptions = {}): Promise<Identity> {
-    return this.#inTurn(() => this.#identify(signal, patience));
+  identify({ signal, ...policy }: IdentifyOptions = {}): Promise<Identity> {
+    return this.#inTurn(() => this.#identify(signal, policy));
   }
 
   /**
@@ -263,11 +263,11 @@ export class TimerClient {
   }
 
   /**
-   * Moves the servos to a column (MOVETOFUNC). Sent once: after `no-answer` they may have moved.
-   * @param column 0 start, 1 .. NF-1 functions, NF is DT.
+   * Moves the servos to a slot (MOVETOFUNC). Sent once: after `no-answer` they may have moved.
+   * @param slot 0 start, 1 .. NF-1 functions, NF is DT.
    */
-  moveToFunction(column: number, options: JobOptions = {}): Promise<void> {
-    return this.#command({ name: 'MOVETOFUNC', function: column }, options);
+  moveToFunction(slot: number, options: JobOptions = {}): Promise<void> {
+    return this.#command({ name: 'MOVETOFUNC', function: slot }, options);
   }
 
   /** Frees the motor (UNLOCK). A propeller may start after that. Sent once: after `no-answer` the motor may be free. */
@@ -283,12 +283,12 @@ export class TimerClient {
   /**
    * Stores one position in the current memory (SETSERVO). The acknowledgement is all that is known of it until the next read.
    * @param servo counted from 0.
-   * @param column 0 start, 1 .. NF-1 functions, NF is DT.
+   * @param slot 0 start, 1 .. NF-1 functions, NF is DT.
    * @param position steps, 0..130.
    * @throws CodecError before anything is sent when the value cannot be carried; else TimerError, after which it may have been stored.
    */
-  setPosition(servo: number, column: number, position: number, options: JobOptions = {}): Promise<void> {
-    return this.#command({ name: 'SETSERVO', servo, function: column, position }, options);
+  setPosition(servo: number, slot: number, position: number, options: JobOptions = {}): Promise<void> {
+    return this.#command({ name: 'SETSERVO', servo, function: slot, position }, options);
   }
 
   /**
@@ -337,17 +337,20 @@ export class TimerClient {
     });
   }
 
-  async #identify(signal: AbortSignal | undefined, patience: Patience = {}): Promise<Identity> {
+  async #identify(signal: AbortSignal | undefined, policy: RetryPolicy = {}): Promise<Identity> {
     this.#exchange.begin(['GETSWVER']);
     const before = this.identity;
-    const { identity } = await this.#exchange.identify(signal, patience);
+    const { identity } = await this.#exchange.identify(signal, policy);
     // What was found of another timer says nothing of this one.
     if (before && !sameKind(before, identity)) this.#quirks.reset();
     return identity;
   }
 
   /** @param plan the exchanges that the job will need; nothing for one that says so itself. */
-  async #job({ signal, onProgress }: JobOptions, plan?: (identity: Identity) => readonly CommandName[]): Promise<Job> {
+  async #job(
+    { signal, onProgress }: JobOptions,
+    plan?: (identity: Identity) => readonly CommandName[],
+  ): Promise<ClientJob> {
     throwIfAborted(signal);
     const identity = this.identity ?? (await this.#identify(signal));
     if (plan) this.#exchange.begin(plan(identity));

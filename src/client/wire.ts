@@ -18,15 +18,15 @@ import {
 } from '../protocol/index.js';
 import { tell } from './callback.js';
 import { TimerError } from './errors.js';
-import type { LinePace } from './line-pace.js';
+import type { LearnedTiming } from './line-timing.js';
 import type { LineEntry, LineErrorKind } from './log.js';
-import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './patience.js';
 import type { BytePort } from './port.js';
 import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
+import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './retry-policy.js';
 
 export interface WireOptions {
-  readonly pace: LinePace;
+  readonly timing: LearnedTiming;
   readonly clock: Clock;
   readonly onLine: ((entry: LineEntry) => void) | undefined;
   readonly onLost: ((error: TimerError) => void) | undefined;
@@ -265,15 +265,15 @@ export class Wire {
 
   /** Ends the wait when the time is up; while bytes are still coming it lasts until they stop, one longest frame at most. */
   #waitFor(size: number): () => void {
-    const { clock, pace } = this.#options;
+    const { clock, timing } = this.#options;
     const begin = clock.now();
     let cancel: () => void = () => {};
     const look = (): void => {
       const now = clock.now();
       const quietFor = now - this.#lastByteAt;
       // A late reply to another request may have shown meanwhile that this timer takes longer.
-      const until = begin + replyTime(size, pace);
-      const isComing = quietFor < SILENCE && now < until + overtime(pace);
+      const until = begin + replyTime(size, timing);
+      const isComing = quietFor < SILENCE && now < until + overtime(timing);
       if (now < until || isComing) {
         cancel = clock.after(Math.max(until - now, isComing ? SILENCE - quietFor : 0), look);
         return;
@@ -281,7 +281,7 @@ export class Wire {
       this.#dispatch(this.#decoder.idle(), false);
       this.#waiting?.giveUp();
     };
-    cancel = clock.after(replyTime(size, pace), look);
+    cancel = clock.after(replyTime(size, timing), look);
     return () => cancel();
   }
 
@@ -304,13 +304,13 @@ export class Wire {
 
   /** Whether a frame answers a request whose time is up. */
   #isLate({ code, data }: Frame, inTime: boolean): boolean {
-    const { clock, pace } = this.#options;
+    const { clock, timing } = this.#options;
     for (const [letter, unanswered] of this.#unanswered) {
       const name = commandOf(letter)?.name;
       if (unanswered.due === 0 || !(code === letter + 1 || (name && answers(code, name)))) continue;
       const { due, sentAt, size } = unanswered;
       this.#unanswered.set(letter, { due: due - 1, sentAt, size });
-      if (inTime) pace.learn(clock.now() - sentAt - wireTime(size + frameSize(data.length), pace.baudRate));
+      if (inTime) timing.learn(clock.now() - sentAt - wireTime(size + frameSize(data.length), timing.baudRate));
       return true;
     }
     return false;

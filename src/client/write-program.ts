@@ -16,7 +16,7 @@ import {
   type Request,
 } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
-import type { Job } from './job.js';
+import type { ClientJob } from './job.js';
 import { StageProgress } from './progress.js';
 import { type Reading, readContent, readingPlan } from './read-program.js';
 
@@ -83,7 +83,7 @@ function verification({ memory, idleThrottle }: TimerProgram): Reading {
  * it and what is known of each value.
  */
 export async function writeContent(
-  job: Job,
+  job: ClientJob,
   baseline: TimerProgram,
   goal: TimerProgram,
   moveServos = false,
@@ -175,18 +175,18 @@ function putBack(field: ProgramField): { field: ProgramField; asked: boolean } {
 
 /** Positions in the order of the functions, so that the servos move once for each. */
 function byColumn(requests: readonly Request[]): Request[] {
-  const column = (request: Request): number => (request.name === 'SETSERVO' ? request.function : -1);
-  return [...requests].sort((a, b) => column(a) - column(b));
+  const slot = (request: Request): number => (request.name === 'SETSERVO' ? request.function : -1);
+  return [...requests].sort((a, b) => slot(a) - slot(b));
 }
 
 /** Asks, and notes a SETSERVO without an answer that a timer which takes the servo first would have found out of range. */
-async function askNoting({ exchange, identity, signal, quirks }: Job, request: Request): Promise<Reply> {
+async function askNoting({ exchange, identity, signal, quirks }: ClientJob, request: Request): Promise<Reply> {
   try {
     return await exchange.ask(request, signal);
   } catch (error) {
     const isSilent = error instanceof TimerError && error.code === 'no-answer';
     if (isSilent && request.name === 'SETSERVO' && request.function >= identity.servos) {
-      quirks.note('servo-unanswered', { servo: request.servo, column: request.function });
+      quirks.note('servo-unanswered', { servo: request.servo, slot: request.function });
     }
     throw error;
   }
@@ -194,29 +194,29 @@ async function askNoting({ exchange, identity, signal, quirks }: Job, request: R
 
 /** The timer rounds when its acknowledgement and the reading back say the same other time than was sent. */
 function noteRounding(
-  { quirks }: Job,
-  { timers }: TimerProgram,
+  { quirks }: ClientJob,
+  { times }: TimerProgram,
   said: readonly number[] | null,
   held: TimerProgram,
 ): void {
-  const column = timers.findIndex((time, index) => time !== said?.[index] && said?.[index] === held.timers[index]);
-  if (column < 0) return;
-  quirks.note('times-rounded', { column, sent: timers[column] as number, held: held.timers[column] as number });
+  const slot = times.findIndex((time, index) => time !== said?.[index] && said?.[index] === held.times[index]);
+  if (slot < 0) return;
+  quirks.note('times-rounded', { slot, sent: times[slot] as number, held: held.times[slot] as number });
 }
 
 /** Whoever keeps positions of two functions although nothing moved does not need the servos to stand there. */
-function noteKept({ quirks }: Job, asked: readonly Change[], held: TimerProgram): void {
-  const columns = asked.flatMap(({ field, to }) =>
-    field.kind === 'position' && valueAt(held, field) === to ? [field.column] : [],
+function noteKept({ quirks }: ClientJob, asked: readonly Change[], held: TimerProgram): void {
+  const slots = asked.flatMap(({ field, to }) =>
+    field.kind === 'position' && valueAt(held, field) === to ? [field.slot] : [],
   );
-  if (new Set(columns).size > 1) quirks.drop('positions-unchanged', 'positionsNeedMove');
+  if (new Set(slots).size > 1) quirks.drop('positions-unchanged', 'positionsNeedMove');
 }
 
 /**
  * Nothing may be written into another timer, another memory or over other values than the pilot saw.
  * @throws TimerError `other-timer`, `other-memory`, `memory-unknown`, `stale`.
  */
-async function requireHeld(job: Job, baseline: TimerProgram, goal: TimerProgram): Promise<void> {
+async function requireHeld(job: ClientJob, baseline: TimerProgram, goal: TimerProgram): Promise<void> {
   const held = await readContent(job, 'read', freshReading(baseline, goal));
   if (isHeld(baseline, held)) return;
   throw new TimerError('stale', 'the timer holds something else than the baseline', { held });
@@ -259,7 +259,7 @@ function changedElsewhere(wrong: readonly Change[], sent: readonly Request[]): b
  * @param acknowledged whether each request was.
  */
 function repairs(
-  job: Job,
+  job: ClientJob,
   held: TimerProgram,
   asked: readonly Change[],
   goal: TimerProgram,
@@ -269,7 +269,7 @@ function repairs(
   const wrong = unasked(held, goal, asked);
   const exchanged = wrong.find(({ field, from }) => isExchanged(sent, field, from))?.field;
   if (exchanged?.kind === 'position') {
-    job.quirks.note('servo-first', { servo: exchanged.servo, column: exchanged.column });
+    job.quirks.note('servo-first', { servo: exchanged.servo, slot: exchanged.slot });
     const cells = wrong.filter(({ field }) => field.kind === 'position');
     return { requests: requestsFor(held, goal, cells), quirks: { servoFirst: !job.quirks.assumed.servoFirst } };
   }
@@ -296,7 +296,7 @@ function isExchanged(sent: readonly Request[], field: ProgramField, value: numbe
       field.kind === 'position' &&
       request.function !== request.servo &&
       request.function === field.servo &&
-      request.servo === field.column &&
+      request.servo === field.slot &&
       request.position === value,
   );
 }

@@ -77,34 +77,34 @@ export class ConnectionTarget extends EventTarget {
     if (dispatching.has(event)) throw invalidState('The event is being dispatched.');
     const ancestors: ConnectionTarget[] = [];
     for (let target = this.#parent; target; target = target.#parent) ancestors.push(target);
-    const journey = new Journey(event, this, [this, ...ancestors]);
+    const path = new EventPath(event, this, [this, ...ancestors]);
     dispatching.add(event);
-    for (const ancestor of [...ancestors].reverse()) ancestor.#invoke(journey, CAPTURING, true);
-    this.#invoke(journey, AT_TARGET, true);
-    this.#invoke(journey, AT_TARGET, false);
-    if (event.bubbles) for (const ancestor of ancestors) ancestor.#invoke(journey, BUBBLING, false);
-    journey.end();
+    for (const ancestor of [...ancestors].reverse()) ancestor.#invoke(path, CAPTURING, true);
+    this.#invoke(path, AT_TARGET, true);
+    this.#invoke(path, AT_TARGET, false);
+    if (event.bubbles) for (const ancestor of ancestors) ancestor.#invoke(path, BUBBLING, false);
+    path.end();
     dispatching.delete(event);
     return !event.defaultPrevented;
   }
 
-  #invoke(journey: Journey, phase: number, capture: boolean): void {
-    if (journey.stopped) return;
-    journey.visit(this, phase);
+  #invoke(path: EventPath, phase: number, capture: boolean): void {
+    if (path.stopped) return;
+    path.reach(this, phase);
     for (const registration of [...this.#registrations]) {
       const { type, listener, once } = registration;
-      if (type !== journey.event.type || registration.capture !== capture || registration.removed) continue;
+      if (type !== path.event.type || registration.capture !== capture || registration.removed) continue;
       if (once) this.#remove(registration);
       try {
-        if (typeof listener === 'function') listener.call(this, journey.event);
-        else listener.handleEvent(journey.event);
+        if (typeof listener === 'function') listener.call(this, path.event);
+        else listener.handleEvent(path.event);
       } catch (error) {
         // A listener's error is reported like any uncaught one and hinders neither the others nor the dispatcher.
         queueMicrotask(() => {
           throw error;
         });
       }
-      if (journey.cutShort) return;
+      if (path.cutShort) return;
     }
   }
 
@@ -134,7 +134,7 @@ export class ConnectionTarget extends EventTarget {
 }
 
 /** One dispatch of an event: what it shows of itself on the way, and whether a listener has stopped it. */
-class Journey {
+class EventPath {
   readonly event: Event;
   stopped = false;
   /** Stopped so that even the other listeners of the same target do not hear of it. */
@@ -152,7 +152,7 @@ class Journey {
     });
   }
 
-  visit(target: ConnectionTarget, phase: number): void {
+  reach(target: ConnectionTarget, phase: number): void {
     this.#show({ currentTarget: { value: target }, eventPhase: { value: phase } });
   }
 

@@ -1,5 +1,5 @@
 import { type Identity, MAX_POSITION, MAX_TIME } from '../protocol/index.js';
-import { columnKind, fieldsOf, type ProgramField, requireShape, type TimerProgram, valueAt } from './program.js';
+import { fieldsOf, type ProgramField, requireShape, slotKind, type TimerProgram, valueAt } from './program.js';
 
 /**
  * How much a finding weighs. An `error` is what the wire cannot carry: it cannot be written. A `serious` one may cost a model
@@ -67,14 +67,14 @@ const USUAL_THROTTLE = 100;
 
 /**
  * Everything that a pilot should know of a program before it is written: errors first to last field, then warnings.
- * Column 0 takes no part in the rising order: it is the motor stop on Q and reserved on B and E.
+ * Slot 0 takes no part in the rising order: it is the motor stop on Q and reserved on B and E.
  * @throws CodecError `wrong-count` when the lists do not have the shape of the identity.
  */
 export function checkProgram(program: TimerProgram, options: CheckOptions = {}): Finding[] {
   requireShape(program);
   const errors = fieldsOf(program.identity).flatMap((field) => carried(program, field, options.baseline));
   const wrong = new Set(
-    errors.filter((e) => e.severity === 'error' && e.field?.kind === 'time').map((e) => column(e.field)),
+    errors.filter((e) => e.severity === 'error' && e.field?.kind === 'time').map((e) => slot(e.field)),
   );
   return [
     ...errors,
@@ -92,8 +92,8 @@ export function hasErrors(findings: readonly Finding[]): boolean {
   return findings.some(({ severity }) => severity === 'error');
 }
 
-function column(field: ProgramField | null): number {
-  return field && field.kind !== 'idleThrottle' ? field.column : -1;
+function slot(field: ProgramField | null): number {
+  return field && field.kind !== 'idleThrottle' ? field.slot : -1;
 }
 
 /** What the wire cannot carry. */
@@ -111,13 +111,13 @@ function carried(program: TimerProgram, field: ProgramField, baseline: TimerProg
 }
 
 /** Functions rise strictly: certain for Q. For B and E the manuals differ, so it weighs less there. */
-function order({ identity, timers, positions }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
+function order({ identity, times, positions }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
   const found: Finding[] = [];
   for (let at = 2; at <= identity.functions; at++) {
     if (wrong.has(at) || wrong.has(at - 1)) continue;
-    const previous = timers[at - 1] as number;
-    const time = timers[at] as number;
-    const field: ProgramField = { kind: 'time', column: at };
+    const previous = times[at - 1] as number;
+    const time = times[at] as number;
+    const field: ProgramField = { kind: 'time', slot: at };
     if (time < previous) {
       const severity = identity.timerClass === 'B' || identity.timerClass === 'E' ? 'warning' : 'serious';
       found.push({ severity, code: 'time-falls', field, params: { previous } });
@@ -130,11 +130,11 @@ function order({ identity, timers, positions }: TimerProgram, wrong: ReadonlySet
   return found;
 }
 
-function motor({ identity, timers }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
+function motor({ identity, times }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
   if (identity.timerClass !== 'Q' || wrong.has(0)) return [];
-  const field: ProgramField = { kind: 'time', column: 0 };
-  const stop = timers[0] as number;
-  const dt = timers[identity.functions] as number;
+  const field: ProgramField = { kind: 'time', slot: 0 };
+  const stop = times[0] as number;
+  const dt = times[identity.functions] as number;
   const found: Finding[] = [];
   if (!wrong.has(identity.functions) && stop > dt) {
     found.push({ severity: 'serious', code: 'motor-stop-after-dt', field, params: { dt } });
@@ -157,24 +157,24 @@ const HUNDREDTHS: ManualRange = { min: 1, max: 999, step: 1 };
 const SECONDS: ManualRange = { min: 100, max: 72000, step: 100 };
 
 /**
- * The range and the step that the manual gives for the time of a column; null where it gives none: class E, an unknown class, the
- * reserved column of B.
+ * The range and the step that the manual gives for the time of a slot; null where it gives none: class E, an unknown class, the
+ * reserved slot of B.
  */
 export function manualRange(identity: Identity, at: number): ManualRange | null {
   const { timerClass } = identity;
   if (timerClass !== 'Q' && timerClass !== 'B') return null;
-  const kind = columnKind(identity, at);
+  const kind = slotKind(identity, at);
   if (kind === 'dt') return SECONDS;
   if (timerClass === 'Q') return TENTHS;
   if (kind === 'start') return null;
   return at <= 2 ? HUNDREDTHS : TENTHS;
 }
 
-function manual({ identity, timers }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
-  return timers.flatMap((time, at): Finding[] => {
+function manual({ identity, times }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
+  return times.flatMap((time, at): Finding[] => {
     const range = manualRange(identity, at);
     if (!range || wrong.has(at)) return [];
-    const field: ProgramField = { kind: 'time', column: at };
+    const field: ProgramField = { kind: 'time', slot: at };
     const { min, max, step } = range;
     if (time < min || time > max) {
       return [{ severity: 'warning', code: 'time-outside-manual', field, params: { min, max } }];
@@ -184,10 +184,10 @@ function manual({ identity, timers }: TimerProgram, wrong: ReadonlySet<number>):
   });
 }
 
-function dethermaliser({ identity, timers }: TimerProgram, limit: number): Finding[] {
+function dethermaliser({ identity, times }: TimerProgram, limit: number): Finding[] {
   const at = identity.functions;
-  if ((timers[at] as number) >= limit) return [];
-  return [{ severity: 'warning', code: 'dt-short', field: { kind: 'time', column: at }, params: { limit } }];
+  if ((times[at] as number) >= limit) return [];
+  return [{ severity: 'warning', code: 'dt-short', field: { kind: 'time', slot: at }, params: { limit } }];
 }
 
 function throttle({ idleThrottle }: TimerProgram): Finding[] {

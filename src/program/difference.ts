@@ -12,7 +12,7 @@ export interface Change {
 /**
  * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. The memory that
  * they come from is not one of them.
- * @throws CodecError `wrong-count` when they do not have the same columns and servos.
+ * @throws CodecError `wrong-count` when they do not have the same slots and servos.
  */
 export function differences(from: TimerProgram, to: TimerProgram): Change[] {
   requireShape(from);
@@ -33,11 +33,11 @@ export function differences(from: TimerProgram, to: TimerProgram): Change[] {
 export function changeRequests(from: TimerProgram, to: TimerProgram): Request[] {
   const changes = differences(from, to);
   const requests: Request[] = [];
-  if (changes.some(({ field }) => field.kind === 'time')) requests.push({ name: 'SETTIMERS', times: to.timers });
+  if (changes.some(({ field }) => field.kind === 'time')) requests.push({ name: 'SETTIMERS', times: to.times });
   for (const { field, to: value } of changes) {
     if (value === null) continue;
     if (field.kind === 'position') {
-      requests.push({ name: 'SETSERVO', function: field.column, servo: field.servo, position: value });
+      requests.push({ name: 'SETSERVO', function: field.slot, servo: field.servo, position: value });
     } else if (field.kind === 'idleThrottle') {
       requests.push({ name: 'SETLOWRPM', idleThrottle: value });
     }

@@ -11,13 +11,13 @@ export {
 export { type Change, changeRequests, differences } from './difference.js';
 export { type PartOfWrite, partWritten, type WriteExtent } from './interrupted.js';
 export {
-  columnKind,
   fieldKey,
   fieldsOf,
   type ProgramField,
   requireShape,
   sameKind,
   sameLayout,
+  slotKind,
   type TimerProgram,
   valueAt,
   withValue,

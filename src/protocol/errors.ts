@@ -3,7 +3,7 @@
  *
  * - `not-an-integer`: a value is not a whole number.
  * - `out-of-range`: a value is smaller or larger than its field can carry on this timer.
- * - `wrong-count`: a list does not have one entry for each column, or for each servo.
+ * - `wrong-count`: a list does not have one entry for each slot, or for each servo.
  * - `wrong-length`: the data of a frame is shorter or longer than its command wants, or than a frame can hold.
  * - `unknown-command`: no command has this letter.
  * - `unexpected-reply`: the frame does not answer the request that waits.

@@ -1,5 +1,5 @@
 import { CodecError, requireInteger } from './errors.js';
-import { columnCount, decodeIdentity, encodeIdentity, type Identity } from './identity.js';
+import { decodeIdentity, encodeIdentity, type Identity, slotCount } from './identity.js';
 
 /** How this timer departs from the reading of the protocol that is taken for right. All off unless asked for. */
 export interface LayoutQuirks {
@@ -12,7 +12,7 @@ export interface LayoutQuirks {
 }
 
 /** What the layout of a message may depend on besides its values. */
-export interface Layout {
+export interface LayoutOptions {
   readonly identity?: Identity | undefined;
   readonly quirks?: LayoutQuirks | undefined;
 }
@@ -25,9 +25,9 @@ export interface Field<Name extends string = string, Value = unknown> {
   readonly name: Name;
   /** Bytes that it takes for a timer of this identity; for one that may be missing, with it. */
   size(identity: Identity): number;
-  encode(value: Value, layout: Layout): readonly number[];
+  encode(value: Value, layout: LayoutOptions): readonly number[];
   /** @param data exactly the bytes of this value, as many as there are. */
-  decode(data: Uint8Array, layout: Layout): Value;
+  decode(data: Uint8Array, layout: LayoutOptions): Value;
 }
 
 function requireLength(data: Uint8Array, min: number, max: number): void {
@@ -41,7 +41,7 @@ function requireLength(data: Uint8Array, min: number, max: number): void {
 
 /** A number of one byte, 0 up to `max` of the identity; to 255 while the identity is unknown. */
 export function byteField<Name extends string>(name: Name, max: (identity: Identity) => number): Field<Name, number> {
-  const check = (value: number, { identity }: Layout): number => {
+  const check = (value: number, { identity }: LayoutOptions): number => {
     requireInteger(value, name, 0, identity ? max(identity) : 255);
     return value;
   };
@@ -112,14 +112,14 @@ function firstMemory(quirks: LayoutQuirks | undefined): number {
   return quirks?.memoriesFromOne ? 1 : 0;
 }
 
-/** Every column's time in hundredths of a second, 16 bits each, low byte first. */
+/** Every slot's time in hundredths of a second, 16 bits each, low byte first. */
 export const timesField: Field<'times', readonly number[]> = {
   name: 'times',
-  size: (identity) => 2 * columnCount(identity),
+  size: (identity) => 2 * slotCount(identity),
   encode(times, { identity, quirks }) {
-    requireCount(times, 'times', identity && columnCount(identity));
-    return times.flatMap((time, column) => {
-      requireInteger(time, `times[${column}]`, 0, MAX_TIME);
+    requireCount(times, 'times', identity && slotCount(identity));
+    return times.flatMap((time, slot) => {
+      requireInteger(time, `times[${slot}]`, 0, MAX_TIME);
       const low = time & 0xff;
       const high = time >> 8;
       return quirks?.bigEndianTimes ? [high, low] : [low, high];
@@ -131,7 +131,7 @@ export const timesField: Field<'times', readonly number[]> = {
       throw new CodecError('wrong-length', 'data', `times are two bytes each, got ${data.length}`, { bytes: data });
     }
     const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
-    return Array.from({ length: data.length / 2 }, (_, column) => view.getUint16(2 * column, !quirks?.bigEndianTimes));
+    return Array.from({ length: data.length / 2 }, (_, slot) => view.getUint16(2 * slot, !quirks?.bigEndianTimes));
   },
 };
 
@@ -143,17 +143,17 @@ export const acknowledgedTimesField: Field<'times', readonly number[] | null> = 
   decode: (data, layout) => (data.length === 0 ? null : timesField.decode(data, layout)),
 };
 
-/** Every servo's position in every column, servo by servo: S1 start .. DT, then S2, and so on. */
+/** Every servo's position in every slot, servo by servo: S1 start .. DT, then S2, and so on. */
 export const positionsField: Field<'positions', readonly (readonly number[])[]> = {
   name: 'positions',
-  size: (identity) => identity.servos * columnCount(identity),
+  size: (identity) => identity.servos * slotCount(identity),
   encode(positions, { identity }) {
     requireCount(positions, 'positions', identity?.servos);
     return positions.flatMap((row, servo) => {
-      requireCount(row, `positions[${servo}]`, identity && columnCount(identity));
-      row.forEach((position, column) => {
+      requireCount(row, `positions[${servo}]`, identity && slotCount(identity));
+      row.forEach((position, slot) => {
         // A timer may hold what cannot be set, 131 to 255, and then it says so.
-        requireInteger(position, `positions[${servo}][${column}]`, 0, 255);
+        requireInteger(position, `positions[${servo}][${slot}]`, 0, 255);
       });
       return row;
     });
@@ -161,9 +161,9 @@ export const positionsField: Field<'positions', readonly (readonly number[])[]> 
   decode(data, { identity }) {
     if (!identity) throw new CodecError('identity-needed', 'positions', 'positions need the number of servos');
     requireLength(data, this.size(identity), this.size(identity));
-    const columns = columnCount(identity);
+    const slots = slotCount(identity);
     return Array.from({ length: identity.servos }, (_, servo) => [
-      ...data.subarray(servo * columns, (servo + 1) * columns),
+      ...data.subarray(servo * slots, (servo + 1) * slots),
     ]);
   },
 };

@@ -21,8 +21,8 @@ export interface Identity {
   readonly servos: number;
 }
 
-/** The columns of a program: start, function 1 .. NF-1, DT. */
-export function columnCount(identity: Identity): number {
+/** The slots of a program: start, function 1 .. NF-1, DT. */
+export function slotCount(identity: Identity): number {
   return identity.functions + 1;
 }
 
@@ -43,8 +43,8 @@ export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
     const value = identity[field];
     if (!Number.isInteger(value) || value < 1 || value > 255) refuse(field, `${field} must be 1 to 255, not ${value}`);
   }
-  if (2 * columnCount(identity) > MAX_DATA) refuse('functions', 'more functions than one frame of times can hold');
-  if (identity.servos * columnCount(identity) > MAX_DATA) {
+  if (2 * slotCount(identity) > MAX_DATA) refuse('functions', 'more functions than one frame of times can hold');
+  if (identity.servos * slotCount(identity) > MAX_DATA) {
     refuse('servos', 'more servo positions than one frame can hold');
   }
 }

@@ -18,7 +18,7 @@ export {
   type RejectionReason,
 } from './decoder.js';
 export { CodecError, type CodecErrorCode, type CodecErrorDetails } from './errors.js';
-export { type Layout, type LayoutQuirks, MAX_POSITION, MAX_TIME } from './fields.js';
+export { type LayoutOptions, type LayoutQuirks, MAX_POSITION, MAX_TIME } from './fields.js';
 export {
   checksum,
   type EncodeFrameOptions,
@@ -32,7 +32,7 @@ export {
   ZEROS_NEEDED,
   ZEROS_SENT,
 } from './frame.js';
-export { columnCount, type Identity, requireIdentity, type TimerClass } from './identity.js';
+export { type Identity, requireIdentity, slotCount, type TimerClass } from './identity.js';
 export {
   answers,
   type CodecOptions,

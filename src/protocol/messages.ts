@@ -1,13 +1,13 @@
 import { COMMANDS, type CommandName, commandOf, type Reply, type Request } from './commands.js';
 import { CodecError } from './errors.js';
-import type { Field, Layout } from './fields.js';
+import type { Field, LayoutOptions } from './fields.js';
 import { type EncodeFrameOptions, encodeFrame, type Frame, frameSize } from './frame.js';
 import type { Identity } from './identity.js';
 
 /** Everything in which a timer may depart from the reading of the protocol that is taken for right, as far as bytes go. */
-export interface CodecOptions extends Layout, EncodeFrameOptions {}
+export interface CodecOptions extends LayoutOptions, EncodeFrameOptions {}
 
-export interface DecodeReplyOptions extends Layout {
+export interface DecodeReplyOptions extends LayoutOptions {
   /** The request that waits. Without it the reply is named by its letter alone. */
   readonly pending?: Request | CommandName | undefined;
 }
@@ -28,7 +28,7 @@ export function encodeRequest(request: Request, options: CodecOptions = {}): Uin
  * A request as a timer reads it.
  * @throws CodecError `unknown-command`, `wrong-length`, `out-of-range`.
  */
-export function decodeRequest(frame: Frame, options: Layout = {}): Request {
+export function decodeRequest(frame: Frame, options: LayoutOptions = {}): Request {
   const command = commandOf(frame.code);
   if (command?.direction !== 'request') throw unknownCommand(frame);
   const values = decodeFields(requestFields(command.name, options), frame.data, options);
@@ -83,7 +83,7 @@ export function exchangeSize(name: CommandName, identity: Identity): { request: 
   return { request: size(requestFields(name, {})), reply: size(replyFields(name)) };
 }
 
-function requestFields(name: CommandName, { quirks }: Layout): readonly Field[] {
+function requestFields(name: CommandName, { quirks }: LayoutOptions): readonly Field[] {
   if (name === 'SETSERVO' && quirks?.servoFirst) {
     const [functionField, servoField, positionField] = COMMANDS.SETSERVO.sends;
     return [servoField, functionField, positionField];
@@ -95,11 +95,11 @@ function replyFields(name: CommandName): readonly Field[] {
   return COMMANDS[name].answers;
 }
 
-function encodeFields(fields: readonly Field[], values: object, layout: Layout): readonly number[] {
+function encodeFields(fields: readonly Field[], values: object, layout: LayoutOptions): readonly number[] {
   return fields.flatMap((field) => field.encode((values as Values)[field.name], layout));
 }
 
-function decodeFields(fields: readonly Field[], data: Uint8Array, layout: Layout): Values {
+function decodeFields(fields: readonly Field[], data: Uint8Array, layout: LayoutOptions): Values {
   if (data.length < fields.length - 1 || (fields.length === 0 && data.length > 0)) {
     throw new CodecError('wrong-length', 'data', `${data.length} bytes do not fit this command`, { bytes: data });
   }

@@ -1,10 +1,10 @@
 export { availability, choosePort, rememberedPorts, type Surroundings } from './choose.js';
 export { type ConnectOptions, connect, type DirectConnection } from './connection.js';
 export { ConnectionError, type ConnectionErrorCode } from './errors.js';
-export type { Heard } from './heard.js';
 export { type RememberedPort, TimerLink, type TimerLinkOptions } from './link.js';
 export type { LinkState, TimerConnection } from './link-state.js';
 export { LINK_TABLE, type LinkEvent, type LinkStatus } from './link-table.js';
 export { type KnownPort, type PortKind, portKey, portKind } from './ports.js';
+export type { Heard } from './rate-listener.js';
 export { DEFAULT_SETTINGS, type OpenedSettings, RATES, type Rates, type SerialSettings } from './settings.js';
 export type { PortInfo, SerialLike, SerialPortLike } from './types.js';

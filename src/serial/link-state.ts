@@ -1,8 +1,8 @@
 import type { TimerClient } from '../client/index.js';
 import type { Identity } from '../protocol/index.js';
 import type { ConnectionError } from './errors.js';
-import type { Heard } from './heard.js';
 import type { PortKind } from './ports.js';
+import type { Heard } from './rate-listener.js';
 import type { OpenedSettings } from './settings.js';
 import type { PortInfo, SerialPortLike } from './types.js';
 

@@ -3,10 +3,10 @@ import { type Clock, realClock } from '../line/index.js';
 import type { Identity } from '../protocol/index.js';
 import { choosePort, rememberedPorts } from './choose.js';
 import { ConnectionError } from './errors.js';
-import { Journey } from './journey.js';
 import type { LinkState } from './link-state.js';
 import { type LinkEvent, nextStatus } from './link-table.js';
 import { type KnownPort, known } from './ports.js';
+import { Reconnector } from './reconnector.js';
 import { DEFAULT_SETTINGS, type SerialSettings } from './settings.js';
 import type { SerialLike, SerialPortLike } from './types.js';
 
@@ -43,9 +43,9 @@ export class TimerLink {
   readonly #options: TimerLinkOptions;
   readonly #clock: Clock;
   #state: LinkState = { status: 'off', error: null };
-  #journey: Journey | null = null;
+  #reconnector: Reconnector | null = null;
   /** Counts what the pilot wanted, and the choosers shown: only the last of each is followed. */
-  #wish = 0;
+  #newest = 0;
   #chooser = 0;
   /** Those who wait for the link to settle. */
   #waiting: (() => void)[] = [];
@@ -103,13 +103,13 @@ export class TimerLink {
     settings?: SerialSettings,
     { knownRate }: { readonly knownRate?: number | undefined } = {},
   ): Promise<void> {
-    const wish = this.#newWish();
-    if (this.#journey) await this.#end();
-    if (wish !== this.#wish) return;
+    const mine = this.#supersede();
+    if (this.#reconnector) await this.#end();
+    if (mine !== this.#newest) return;
     const { serial, onLine, assumed, remembered } = this.#options;
     const at = known(port);
     const memory = tell(remembered, at.key);
-    const journey = new Journey(at, {
+    const reconnector = new Reconnector(at, {
       clock: this.#clock,
       serial,
       settings: settings ?? memory?.settings ?? DEFAULT_SETTINGS,
@@ -120,22 +120,23 @@ export class TimerLink {
       tell: (event, state) => this.#enter(event, state),
     });
     const settled = new Promise<void>((resolve) => this.#waiting.push(resolve));
-    this.#journey = journey;
-    journey.start();
+    this.#reconnector = reconnector;
+    reconnector.start();
     await settled;
   }
 
   /** Ends whatever is open or under way. Settles once the link is off and the port closed, within the time of one reply. */
   async stop(): Promise<void> {
-    const wish = this.#newWish();
+    const mine = this.#supersede();
     if (this.#state.status === 'choosing') this.#enter('stop', { status: 'off', error: null });
     await this.#end();
-    if (wish === this.#wish && this.#state.status === 'closing') this.#enter('closed', { status: 'off', error: null });
+    if (mine === this.#newest && this.#state.status === 'closing')
+      this.#enter('closed', { status: 'off', error: null });
   }
 
   /** A timer that is connected does not answer any more: asks quietly on the same port until it does. Where it is not `on`, nothing happens. */
   wait(): void {
-    this.#journey?.askAgain();
+    this.#reconnector?.askAgain();
   }
 
   /**
@@ -144,34 +145,34 @@ export class TimerLink {
    * answers it is waited for. While the port is `away` it is looked for at once.
    */
   async recheck(): Promise<void> {
-    await this.#journey?.recheck();
+    await this.#reconnector?.recheck();
   }
 
   /** Gives the permission to use a port back to the browser, where the browser can take it. A link to it is ended first. */
   async forget(port: SerialPortLike): Promise<void> {
-    if (this.#journey?.known.port === port) await this.stop();
+    if (this.#reconnector?.known.port === port) await this.stop();
     await port.forget?.();
   }
 
-  #newWish(): number {
+  #supersede(): number {
     this.#chooser++;
-    return ++this.#wish;
+    return ++this.#newest;
   }
 
-  /** Ends the journey, if there is one. Whoever begins another one waits for that: it may be to the same port. */
+  /** Ends the reconnector, if there is one. Whoever begins another one waits for that: it may be to the same port. */
   async #end(): Promise<void> {
-    const journey = this.#journey;
-    if (!journey) return;
+    const reconnector = this.#reconnector;
+    if (!reconnector) return;
     if (this.#state.status !== 'closing') this.#enter('stop', { status: 'closing' });
-    await journey.stop();
-    if (this.#journey === journey) this.#journey = null;
+    await reconnector.stop();
+    if (this.#reconnector === reconnector) this.#reconnector = null;
   }
 
   #enter(event: LinkEvent, state: LinkState): void {
     const next = nextStatus(this.#state.status, event);
     if (state.status !== next) throw new Error(`${event} leads to ${next}, not to ${state.status}`);
     this.#state = state;
-    if (state.status === 'off') this.#journey = null;
+    if (state.status === 'off') this.#reconnector = null;
     tell(this.#options.onState, state);
     if (!SETTLED.includes(this.#state.status)) return;
     for (const resolve of this.#waiting.splice(0)) resolve();

@@ -1,9 +1,9 @@
 import { TimerClient, TimerError } from '../client/index.js';
 import type { CodecError, Identity } from '../protocol/index.js';
 import { ConnectionError } from './errors.js';
-import type { Ear } from './heard.js';
+import type { LinkContext } from './link-context.js';
+import type { RateListener } from './rate-listener.js';
 import type { OpenedSettings } from './settings.js';
-import type { Trip } from './trip.js';
 import type { SerialPortLike } from './types.js';
 
 /** How often an impossible answer must come in a row to be believed: a damaged one passes the checksum now and then. */
@@ -23,24 +23,24 @@ export interface Found {
 export class Probe {
   readonly #client: TimerClient;
   readonly #settings: OpenedSettings;
-  readonly #ear: Ear;
+  readonly #listener: RateListener;
 
   constructor(
     port: SerialPortLike,
     settings: OpenedSettings,
-    { clock, onLine, margin }: Trip,
-    ear: Ear,
+    { clock, onLine, margin }: LinkContext,
+    listener: RateListener,
     onLost: (error: TimerError) => void,
   ) {
     const { baudRate } = settings;
     this.#settings = settings;
-    this.#ear = ear;
+    this.#listener = listener;
     this.#client = new TimerClient(port, {
       baudRate,
       clock,
       margin,
       onLine: (entry) => {
-        ear.note(entry);
+        listener.note(entry);
         onLine?.(entry);
       },
       onLost,
@@ -54,7 +54,7 @@ export class Probe {
    */
   async ask(signal: AbortSignal): Promise<Found | null> {
     const client = this.#client;
-    this.#ear.next();
+    this.#listener.next();
     for (let bad = 1; ; bad++) {
       try {
         const identity = await client.identify({ signal, tries: 1, anyReply: true });

@@ -1,8 +1,8 @@
-import { columnCount, type Identity, MAX_TIME } from '../protocol/index.js';
+import { type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 
-/** What one memory of the virtual timer holds. Times in hundredths of a second, positions as `[servo][column]`. */
+/** What one memory of the virtual timer holds. Times in hundredths of a second, positions as `[servo][slot]`. */
 export interface MemoryContent {
-  timers: number[];
+  times: number[];
   positions: number[][];
 }
 
@@ -21,17 +21,14 @@ const MOTOR_STOP = 1000;
  * 30 s longer in each further memory, so that memories can be told apart.
  */
 export function firstContent(identity: Identity, memory: number): MemoryContent {
-  const columns = columnCount(identity);
+  const slots = slotCount(identity);
   const dt = Math.min(MAX_TIME, DT + 3000 * memory);
   const motorStop = identity.timerClass === 'Q' ? MOTOR_STOP : 0;
   const after = identity.timerClass === 'Q' ? MOTOR_STOP : 0;
-  const timers = Array.from({ length: columns }, (_, column) => {
-    if (column === 0) return motorStop;
-    return column === identity.functions ? dt : Math.min(dt - columns + column, after + FUNCTION_STEP * column);
+  const times = Array.from({ length: slots }, (_, slot) => {
+    if (slot === 0) return motorStop;
+    return slot === identity.functions ? dt : Math.min(dt - slots + slot, after + FUNCTION_STEP * slot);
   });
-  const row = Array.from(
-    { length: columns },
-    (_, column) => FIRST_POSITION + POSITION_STEP * (column % POSITIONS_KNOWN),
-  );
-  return { timers, positions: Array.from({ length: identity.servos }, () => [...row]) };
+  const row = Array.from({ length: slots }, (_, slot) => FIRST_POSITION + POSITION_STEP * (slot % POSITIONS_KNOWN));
+  return { times, positions: Array.from({ length: identity.servos }, () => [...row]) };
 }

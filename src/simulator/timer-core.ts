@@ -41,8 +41,8 @@ export class TimerCore {
   phase: TimerPhase = 'discharged';
   /** Where each servo stands, in steps. Connecting the battery moves them to DT. */
   servos: number[];
-  /** The column that the servos were last moved to. */
-  column: number;
+  /** The slot that the servos were last moved to. */
+  slot: number;
   /** Every request that was answered, oldest first. */
   readonly answered: Request[] = [];
   /** Told of every request that was answered. */
@@ -61,8 +61,8 @@ export class TimerCore {
     this.#awakeSince = clock.now();
     this.memories = Array.from({ length: identity.memories }, (_, memory) => firstContent(identity, memory));
     this.motorLocked = identity.timerClass === 'Q';
-    this.column = identity.functions;
-    this.servos = this.#positionsAt(this.column);
+    this.slot = identity.functions;
+    this.servos = this.#positionsAt(this.slot);
   }
 
   /** What the current memory holds. */
@@ -120,18 +120,18 @@ export class TimerCore {
     const { content } = this;
     switch (request.name) {
       case 'GETTIMERS':
-        return { name: 'GETTIMERS', times: content.timers };
+        return { name: 'GETTIMERS', times: content.times };
       case 'SETTIMERS':
-        content.timers = request.times.map((time) => time - (time % (this.#quirks.timeStep ?? 1)));
-        return { name: 'SETTIMERS', times: content.timers };
+        content.times = request.times.map((time) => time - (time % (this.#quirks.timeStep ?? 1)));
+        return { name: 'SETTIMERS', times: content.times };
       case 'GETSERVOPOS':
         return { name: 'GETSERVOPOS', positions: content.positions };
       case 'SETSERVO':
         this.#setServo(request.servo, request.function, request.position);
         return { name: 'SETSERVO' };
       case 'MOVETOFUNC':
-        this.column = request.function;
-        this.servos = this.#positionsAt(this.column);
+        this.slot = request.function;
+        this.servos = this.#positionsAt(this.slot);
         return { name: 'MOVETOFUNC' };
       case 'GETSWVER':
         return { name: 'GETSWVER', identity: this.identity };
@@ -153,16 +153,16 @@ export class TimerCore {
     }
   }
 
-  #setServo(servo: number, column: number, position: number): void {
-    if (this.#quirks.servoNeedsMove && this.column !== column) return;
+  #setServo(servo: number, slot: number, position: number): void {
+    if (this.#quirks.servoNeedsMove && this.slot !== slot) return;
     const row = this.content.positions[servo] as number[];
-    row[column] = position;
+    row[slot] = position;
     const { setMoves = 'there' } = this.#quirks;
-    if (setMoves === 'always' || (setMoves === 'there' && this.column === column)) this.servos[servo] = position;
+    if (setMoves === 'always' || (setMoves === 'there' && this.slot === slot)) this.servos[servo] = position;
   }
 
-  #positionsAt(column: number): number[] {
-    return this.content.positions.map((row) => row[column] as number);
+  #positionsAt(slot: number): number[] {
+    return this.content.positions.map((row) => row[slot] as number);
   }
 
   #wrap(reply: Reply): Uint8Array {

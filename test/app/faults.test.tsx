@@ -6,8 +6,8 @@ import type { ProgramField, TimerProgram } from '../../src/program/index.js';
 import { type AppBench, appBench, connectedBench, idle } from './bench/bench.js';
 import { DOORS, type Door, FAULTS, type FaultName, FaultyStore } from './faults.js';
 
-const DT: ProgramField = { kind: 'time', column: 10 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const DT: ProgramField = { kind: 'time', slot: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 const NAMES = Object.keys(FAULTS) as FaultName[];
 const EACH = DOORS.flatMap((door) => NAMES.map((fault) => [door, fault] as const));
 
@@ -120,9 +120,9 @@ describe('in any order of the answers', () => {
 
 /** All that the page says of what the timer holds, judged by what it does hold. While bytes move nothing is said but that they do. */
 function expectNoFalseWord({ session, editor, write, timer }: AppBench, before: TimerProgram, why: string): void {
-  const { timers, positions } = timer.core.content;
+  const { times, positions } = timer.core.content;
   const holds = (program: TimerProgram): boolean =>
-    JSON.stringify([program.timers, program.positions]) === JSON.stringify([timers, positions]);
+    JSON.stringify([program.times, program.positions]) === JSON.stringify([times, positions]);
   const known = session.knowledge.of(0);
   const { value } = write.current;
   if (value?.step === 'running') return;
@@ -134,8 +134,8 @@ function expectNoFalseWord({ session, editor, write, timer }: AppBench, before: 
   }
   if (known.state === 'read') expect(holds(known.program), `read, ${why}`).toBe(true);
   if (known.state === 'uncertain') {
-    const either = [known.before, known.goal].map((program) => [...program.timers, ...program.positions.flat()]);
-    [...timers, ...positions.flat()].forEach((held, i) => {
+    const either = [known.before, known.goal].map((program) => [...program.times, ...program.positions.flat()]);
+    [...times, ...positions.flat()].forEach((held, i) => {
       expect([either[0]?.[i], either[1]?.[i]], `one of the two, ${why}`).toContain(held);
     });
   }

@@ -6,7 +6,7 @@ import { SHELF_CALLS, SHELVES, StorageError } from '../../src/app/storage/index.
 import type { ProgramField } from '../../src/program/index.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, MemoryStore, run } from './bench/bench.js';
 
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 const CALLS = Object.keys(SHELF_CALLS) as (keyof typeof SHELF_CALLS)[];
 
 /** Each call of the storage ends as `how` says, until the function that comes back is called. */

@@ -42,7 +42,7 @@ export function tables(results, sieges, wires, missing) {
   return [
     `Node ${version}, ${cpus()[0]?.model ?? 'unknown processor'}, load ${load.join(' ')}`,
     ...missing.map((peer) => `NOT MEASURED, could not be loaded: ${peer}`),
-    'Columns: bytes of payload / bytes in a chunk. Best round of each.',
+    'Slots: bytes of payload / bytes in a chunk. Best round of each.',
     table('Clean, megabytes of its own stream a second', clean, ({ mbPerSecond }) => mbPerSecond.toFixed(0)),
     table('Clean, nanoseconds a frame (frames of equal payload; own framing)', clean, ({ nsPerFrame }) =>
       nsPerFrame.toFixed(0),
@@ -75,29 +75,29 @@ function percent(share) {
 }
 
 /** @param {Row} row */
-function column({ payload, chunk }) {
+function slot({ payload, chunk }) {
   return `${payload}/${chunk}`;
 }
 
 /**
- * One row for each decoder, one column for each payload and chunk.
+ * One row for each decoder, one slot for each payload and chunk.
  * @param {string} title
  * @param {readonly Result[]} results
  * @param {(result: Result) => string} cell
  */
 function table(title, results, cell) {
   const names = [...new Set(results.map(({ name }) => name))];
-  const columns = [...new Set(results.map(column))];
+  const slots = [...new Set(results.map(slot))];
   return grid(title, [
-    ['', ...columns],
+    ['', ...slots],
     ...names.map((name) => [name, ...results.filter((result) => result.name === name).map(cell)]),
   ]);
 }
 
 /** @param {readonly Result[]} clean */
 function ratios(clean) {
-  const columns = [...new Set(clean.map(column))].map((name) => {
-    const here = clean.filter((result) => column(result) === name);
+  const slots = [...new Set(clean.map(slot))].map((name) => {
+    const here = clean.filter((result) => slot(result) === name);
     const ours = /** @type {Result} */ (here.find((result) => result.ours));
     const floor = /** @type {Result} */ (here.find((result) => result.floor));
     const peers = here.filter((result) => !result.ours && !result.floor);
@@ -108,7 +108,7 @@ function ratios(clean) {
   const titles = ['', 'to the plain loop', 'to the fastest peer, in bytes', 'to the fastest peer, in frames'];
   return grid(
     'Clean, ours as a multiple',
-    titles.map((title, i) => [title, ...columns.map((cells) => cells[i] ?? '')]),
+    titles.map((title, i) => [title, ...slots.map((cells) => cells[i] ?? '')]),
   );
 }
 

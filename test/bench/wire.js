@@ -50,7 +50,7 @@ export async function wire(baud, latencyMs) {
   const baseline = read.result;
   const goal = {
     ...baseline,
-    timers: baseline.timers.map((time) => time + 1),
+    times: baseline.times.map((time) => time + 1),
     positions: baseline.positions.map((row) => row.map((position) => position + 1)),
   };
   const servos = goal.positions.flatMap((row) => row.map(() => /** @type {const} */ ('SETSERVO')));

@@ -25,11 +25,11 @@ describe('one position', () => {
     [3, 4, 70, 'servo'],
     [1, 11, 70, 'function'],
     [1, 4, 131, 'position'],
-  ])('is refused before anything is sent: servo %i, column %i, position %i', async (servo, column, position, field) => {
+  ])('is refused before anything is sent: servo %i, slot %i, position %i', async (servo, slot, position, field) => {
     const { client, timer, run } = bench();
     await run(client.identify());
     timer.core.answered.length = 0;
-    await expect(run(client.setPosition(servo, column, position))).rejects.toMatchObject({
+    await expect(run(client.setPosition(servo, slot, position))).rejects.toMatchObject({
       name: 'CodecError',
       code: 'out-of-range',
       field,

@@ -32,21 +32,21 @@ export function contentOf({ core }: VirtualTimer): TimerProgram {
   return {
     identity: core.identity,
     memory: core.memory,
-    timers: core.content.timers,
+    times: core.content.times,
     positions: core.content.positions,
     idleThrottle: core.identity.timerClass === 'Q' ? core.idleThrottle : null,
   };
 }
 
-/** A copy of the program with other times and positions, given as `[column, time]` and `[servo, column, position]`. */
+/** A copy of the program with other times and positions, given as `[slot, time]` and `[servo, slot, position]`. */
 export function edited(
   program: TimerProgram,
-  times: readonly [number, number][],
+  changed: readonly [number, number][],
   positions: readonly [number, number, number][] = [],
 ): TimerProgram {
-  const timers = [...program.timers];
-  for (const [column, time] of times) timers[column] = time;
+  const times = [...program.times];
+  for (const [slot, time] of changed) times[slot] = time;
   const rows = program.positions.map((row) => [...row]);
-  for (const [servo, column, position] of positions) (rows[servo] as number[])[column] = position;
-  return { ...program, timers, positions: rows };
+  for (const [servo, slot, position] of positions) (rows[servo] as number[])[slot] = position;
+  return { ...program, times, positions: rows };
 }

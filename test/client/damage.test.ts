@@ -98,15 +98,15 @@ describe('replies that come late', () => {
     // The reply to GETTIMERS comes after its time is up, when the memory has been changed.
     const { client, timer, run, clock } = bench({}, { margin: 100 });
     await run(client.identify());
-    const first = [...timer.core.content.timers];
+    const first = [...timer.core.content.times];
     timer.core.sleep();
     const reading = run(client.readProgram().catch((error: unknown) => error));
     expect(await reading).toMatchObject({ code: 'no-answer' });
     timer.core.press();
     await run(client.selectMemory(2));
     const program = await run(client.readProgram());
-    expect(program.timers).toEqual(timer.core.memories[2]?.timers);
-    expect(program.timers).not.toEqual(first);
+    expect(program.times).toEqual(timer.core.memories[2]?.times);
+    expect(program.times).not.toEqual(first);
     expect(clock.now()).toBeGreaterThan(0);
   });
 

@@ -68,7 +68,7 @@ export class Field {
 export function everyValueChanged(program: TimerProgram): TimerProgram {
   return {
     ...program,
-    timers: program.timers.map((time, column) => time + 301 + column),
+    times: program.times.map((time, slot) => time + 301 + slot),
     positions: program.positions.map((row, servo) => row.map((position) => position + 4 + servo)),
     idleThrottle: program.idleThrottle === null ? null : program.idleThrottle + 7,
   };
@@ -162,10 +162,10 @@ export async function holds(hit: Case, aim: 'goal' | 'before'): Promise<void> {
   const text = label(hit);
   const said = result as Partial<WriteReport & TimerProgram> | undefined;
   if (said?.result === 'verified') expect(contentOf(timer), text).toEqual(goal);
-  if (said?.timers) expect(said, text).toEqual(contentOf(timer));
+  if (said?.times) expect(said, text).toEqual(contentOf(timer));
   // A single fault that leaves line, page and timer in place is overcome at once.
   if (hit.act !== 'connect' && !isEnd(hit))
-    expect(said?.result ?? said?.timers, text).toEqual(said?.timers ?? 'verified');
+    expect(said?.result ?? said?.times, text).toEqual(said?.times ?? 'verified');
 
   const held = await field.run(field.client.readProgram());
   expect(held, text).toEqual(contentOf(timer));

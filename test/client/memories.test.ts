@@ -16,8 +16,8 @@ import { damage, numbers } from './noise.js';
 
 /** What one memory of the virtual timer holds, as a program. */
 function memoryOf(timer: VirtualTimer, memory: number): TimerProgram {
-  const { timers, positions } = timer.core.memories[memory] as { timers: number[]; positions: number[][] };
-  return structuredClone({ ...contentOf(timer), memory, timers, positions });
+  const { times, positions } = timer.core.memories[memory] as { times: number[]; positions: number[][] };
+  return structuredClone({ ...contentOf(timer), memory, times, positions });
 }
 
 const all = (timer: VirtualTimer): TimerProgram[] => timer.core.memories.map((_, memory) => memoryOf(timer, memory));
@@ -28,11 +28,11 @@ describe('reading several memories', () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     timer.core.memory = 2;
     const told: number[] = [];
-    const onHome = (home: number): void => {
+    const onOriginal = (original: number): void => {
       expect(names(timer.core.answered)).not.toContain('SETMEMORY');
-      told.push(home);
+      told.push(original);
     };
-    expect(await run(client.readMemories({ onHome }))).toEqual({ home: 2, programs: all(timer) });
+    expect(await run(client.readMemories({ onOriginal }))).toEqual({ original: 2, programs: all(timer) });
     expect(timer.core.memory).toBe(2);
     expect(told).toEqual([2]);
     const selected = timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
@@ -45,9 +45,9 @@ describe('reading several memories', () => {
     expect(programs).toEqual([memoryOf(timer, 3), memoryOf(timer, 1)]);
     expect(timer.core.memory).toBe(0);
     timer.core.answered.length = 0;
-    const onHome = (): void => expect.unreachable();
-    expect(await run(client.readMemories({ memories: [0], onHome }))).toEqual({
-      home: 0,
+    const onOriginal = (): void => expect.unreachable();
+    expect(await run(client.readMemories({ memories: [0], onOriginal }))).toEqual({
+      original: 0,
       programs: [memoryOf(timer, 0)],
     });
     expect(names(timer.core.answered).some(isSelect)).toBe(false);
@@ -70,15 +70,15 @@ describe('reading several memories', () => {
   it('selects nothing when the timer has no such memory, and nothing when the memory to come back to could not be kept', async () => {
     const { client, timer, run } = bench();
     await expect(run(client.readMemories({ memories: [1, 4] }))).rejects.toMatchObject({ code: 'out-of-range' });
-    const onHome = (): Promise<void> => Promise.reject(new Error('the store is full'));
-    await expect(run(client.readMemories({ onHome }))).rejects.toThrow('the store is full');
+    const onOriginal = (): Promise<void> => Promise.reject(new Error('the store is full'));
+    await expect(run(client.readMemories({ onOriginal }))).rejects.toThrow('the store is full');
     expect(names(timer.core.answered).some(isSelect)).toBe(false);
   });
 
   it('fits a timer that counts its memories from 1, once that has shown', async () => {
     const { client, timer, run } = bench({ quirks: { memoriesFromOne: true } });
     timer.core.memory = 3;
-    expect(await run(client.readMemories())).toEqual({ home: 3, programs: all(timer) });
+    expect(await run(client.readMemories())).toEqual({ original: 3, programs: all(timer) });
   });
 
   it('goes back when asked to stop, and says that it was stopped', async () => {
@@ -225,11 +225,11 @@ describe('writing several memories', () => {
     const backups: [TimerProgram, TimerProgram][] = [];
     const onMemory = async (read: TimerProgram, goal: TimerProgram): Promise<void> => {
       await Promise.resolve();
-      expect(timer.core.memories[read.memory as number]).toEqual({ timers: read.timers, positions: read.positions });
+      expect(timer.core.memories[read.memory as number]).toEqual({ times: read.times, positions: read.positions });
       backups.push([read, goal]);
     };
     const report = await run(client.writeMemories(goals, { onMemory }));
-    expect(report).toMatchObject({ home: 1, isHome: true, stopped: null });
+    expect(report).toMatchObject({ original: 1, restored: true, stopped: null });
     expect(report.memories).toMatchObject([
       { memory: 0, before: before[0], report: { result: 'verified', acknowledged: 1 } },
       { memory: 3, before: before[3], report: { result: 'verified', acknowledged: 1 } },
@@ -248,11 +248,11 @@ describe('writing several memories', () => {
     const { client, timer, run } = bench();
     const [, first, second] = all(timer) as [TimerProgram, TimerProgram, TimerProgram];
     const baselines = [second, first];
-    timer.core.memories[2]?.timers.splice(10, 1, 12345);
+    timer.core.memories[2]?.times.splice(10, 1, 12345);
     const before = all(timer);
     const report = await run(client.writeMemories([first, second].map(everyValueChanged), { baselines }));
     expect(report).toMatchObject({
-      isHome: true,
+      restored: true,
       memories: [{ memory: 1, report: { result: 'verified' } }],
       stopped: { code: 'stale', details: { held: before[2] } },
     });
@@ -269,9 +269,9 @@ describe('writing several memories', () => {
     const onMemory = (): void => void timer.core.content.positions[0]?.splice(0, 1, 99);
     const goal = everyValueChanged(before[1] as TimerProgram);
     const report = await run(client.writeMemories([goal], { onMemory }));
-    expect(report).toMatchObject({ isHome: true, memories: [], stopped: { code: 'stale' } });
+    expect(report).toMatchObject({ restored: true, memories: [], stopped: { code: 'stale' } });
     expect(timer.core.memories[1]?.positions[0]?.[0]).toBe(99);
-    expect(timer.core.memories[1]?.timers).toEqual(before[1]?.timers);
+    expect(timer.core.memories[1]?.times).toEqual(before[1]?.times);
   });
 
   it('writes nothing into a memory whose backup could not be kept, and goes back', async () => {
@@ -305,7 +305,7 @@ describe('writing several memories', () => {
         { ...second, idleThrottle: 256 },
         { code: 'out-of-range', field: 'idleThrottle' },
       ],
-      [{ ...second, timers: [1] }, { code: 'wrong-count' }],
+      [{ ...second, times: [1] }, { code: 'wrong-count' }],
       [{ ...second, identity: { ...second.identity, timerClass: 'E' } }, { code: 'other-timer' }],
     ] as const) {
       await expect(run(client.writeMemories([first, wrong]))).rejects.toMatchObject(error);
@@ -319,7 +319,7 @@ describe('writing several memories', () => {
     // Past the last step: only where the timer holds the same.
     const report = await run(client.writeMemories([first, edited(second, [], [[0, 0, 200]])]));
     expect(report).toMatchObject({
-      isHome: true,
+      restored: true,
       memories: [{ memory: 1, report: { result: 'verified' } }],
       stopped: { name: 'CodecError', code: 'out-of-range' },
     });
@@ -329,7 +329,7 @@ describe('writing several memories', () => {
     };
     const stopped = await run(client.writeMemories([first, second], { signal: stop.signal }));
     expect(stopped).toMatchObject({
-      isHome: true,
+      restored: true,
       memories: [
         { memory: 1, report: { result: 'verified', values: [] } },
         { memory: 2, report: { result: 'unknown', stopped: { code: 'aborted' } } },
@@ -352,7 +352,7 @@ describe('writing several memories', () => {
         timer.core.content.positions = [...everyValueChanged(contentOf(timer)).positions] as never;
     };
     const changed = await run(client.writeMemories(before.slice(1, 3).map((program) => edited(program, [[2, 400]]))));
-    expect(changed).toMatchObject({ isHome: true, stopped: { code: 'changed' } });
+    expect(changed).toMatchObject({ restored: true, stopped: { code: 'changed' } });
     expect(changed.memories).toHaveLength(1);
   });
 
@@ -363,7 +363,7 @@ describe('writing several memories', () => {
     };
     const report = await run(client.writeMemories([edited(memoryOf(timer, 0), [[10, 30000]])]));
     expect(report).toMatchObject({
-      isHome: true,
+      restored: true,
       memories: [{ report: { result: 'unknown' } }],
       stopped: { code: 'other-memory' },
     });
@@ -378,8 +378,8 @@ describe('writing several memories', () => {
     };
     const report = await run(client.writeMemories(goals));
     expect(report).toMatchObject({
-      home: 0,
-      isHome: false,
+      original: 0,
+      restored: false,
       memories: [{ report: { result: 'verified' } }, { report: { result: 'unknown' } }],
       stopped: { code: 'memory-left', details: { expected: 0, found: 2 }, cause: { code: 'port-lost' } },
     });
@@ -427,19 +427,19 @@ function expectTruth(
   timer: VirtualTimer,
   result: unknown,
   goals: readonly TimerProgram[],
-  home: number,
+  original: number,
   text: string,
 ): void {
-  const { stopped, isHome, memories } = result as Partial<MemoriesReport>;
+  const { stopped, restored, memories } = result as Partial<MemoriesReport>;
   const error = result instanceof TimerError ? result : stopped;
   if (error?.code === 'memory-left') {
-    expect(error.details.expected, text).toBe(home);
+    expect(error.details.expected, text).toBe(original);
     const { found } = error.details as { found: number | null };
     if (found !== null) expect(timer.core.memory, text).toBe(found);
   } else {
-    expect(timer.core.memory, text).toBe(home);
+    expect(timer.core.memory, text).toBe(original);
   }
-  if (isHome !== undefined) expect(isHome, text).toBe(error?.code !== 'memory-left');
+  if (restored !== undefined) expect(restored, text).toBe(error?.code !== 'memory-left');
   const { programs } = result as Partial<MemoriesRead>;
   for (const program of programs ?? []) expect(program, text).toEqual(memoryOf(timer, program.memory as number));
   for (const { memory, report } of memories ?? []) {
@@ -508,7 +508,7 @@ describe('several memories on a bad line', () => {
           if (client.damageSeen) expectTruth(timer, result, goals, 0, job);
           if (share > 0.01) return;
           if (job === 'read') expect(result).not.toBeInstanceOf(Error);
-          else expect(result).toMatchObject({ isHome: true, stopped: null });
+          else expect(result).toMatchObject({ restored: true, stopped: null });
         },
       ),
       { numRuns: 100 },

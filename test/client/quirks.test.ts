@@ -70,14 +70,14 @@ describe('a timer that departs from the usual reading', () => {
     const baseline: TimerProgram = {
       identity,
       memory: 0,
-      timers: [0, 6000],
+      times: [0, 6000],
       positions: [[0, 0]],
       idleThrottle: null,
     };
     const replies: Partial<Record<CommandName, Reply>> = {
       GETSWVER: { name: 'GETSWVER', identity },
       GETMEMORY: { name: 'GETMEMORY', memory: 0 },
-      GETTIMERS: { name: 'GETTIMERS', times: baseline.timers },
+      GETTIMERS: { name: 'GETTIMERS', times: baseline.times },
       GETSERVOPOS: { name: 'GETSERVOPOS', positions: baseline.positions },
     };
     const sent: string[] = [];
@@ -102,7 +102,7 @@ describe('a timer that departs from the usual reading', () => {
     });
     const client = new TimerClient({ readable, writable }, { clock });
     await clock.run(client.identify());
-    const report = await clock.run(client.writeProgram({ ...baseline, timers: [0, 7000] }, { baseline }));
+    const report = await clock.run(client.writeProgram({ ...baseline, times: [0, 7000] }, { baseline }));
     expect(sent.slice(sent.indexOf('SETTIMERS'))).toContain('GETTIMERS');
     expect(report.result).toBe('unknown');
     expect(found(client)).not.toContain('timers-reply-66');
@@ -113,7 +113,7 @@ describe('a timer that departs from the usual reading', () => {
     const baseline = await run(client.readProgram());
     const report = await run(client.writeProgram(edited(baseline, [[3, 255]]), { baseline }));
     expect(report.result).toBe('differs');
-    expect(client.quirksFound.get('times-rounded')).toEqual({ column: 3, sent: 255, held: 250 });
+    expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 3, sent: 255, held: 250 });
   });
 
   it('idle throttle on B: asked only on request, and its silence is no failure', async () => {
@@ -226,7 +226,7 @@ describe('times with their high byte first', () => {
 
   it('are a hint only: the pilot may decide that they are as they were read', async () => {
     const { client, timer, run } = bench();
-    timer.core.content.timers = [0, 0x0200, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808, 0x0909];
+    timer.core.content.times = [0, 0x0200, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808, 0x0909];
     const baseline = await run(client.readProgram());
     expect(found(client)).toEqual(['times-big-endian']);
     client.assume({ bigEndianTimes: false });
@@ -250,10 +250,10 @@ describe('servo before function', () => {
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.result).toBe('differs');
     expect(report.values).toEqual([
-      { field: { kind: 'position', servo: 2, column: 1 }, wanted: 99, held: 25, status: 'differs', asked: true },
-      { field: { kind: 'position', servo: 1, column: 2 }, wanted: 35, held: 35, status: 'verified', asked: false },
+      { field: { kind: 'position', servo: 2, slot: 1 }, wanted: 99, held: 25, status: 'differs', asked: true },
+      { field: { kind: 'position', servo: 1, slot: 2 }, wanted: 35, held: 35, status: 'verified', asked: false },
     ]);
-    expect(client.quirksFound.get('servo-first')).toEqual({ servo: 1, column: 2 });
+    expect(client.quirksFound.get('servo-first')).toEqual({ servo: 1, slot: 2 });
     expect(contentOf(timer)).toEqual(baseline);
     client.assume({ servoFirst: true });
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
@@ -266,7 +266,7 @@ describe('servo before function', () => {
     const goal = edited(baseline, [], [[1, 3, 99]]);
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: { code: 'no-answer' } });
-    expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, column: 3 });
+    expect(client.quirksFound.get('servo-unanswered')).toEqual({ servo: 1, slot: 3 });
     expect(found(client), 'what it never took up it need not have kept').toEqual(['servo-unanswered']);
     expect(client.quirksAssumed).toEqual({});
     client.assume({ servoFirst: true });

@@ -68,7 +68,7 @@ describe('a frame sent by hand', () => {
     timer.core.onAnswer = () => timer.core.sleep();
     await expect(run(client.moveToFunction(3))).rejects.toMatchObject({ code: 'no-answer' });
     expect(await run(client.send(0x69, [4]))).toBeNull();
-    expect(timer.core.column).toBe(3);
+    expect(timer.core.slot).toBe(3);
   });
 
   it('waits for its turn, and goes out although no fence is answered, once nothing older can come', async () => {

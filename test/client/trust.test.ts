@@ -131,7 +131,7 @@ describe('another memory, from any answer of the reading back on', () => {
         expect(report.result, `${at}`).toBe(isSeen ? 'unknown' : 'verified');
         if (isSeen) expect(report.stopped?.code, `${at}`).toBe('other-memory');
         expect(timer.core.memories[1], `${at}`).toEqual(before);
-        expect(timer.core.memories[0]?.timers, `${at}`).toEqual(goal.timers);
+        expect(timer.core.memories[0]?.times, `${at}`).toEqual(goal.times);
       }
     },
   );

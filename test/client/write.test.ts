@@ -27,7 +27,7 @@ describe('write program', () => {
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(sets(timer.core.answered)).toEqual([
-      { name: 'SETTIMERS', times: goal.timers },
+      { name: 'SETTIMERS', times: goal.times },
       { name: 'SETSERVO', function: 3, servo: 0, position: 70 },
       { name: 'SETSERVO', function: 10, servo: 2, position: 0 },
     ]);
@@ -37,9 +37,9 @@ describe('write program', () => {
     expect(asked.slice(asked.findLastIndex(isSet) + 1)).toEqual(VERIFY);
     expect(report).toMatchObject({ result: 'verified', held: goal, acknowledged: 3, repeats: 0, stopped: null });
     expect(report.values).toEqual([
-      { field: { kind: 'time', column: 10 }, wanted: 30000, held: 30000, status: 'verified', asked: true },
-      { field: { kind: 'position', servo: 0, column: 3 }, wanted: 70, held: 70, status: 'verified', asked: true },
-      { field: { kind: 'position', servo: 2, column: 10 }, wanted: 0, held: 0, status: 'verified', asked: true },
+      { field: { kind: 'time', slot: 10 }, wanted: 30000, held: 30000, status: 'verified', asked: true },
+      { field: { kind: 'position', servo: 0, slot: 3 }, wanted: 70, held: 70, status: 'verified', asked: true },
+      { field: { kind: 'position', servo: 2, slot: 10 }, wanted: 0, held: 0, status: 'verified', asked: true },
     ]);
     expect(contentOf(timer)).toEqual(goal);
   });
@@ -114,12 +114,12 @@ describe('write program', () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.onAnswer = ({ name }) => {
-      if (name === 'SETTIMERS') timer.core.content.timers = timer.core.content.timers.map((time) => time - (time % 10));
+      if (name === 'SETTIMERS') timer.core.content.times = timer.core.content.times.map((time) => time - (time % 10));
     };
     const report = await run(client.writeProgram(edited(baseline, [[1, 123]]), { baseline }));
     expect(report).toMatchObject({ result: 'differs', acknowledged: 1 });
     expect(report.values).toEqual([
-      { field: { kind: 'time', column: 1 }, wanted: 123, held: 120, status: 'differs', asked: true },
+      { field: { kind: 'time', slot: 1 }, wanted: 123, held: 120, status: 'differs', asked: true },
     ]);
   });
 
@@ -136,7 +136,7 @@ describe('write program', () => {
     const report = await run(client.writeProgram(goal, { baseline }));
     expect(report.result).toBe('verified');
     expect(report.values).toContainEqual({
-      field: { kind: 'position', servo: 1, column: 5 },
+      field: { kind: 'position', servo: 1, slot: 5 },
       wanted: 65,
       held: 65,
       status: 'verified',
@@ -160,7 +160,7 @@ describe('write program', () => {
   });
 
   it.each<[string, (core: Bench['timer']['core']) => void]>([
-    ['a time', ({ content }) => void content.timers.splice(10, 1, 20000)],
+    ['a time', ({ content }) => void content.times.splice(10, 1, 20000)],
     ['a position', ({ content }) => void content.positions[2]?.splice(4, 1, 1)],
     ['the idle throttle', (core) => void Object.assign(core, { idleThrottle: 31 })],
   ])('writes nothing when %s is not as it was read, and gives what the timer holds', async (_, change) => {
@@ -187,7 +187,7 @@ describe('write program', () => {
     const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
     expect(report).toMatchObject({ result: 'differs', stopped: null });
     expect(report.values).toContainEqual({
-      field: { kind: 'position', servo: 1, column: 5 },
+      field: { kind: 'position', servo: 1, slot: 5 },
       wanted: 200,
       held: 7,
       status: 'differs',
@@ -320,7 +320,7 @@ describe('write program', () => {
     const { client, run, clock } = bench({ baudRate }, { baudRate });
     const baseline = await run(client.readProgram());
     const positions = baseline.positions.flatMap((row, servo) =>
-      row.map((p, column): [number, number, number] => [servo, column, p + 1]),
+      row.map((p, slot): [number, number, number] => [servo, slot, p + 1]),
     );
     const goal = edited(baseline, [[10, 30000]], positions);
     const begin = clock.now();

@@ -107,7 +107,7 @@ describe('where there is nothing but the web', () => {
     const result = new Script(`(async () => {
       const timer = new sidus.TimerClient(new sidus.VirtualTimer());
       const program = await timer.readProgram();
-      const report = await timer.writeProgram({ ...program, timers: program.timers.map((time) => time + 1) }, { baseline: program });
+      const report = await timer.writeProgram({ ...program, times: program.times.map((time) => time + 1) }, { baseline: program });
       await timer.close();
       return report.result;
     })()`).runInContext(world);

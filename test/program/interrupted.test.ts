@@ -6,11 +6,11 @@ import { SMALL } from '../protocol/vectors.js';
 const BEFORE: TimerProgram = {
   identity: { ...SMALL, functions: 2, timerClass: 'Q' },
   memory: 0,
-  timers: [100, 200, 300],
+  times: [100, 200, 300],
   positions: [[1, 2, 3]],
   idleThrottle: 30,
 };
-const GOAL: TimerProgram = { ...BEFORE, timers: [100, 250, 300], positions: [[1, 22, 33]] };
+const GOAL: TimerProgram = { ...BEFORE, times: [100, 250, 300], positions: [[1, 22, 33]] };
 
 function told(held: TimerProgram, goal = GOAL): unknown {
   const { extent, written, missing, foreign } = partWritten(BEFORE, goal, held);
@@ -21,7 +21,7 @@ function told(held: TimerProgram, goal = GOAL): unknown {
 describe('an interrupted write', () => {
   it.each<[string, TimerProgram, unknown]>([
     ['nothing of it', BEFORE, ['nothing', [], ['time:1', 'position:0:1', 'position:0:2'], []]],
-    ['the times of it', { ...BEFORE, timers: GOAL.timers }, ['part', ['time:1'], ['position:0:1', 'position:0:2'], []]],
+    ['the times of it', { ...BEFORE, times: GOAL.times }, ['part', ['time:1'], ['position:0:1', 'position:0:2'], []]],
     ['all of it', GOAL, ['all', ['time:1', 'position:0:1', 'position:0:2'], [], []]],
     [
       'something else in a place that it was to change',

@@ -3,13 +3,13 @@ import { describe, expect, it } from 'vitest';
 import {
   changeRequests,
   checkProgram,
-  columnKind,
   differences,
   fieldKey,
   fieldsOf,
   hasErrors,
   manualRange,
   sameKind,
+  slotKind,
   type TimerProgram,
   valueAt,
   withValue,
@@ -26,7 +26,7 @@ function usual(timerClass: string): TimerProgram {
   return {
     identity: { ...B536, timerClass },
     memory: 0,
-    timers: [isQ ? 1000 : 0, 50, 150, 250, 350, 450, 550, 650, 750, 850, 18000],
+    times: [isQ ? 1000 : 0, 50, 150, 250, 350, 450, 550, 650, 750, 850, 18000],
     positions: [CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS],
     idleThrottle: isQ ? 30 : null,
   };
@@ -55,8 +55,8 @@ describe('the fields of a program', () => {
   });
 
   it('are called start, function and DT by the number of functions', () => {
-    expect([0, 1, 9, 10].map((column) => columnKind(B536, column))).toEqual(['start', 'function', 'function', 'dt']);
-    expect([0, 1].map((column) => columnKind(SMALL, column))).toEqual(['start', 'dt']);
+    expect([0, 1, 9, 10].map((slot) => slotKind(B536, slot))).toEqual(['start', 'function', 'function', 'dt']);
+    expect([0, 1].map((slot) => slotKind(SMALL, slot))).toEqual(['start', 'dt']);
   });
 
   it('belong to timers of one kind only when class, firmware and numbers agree', () => {
@@ -86,7 +86,7 @@ describe('the requests that turn one program into another', () => {
       idleThrottle: 5,
     };
     expect(changeRequests(from, to)).toEqual([
-      { name: 'SETTIMERS', times: to.timers },
+      { name: 'SETTIMERS', times: to.times },
       { name: 'SETSERVO', function: 10, servo: 2, position: 1 },
       { name: 'SETLOWRPM', idleThrottle: 5 },
     ]);
@@ -97,10 +97,10 @@ describe('the requests that turn one program into another', () => {
   });
 
   it('are refused for programs of different layouts', () => {
-    const other: TimerProgram = { ...usual('B'), identity: SMALL, timers: [0, 0], positions: [[0, 0]] };
+    const other: TimerProgram = { ...usual('B'), identity: SMALL, times: [0, 0], positions: [[0, 0]] };
     expect(() => changeRequests(usual('B'), other)).toThrowError(CodecError);
-    expect(() => differences({ ...usual('B'), timers: [1] }, usual('B'))).toThrowError(
-      expect.objectContaining({ code: 'wrong-count', field: 'timers' }),
+    expect(() => differences({ ...usual('B'), times: [1] }, usual('B'))).toThrowError(
+      expect.objectContaining({ code: 'wrong-count', field: 'times' }),
     );
   });
 });

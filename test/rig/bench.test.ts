@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
-import { HOLD } from '../../src/app/ui/hold.js';
+import { HOLD } from '../../src/app/ui/press-and-hold.js';
 import { COMMANDS, type CommandName, encodeFrame } from '../../src/protocol/index.js';
 import { Pilot } from './pilot.js';
 import { Rig, type RigOptions } from './rig.js';
@@ -31,7 +31,7 @@ describe('servos that follow', () => {
     const { keyboard } = pilot.page;
     const { core } = rig.timer;
     const before = core.content.positions.map((row) => [...row]);
-    const stand = (): [column: number, servos: number[]] => [core.column, core.servos];
+    const stand = (): [slot: number, servos: number[]] => [core.slot, core.servos];
     const toggle = pilot.page.getByRole('switch', { name: en.bench.follow });
     await pilot.button('Function 2').click();
     await pilot.sees(en.bench.at('function 2'));
@@ -89,12 +89,12 @@ describe('servos that follow', () => {
     await expect.poll(stand).toEqual([10, [115, 115, 12]]);
 
     const tried = before.map((row) => [...row]);
-    for (const [servo, column, position] of [
+    for (const [servo, slot, position] of [
       [0, 2, 95],
       [1, 5, 70],
       [2, 10, 12],
     ] as const) {
-      (tried[servo] as number[])[column] = position;
+      (tried[servo] as number[])[slot] = position;
     }
     expect(core.content.positions).toEqual(tried);
 

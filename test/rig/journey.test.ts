@@ -31,8 +31,8 @@ test('the page shows what a real timer has sent', async () => {
   expect(rig.settings).toEqual({ baudRate: 9600, stopBits: 1, flowControl: 'none' });
   const bytes = toHex(Uint8Array.from(rig.passed.toPage));
   expect(bytes).toContain(capture.map(toHex).join(' '));
-  const columns = ['Start', ...[1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => `Function ${n}`), 'DT'];
-  const names = ['S1', 'S2', 'S3'].flatMap((servo) => columns.map((column) => `${column}, ${servo}`));
+  const slots = ['Start', ...[1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => `Function ${n}`), 'DT'];
+  const names = ['S1', 'S2', 'S3'].flatMap((servo) => slots.map((slot) => `${slot}, ${servo}`));
   const positions = ['15', '25', '35', '45', '55', '65', '75', '85', '95', '105', '115'];
   expect(Object.values(await pilot.shown(names))).toEqual([...positions, ...positions, ...positions]);
 });
@@ -43,7 +43,7 @@ test('a time and two positions are written with one SETTIMERS and two SETSERVO, 
   await pilot.clickConnect();
   await pilot.isConnected();
   const { core } = rig.timer;
-  const times = [...core.content.timers.slice(0, 10), 15_000];
+  const times = [...core.content.times.slice(0, 10), 15_000];
   const asked = core.answered.length;
 
   const typed = { 'DT time': '2:30', 'Function 3, S1': '44', 'DT, S3': '130' };
@@ -63,7 +63,7 @@ test('a time and two positions are written with one SETTIMERS and two SETSERVO, 
     { name: 'SETSERVO', function: 10, servo: 2, position: 130 },
     ...[who, memory, ...content, ...content, memory, who],
   ]);
-  expect(core.content.timers[10]).toBe(15_000);
+  expect(core.content.times[10]).toBe(15_000);
   expect([core.content.positions[0]?.[3], core.content.positions[2]?.[10]]).toEqual([44, 130]);
   expect(await pilot.shown(Object.keys(typed))).toEqual(typed);
   expect(rig.settings?.baudRate).toBe(9600);

@@ -24,10 +24,10 @@ test('a look leaves the timer as it was, and what flies next is what the pilot w
   expect([core.memory, selected(), core.memories]).toEqual([0, [2, 0], before]);
 
   await pilot.button(en.look.fly('M3')).click();
-  await pilot.sees(`${en.nextFlight.other('M3')} ${en.nextFlight.home('M1')}`);
+  await pilot.sees(`${en.nextFlight.other('M3')} ${en.nextFlight.original('M1')}`);
   expect(core.memory).toBe(2);
   await pilot.button(en.header.disconnect).click();
-  await pilot.sees(`${en.nextFlight.will('M3')} ${en.nextFlight.home('M1')}`);
+  await pilot.sees(`${en.nextFlight.will('M3')} ${en.nextFlight.original('M1')}`);
   await pilot.button(en.nextFlight.leaving.back('M1')).click();
   await expect.poll(() => rig.sessions, { timeout: 10_000 }).toEqual({ opened: 1, closed: 1 });
   expect([core.memory, selected(), core.memories]).toEqual([0, [2, 0, 2, 0], before]);

@@ -15,7 +15,7 @@ test.for([900, 2000])('a timer that answers after %i ms is read and written, and
   await pilot.type({ 'DT time': '2:30' });
   await pilot.write();
   expect(await pilot.result()).toContain(en.write.verified.title);
-  expect(rig.timer.core.content.timers[10]).toBe(15_000);
+  expect(rig.timer.core.content.times[10]).toBe(15_000);
   expect(await pilot.page.getByText('noisy').count()).toBe(0);
 });
 

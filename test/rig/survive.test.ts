@@ -14,8 +14,8 @@ const values = (round: number) => ({
 
 /** Where the timer holds these, as it counts. */
 const held = ({ timer: { core } }: Rig) => {
-  const { timers, positions } = core.content;
-  return [timers[10], positions[0]?.[3], positions[1]?.[5], positions[2]?.[10]];
+  const { times, positions } = core.content;
+  return [times[10], positions[0]?.[3], positions[1]?.[5], positions[2]?.[10]];
 };
 const wanted = (round: number) => [100 * (130 + round), round, 30 + round, 80 + round];
 

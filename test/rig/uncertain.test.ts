@@ -24,7 +24,7 @@ test('unplugged behind the last byte of a write: not known through all that foll
   await pilot.startWriting();
   expect(await pilot.result()).toContain(en.write.unknown.title);
   rig.timer.core.onAnswer = undefined;
-  expect(rig.timer.core.content.timers[10]).toBe(36_000);
+  expect(rig.timer.core.content.times[10]).toBe(36_000);
   await band.getByText(HOLDS).waitFor();
 
   await pilot.button(en.program.undoAll).click();
@@ -61,12 +61,12 @@ test('another content under the head between dialog and Write: it is shown, and 
   const { core } = rig.timer;
   await pilot.type({ 'DT time': '6:00' });
   await pilot.review();
-  core.content.timers[10] = 12_000;
+  core.content.times[10] = 12_000;
   await pilot.startWriting();
   await pilot.page.getByRole('dialog').getByText(en.write.moved.timer.title).waitFor();
-  expect(core.content.timers[10]).toBe(12_000);
+  expect(core.content.times[10]).toBe(12_000);
   expect(core.answered.some(({ name }) => name.startsWith('SET'))).toBe(false);
   await pilot.startWriting();
   expect(await pilot.result()).toContain(en.write.verified.title);
-  expect(core.content.timers[10]).toBe(36_000);
+  expect(core.content.times[10]).toBe(36_000);
 });

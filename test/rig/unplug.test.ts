@@ -43,8 +43,8 @@ test.for(whileReading)(
     await pilot.type(good);
     await pilot.write();
     expect(await pilot.result()).toContain(en.write.verified.title);
-    const { timers, positions } = rig.timer.core.content;
-    expect([timers[9], positions[1]?.[0], positions[2]?.[4]]).toEqual([725, 0, 54]);
+    const { times, positions } = rig.timer.core.content;
+    expect([times[9], positions[1]?.[0], positions[2]?.[4]]).toEqual([725, 0, 54]);
   },
 );
 
@@ -68,8 +68,8 @@ test.for(whileWriting)(
       expect(await pilot.shown(Object.keys(typed)), `connected after ${bytes}`).toEqual(typed);
       await pilot.write();
       expect(await pilot.result(), `written after ${bytes}`).toContain(en.write.verified.title);
-      const { timers, positions } = rig.timer.core.content;
-      expect([timers[10], positions[0]?.[3], positions[2]?.[10]]).toEqual([12_000 + 100 * index, index, 100 + index]);
+      const { times, positions } = rig.timer.core.content;
+      expect([times[10], positions[0]?.[3], positions[2]?.[10]]).toEqual([12_000 + 100 * index, index, 100 + index]);
     }
   },
 );

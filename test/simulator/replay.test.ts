@@ -77,9 +77,9 @@ async function recorded(options: VirtualTimerOptions) {
 /** Identifies and reads, changes DT and a position, writes and reads back. */
 async function session(client: TimerClient, clock: VirtualClock) {
   const program = await clock.run(client.readProgram());
-  const timers = program.timers.with(-1, 30_000);
+  const times = program.times.with(-1, 30_000);
   const positions = program.positions.map((row, servo) => (servo === 1 ? row.with(2, 77) : row));
-  const report = await clock.run(client.writeProgram({ ...program, timers, positions }, { baseline: program }));
+  const report = await clock.run(client.writeProgram({ ...program, times, positions }, { baseline: program }));
   return { program, report, quirks: [...client.quirksFound.keys()] };
 }
 
@@ -90,7 +90,7 @@ describe('a recorded timer', () => {
     const program = await clock.run(client.readProgram());
     expect(program.positions).toEqual([CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS]);
     expect(program.identity).toMatchObject({ timerClass: 'B', firmware: '536' });
-    expect([program.memory, program.timers[10]]).toEqual([3, 18000]);
+    expect([program.memory, program.times[10]]).toEqual([3, 18000]);
     expect(clock.now(), 'the pauses of the recorded client are not waited for').toBeLessThan(500);
   });
 

@@ -47,7 +47,7 @@ describe('the virtual timer', () => {
     for (const timerClass of ['B', 'Q', 'E']) {
       for (const functions of [1, 2, 10, 125]) {
         const { core } = new VirtualTimer({ identity: { timerClass, functions, servos: 1 } });
-        const times = core.content.timers.slice(1);
+        const times = core.content.times.slice(1);
         expect(times).toEqual([...new Set(times)].sort((a, b) => a - b));
       }
     }
@@ -60,8 +60,8 @@ describe('the virtual timer', () => {
     await ask({ name: 'SETTIMERS', times: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10] });
     expect(timer.core.memories[0]?.positions[1]?.[0]).toBe(99);
     expect(timer.core.memories[1]?.positions[1]?.[0]).toBe(15);
-    expect(timer.core.memories[1]?.timers).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
-    expect(timer.core.memories[0]?.timers[1]).toBe(50);
+    expect(timer.core.memories[1]?.times).toEqual([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+    expect(timer.core.memories[0]?.times[1]).toBe(50);
     expect(await ask({ name: 'GETMEMORY' })).toEqual(['00 00 00 00 00 04 72 01 73 45']);
   });
 

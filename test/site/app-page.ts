@@ -139,7 +139,7 @@ export class AppPage {
     return this.field(field).inputValue();
   }
 
-  /** What the column of a servo shows, start to DT. */
+  /** What the slot of a servo shows, start to DT. */
   async positions(servo: string): Promise<string[]> {
     const fields = this.table.getByRole('textbox', { name: new RegExp(`, ${servo}$`) });
     return fields.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));

@@ -20,4 +20,4 @@ export const edits = async (app: AppPage): Promise<string[]> => [
 
 /** DT and the position of S1 at function 2, as the timer holds them. */
 export const held = (app: AppPage): Promise<(number | undefined)[]> =>
-  app.bench(({ content: { timers, positions } }) => [timers[10], positions[0]?.[2]]);
+  app.bench(({ content: { times, positions } }) => [times[10], positions[0]?.[2]]);

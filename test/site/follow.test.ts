@@ -32,8 +32,8 @@ async function stepUp(app: AppPage): Promise<void> {
 }
 
 /** Where the timer has moved its servos, and where each of them stands. */
-const stand = (app: AppPage): Promise<[column: number, servos: number[]]> =>
-  app.bench(({ adapter }) => [adapter.timer.core.column, adapter.timer.core.servos]);
+const stand = (app: AppPage): Promise<[slot: number, servos: number[]]> =>
+  app.bench(({ adapter }) => [adapter.timer.core.slot, adapter.timer.core.servos]);
 
 const row = (app: AppPage, name: string): Locator => app.table.getByRole('row', { name: new RegExp(`^${name}`) });
 

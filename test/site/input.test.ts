@@ -111,7 +111,7 @@ describe('the page starts all the same', () => {
   const program = (functions: number, servos: number, value: unknown) => ({
     identity: { timerClass: 'Q', firmware: '536', functions, memories: 4, servos },
     memory: 0,
-    timers: Array(functions + 1).fill(value),
+    times: Array(functions + 1).fill(value),
     positions: Array(servos).fill(Array(functions + 1).fill(value)),
     idleThrottle: null,
   });
@@ -125,7 +125,7 @@ describe('the page starts all the same', () => {
   };
   const garbage: [name: string, stored: object][] = [
     ['nothing of a draft but its key', { key: 'a' }],
-    ['lists of another length than the identity says', { ...draft, working: { ...draft.working, timers: [1] } }],
+    ['lists of another length than the identity says', { ...draft, working: { ...draft.working, times: [1] } }],
     ['texts for numbers', { ...draft, working: program(3, 1, 'five') }],
     ['numbers that are none', { ...draft, working: program(3, 1, Number.NaN) }],
     ['numbers that no timer holds', { ...draft, working: program(3, 1, -1e300) }],

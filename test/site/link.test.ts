@@ -94,7 +94,7 @@ describe('the adapter comes back', () => {
     const app = await edited();
     await app.bench((bench) => {
       bench.adapter.unplug();
-      bench.content.timers[10] = 21000;
+      bench.content.times[10] = 21000;
       bench.replug();
     });
     await app.says('The timer holds something else than when you made your edits.');

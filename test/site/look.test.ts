@@ -101,7 +101,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.type('DT time', '4:00');
       await app.type('Function 2, S1', '7');
       await app.bench((bench) => {
-        bench.content.timers[10] = 21000;
+        bench.content.times[10] = 21000;
       });
       await app.review();
       await isWellMade(app, 'conflict');

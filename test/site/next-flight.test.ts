@@ -6,7 +6,7 @@ test('a memory is looked at and left, another made to fly next, and Disconnect r
   await app.connect();
   await app.bench(({ adapter }) => {
     const third = adapter.timer.core.memories[2];
-    if (third) third.timers[10] = 25_500;
+    if (third) third.times[10] = 25_500;
     adapter.timer.core.answered.length = 0;
   });
   const current = (): Promise<number> => app.bench(({ adapter }) => adapter.timer.core.memory);

@@ -11,7 +11,7 @@ const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[
   },
   { what: 'gaps, ragged rows and empty lines', text: '\t\t70\n\n\n12,7\n\t71\t\t72\n\n', takes: [4, 0] },
   {
-    what: 'a hundred columns',
+    what: 'a hundred slots',
     text: Array.from({ length: 100 }, (_, at) => String(11 + at)).join('\t'),
     takes: [4, 2],
   },

@@ -50,7 +50,7 @@ describe('a write that the page did not survive', () => {
   test('and the timer holds what nothing explains: which timer this is has to be said', async () => {
     const app = await interrupted();
     await app.bench((bench) => {
-      bench.content.timers[3] = 1234;
+      bench.content.times[3] = 1234;
     });
     await app.button('Connect').click();
     await panel(app).getByText('Is it another timer, or did something else change it?').waitFor();
@@ -80,7 +80,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   await app.connect();
   await app.bench(({ adapter }) => {
     const [first] = adapter.timer.core.memories;
-    if (first) first.timers[3] = 1234;
+    if (first) first.times[3] = 1234;
   });
   const memories = (): Promise<unknown[]> => app.bench(({ adapter }) => adapter.timer.core.memories);
   const before = await memories();

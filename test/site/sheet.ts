@@ -22,7 +22,7 @@ export const positionField = (row: number, servo: number): string => `${ROWS[row
 
 /** What a timer holds after the sheet was entered and function 4 and all later ones were moved by 1.5 s. */
 export const SHIFTED = {
-  timers: [800, 820, 870, 950, 1250, 1580, 2150, 4700, 6150, 9150, 24000],
+  times: [800, 820, 870, 950, 1250, 1580, 2150, 4700, 6150, 9150, 24000],
   positions: SHEET.positions.map((servo) => servo.map(Number)),
 };
 

@@ -18,7 +18,7 @@ test('a cable pulled before the answer to a write leaves not known what the time
   await app.bench((bench) => bench.unplugAt('SETTIMERS'));
   await app.write();
   await app.result('It is not certain what the timer holds.');
-  expect(await app.bench(({ content }) => content.timers[10]), 'it does hold it').toBe(36_000);
+  expect(await app.bench(({ content }) => content.times[10]), 'it does hold it').toBe(36_000);
 
   await app.close();
   await isUncertain(app, 'after Close');
@@ -37,7 +37,7 @@ test('a cable pulled before the answer to a write leaves not known what the time
   await app.page.close({ runBeforeUnload: false });
   await isUncertain(survivor, 'after a crash');
   await survivor.bench(({ content }) => {
-    content.timers[10] = 36_000;
+    content.times[10] = 36_000;
   });
   await survivor.button('Connect and read').click();
   await survivor.isReady();

@@ -24,8 +24,8 @@ describe('through a serial port', () => {
     await app.close();
     expect(await app.sets()).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     expect(await app.bench(({ sets }) => sets), 'the timer has seen the same').toEqual(await app.sets());
-    const { timers, positions } = await app.bench(({ content }) => content);
-    expect([timers[10], positions[0]?.[2], positions[2]?.[9]]).toEqual([24000, 7, 130]);
+    const { times, positions } = await app.bench(({ content }) => content);
+    expect([times[10], positions[0]?.[2], positions[2]?.[9]]).toEqual([24000, 7, 130]);
 
     await app.button('Disconnect').click();
     await app.button('Connect').waitFor();
@@ -155,8 +155,8 @@ describe('the plug is pulled', () => {
       await app.tickSafety();
       await app.dialog.getByRole('button', { name: /^(Write|Read back)/ }).click();
       await app.result('Verified.');
-      const { timers, positions } = await app.bench(({ content }) => content);
-      expect([timers[10], positions[0]?.[2]]).toEqual([24000, 7]);
+      const { times, positions } = await app.bench(({ content }) => content);
+      expect([times[10], positions[0]?.[2]]).toEqual([24000, 7]);
     });
   }
 

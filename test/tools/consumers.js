@@ -110,7 +110,7 @@ function backUp(tarball) {
     '--all',
   );
   const { memories } = JSON.parse(readFileSync(join(where, 'timer.json'), 'utf8'));
-  if (memories.length !== 4 || memories[3].timers[10] !== 27_000) throw new Error(`Not backed up: ${said}`);
+  if (memories.length !== 4 || memories[3].times[10] !== 27_000) throw new Error(`Not backed up: ${said}`);
   console.log(`The backup example works with serialport: ${said.trim()}`);
 }
 

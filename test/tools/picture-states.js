@@ -85,7 +85,7 @@ async function connectPort(page) {
 async function conflict(page) {
   await change(page, connectPort);
   await page.evaluate(() => {
-    window.workbench.content.timers[10] = 21000;
+    window.workbench.content.times[10] = 21000;
   });
   await press(page, 'Write…');
   await page.getByRole('dialog').waitFor();

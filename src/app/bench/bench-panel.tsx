@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
-import { columnCount, type Identity } from '../../protocol/index.js';
-import { columnLabel, messages } from '../messages/index.js';
+import { type Identity, slotCount } from '../../protocol/index.js';
+import { messages, slotLabel } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { HoldButton } from '../ui/hold-button.js';
 import { SafetyCheck } from '../write/safety-check.js';
@@ -37,7 +37,7 @@ function Controls({ identity }: { identity: Identity }) {
       <p class="hint">{connected ? words.lead : words.notConnected}</p>
       {connected && <SafetyCheck />}
       <Said identity={identity} />
-      {connected && <Columns identity={identity} />}
+      {connected && <Slots identity={identity} />}
       {connected && <FollowSwitch identity={identity} />}
       {connected && identity.timerClass === 'Q' && <Motor />}
       {connected && <Experimental />}
@@ -57,18 +57,18 @@ function Said({ identity }: { identity: Identity }) {
 }
 
 /** Start to DT, and steps from one to the next. */
-function Columns({ identity }: { identity: Identity }) {
+function Slots({ identity }: { identity: Identity }) {
   const { bench } = useModels();
   const { bench: words } = messages.value;
   const ready = bench.ready.value;
   const at = bench.stand.at.value;
   const action = bench.done.value?.action;
-  const last = at ?? (action?.kind === 'move' ? action.column : null);
-  const count = columnCount(identity);
-  const go = (column: number) => () => void (ready && bench.moveTo(column));
+  const last = at ?? (action?.kind === 'move' ? action.slot : null);
+  const count = slotCount(identity);
+  const go = (slot: number) => () => void (ready && bench.moveTo(slot));
   return (
-    <fieldset class="bench-columns">
-      <legend>{words.columns}</legend>
+    <fieldset class="bench-slots">
+      <legend>{words.slots}</legend>
       <div class="bench-steps">
         {[
           { name: words.previous, to: last === null ? null : last - 1, path: 'M12 4L6 10L12 16' },
@@ -87,16 +87,16 @@ function Columns({ identity }: { identity: Identity }) {
         })}
       </div>
       <div class="bench-grid">
-        {Array.from({ length: count }, (_, column) => (
+        {Array.from({ length: count }, (_, slot) => (
           <button
             type="button"
-            key={columnLabel(identity, column)}
-            aria-label={columnLabel(identity, column)}
-            aria-pressed={column === at}
+            key={slotLabel(identity, slot)}
+            aria-label={slotLabel(identity, slot)}
+            aria-pressed={slot === at}
             aria-disabled={!ready}
-            onClick={go(column)}
+            onClick={go(slot)}
           >
-            {column === 0 || column === identity.functions ? columnLabel(identity, column) : column}
+            {slot === 0 || slot === identity.functions ? slotLabel(identity, slot) : slot}
           </button>
         ))}
       </div>

@@ -1,17 +1,17 @@
 import type { Identity } from '../../protocol/index.js';
-import { columnLabel, messages } from '../messages/index.js';
+import { messages, slotLabel } from '../messages/index.js';
 import type { Done } from './bench.js';
 
 /** “Servos at function 4”, but “Servos at DT”. */
-export function columnInSentence(identity: Identity, column: number): string {
-  const label = columnLabel(identity, column);
+export function slotInSentence(identity: Identity, slot: number): string {
+  const label = slotLabel(identity, slot);
   return /^[A-Z][a-z]/.test(label) ? label.charAt(0).toLowerCase() + label.slice(1) : label;
 }
 
-/** Where the servos stand. @param at as a column; null when it is not known. */
+/** Where the servos stand. @param at as a slot; null when it is not known. */
 export function standText(identity: Identity, at: number | null): string {
   const { bench: words } = messages.value;
-  return at === null ? words.atNone : words.at(columnInSentence(identity, at));
+  return at === null ? words.atNone : words.at(slotInSentence(identity, at));
 }
 
 /** What was done last, and what came of it. A movement that was acknowledged is told by where the servos stand since. */
@@ -20,7 +20,7 @@ export function doneText(identity: Identity, done: Done | null, at: number | nul
   if (!done) return standText(identity, at);
   const { action, certain } = done;
   if (action.kind === 'move') {
-    return certain ? standText(identity, at) : words.moveMaybe(columnInSentence(identity, action.column));
+    return certain ? standText(identity, at) : words.moveMaybe(slotInSentence(identity, action.slot));
   }
   if (action.kind === 'unlock') return certain ? words.unlocked : words.unlockMaybe;
   return certain ? words.jumped : words.jumpMaybe;

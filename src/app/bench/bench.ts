@@ -5,7 +5,7 @@ import type { JobOptions, Session } from '../session/session.js';
 import { ServoStand } from './servo-stand.js';
 
 /** What may happen on the bench when the timer is told so. */
-export type BenchAction = { readonly kind: 'move'; readonly column: number } | { readonly kind: 'unlock' | 'jump' };
+export type BenchAction = { readonly kind: 'move'; readonly slot: number } | { readonly kind: 'unlock' | 'jump' };
 
 /** What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out all the same. */
 export interface Done {
@@ -46,9 +46,9 @@ export class Bench {
     });
   }
 
-  /** Moves the servos to a column, 0 start to NF. @returns whether the timer has acknowledged it. */
-  async moveTo(column: number): Promise<boolean> {
-    return await this.#act({ kind: 'move', column });
+  /** Moves the servos to a slot, 0 start to NF. @returns whether the timer has acknowledged it. */
+  async moveTo(slot: number): Promise<boolean> {
+    return await this.#act({ kind: 'move', slot });
   }
 
   /** Frees the motor of a class Q timer: a propeller may start. */
@@ -66,9 +66,9 @@ export class Bench {
     const { client } = connection;
     options.stillOn();
     // They are on their way, unless they go to the very place where they stand.
-    if (action.kind !== 'move' || action.column !== this.stand.at.peek()) this.stand.lose();
+    if (action.kind !== 'move' || action.slot !== this.stand.at.peek()) this.stand.lose();
     try {
-      if (action.kind === 'move') await client.moveToFunction(action.column, options);
+      if (action.kind === 'move') await client.moveToFunction(action.slot, options);
       else if (action.kind === 'unlock') await client.unlockMotor(options);
       else await client.jump(options);
     } catch (error) {
@@ -80,7 +80,7 @@ export class Bench {
     if (this.#session.connection.peek() !== connection) return;
     batch(() => {
       this.done.value = { action, certain: true };
-      if (action.kind === 'move') this.stand.moved(connection, action.column);
+      if (action.kind === 'move') this.stand.moved(connection, action.slot);
     });
   }
 

@@ -96,8 +96,8 @@ export class Follow {
     this.unkept = computed(() => this.#unkept.value !== null);
     this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.#ended.value?.held);
     this.awaited = computed(() => {
-      const columns = this.#on.value ? this.#pending().map(({ field }) => field.column) : [];
-      return new Set(columns.filter((column) => column !== bench.stand.at.value));
+      const slots = this.#on.value ? this.#pending().map(({ field }) => field.slot) : [];
+      return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
     });
     this.hasEarlier = computed(() =>
       editor.changes.value.some(({ field }) => field.kind === 'position' && !this.#touched.value.has(fieldKey(field))),
@@ -162,13 +162,13 @@ export class Follow {
   }
 
   /** Moves the servos to a function of which positions wait, as soon as the command under way has ended. Only while they follow. */
-  bring(column: number): void {
-    if (this.#on.value) this.#wanted.value = column;
+  bring(slot: number): void {
+    if (this.#on.value) this.#wanted.value = slot;
   }
 
   /** The first position of a function that waits for the servos. */
-  waitingAt(column: number): ProgramField | null {
-    return this.#pending().find(({ field }) => field.column === column)?.field ?? null;
+  waitingAt(slot: number): ProgramField | null {
+    return this.#pending().find(({ field }) => field.slot === slot)?.field ?? null;
   }
 
   /**
@@ -269,16 +269,16 @@ export class Follow {
     if (!working || !before || before === working || !sameLayout(before.identity, working.identity)) return;
     const changed = differences(before, working).map(({ field }) => field);
     for (const field of changed) this.#changedAt.set(fieldKey(field), performance.now());
-    const columns = new Set(changed.flatMap((field) => (field.kind === 'position' ? [field.column] : [])));
+    const slots = new Set(changed.flatMap((field) => (field.kind === 'position' ? [field.slot] : [])));
     // Servos that ran through all the functions of a paste were not meant.
-    if (columns.size > 0) this.#edited = columns.size === 1 ? ([...columns][0] ?? null) : null;
+    if (slots.size > 0) this.#edited = slots.size === 1 ? ([...slots][0] ?? null) : null;
     this.#touched.value = new Set([...this.#touched.peek(), ...changed.map(fieldKey)]);
   }
 
   /** The function at which there is something to do; null when there is nothing. */
   #next(): number | null {
     const due = this.#due(this.#pending());
-    const isDue = (column: number | null): boolean => due.some(({ field }) => field.column === column);
+    const isDue = (slot: number | null): boolean => due.some(({ field }) => field.slot === slot);
     const at = this.#bench.stand.at.value;
     if (this.#wanted.value !== null) return this.#wanted.value;
     if (this.#going.value && isDue(this.#edited)) return this.#edited;
@@ -311,16 +311,16 @@ export class Follow {
   }
 
   /** Moves the servos to a function, unless they stand there; stores what is due there; and moves them to what is stored now. */
-  async #go(column: number): Promise<void> {
+  async #go(slot: number): Promise<void> {
     const { stand } = this.#bench;
     await this.#session.run('bench', null, async (connection, options) => {
       // Whatever has ended it in the meantime: the next command does not go out. Whether it was stopped the client asks itself.
       const isOff = (): boolean => !this.#on.peek() || this.#bound !== connection;
-      const move = () => this.#bench.carryOut({ kind: 'move', column }, connection, options);
+      const move = () => this.#bench.carryOut({ kind: 'move', slot }, connection, options);
       this.#wanted.value = null;
       try {
-        if (column !== stand.at.peek()) await move();
-        const due = this.#due(this.#pending()).filter(({ field }) => field.column === column);
+        if (slot !== stand.at.peek()) await move();
+        const due = this.#due(this.#pending()).filter(({ field }) => field.slot === slot);
         let stored = 0;
         for (const { field } of due) {
           if (isOff()) break;
@@ -354,12 +354,12 @@ export class Follow {
     options.stillOn();
     if (!this.#on.peek()) return;
     editor.fresh.value = false;
-    await connection.client.setPosition(field.servo, field.column, pending.value, options);
+    await connection.client.setPosition(field.servo, field.slot, pending.value, options);
     if (editor.baseline.peek() !== before) return;
     batch(() => {
       knowledge.acknowledged(before.memory);
       editor.acknowledge(field, pending.value);
-      this.#bench.stand.moved(connection, field.column);
+      this.#bench.stand.moved(connection, field.slot);
     });
   }
 

@@ -8,7 +8,7 @@ interface Stand {
   readonly connection: TimerConnection;
   /** What was worked on: the servos stand where this memory has them. */
   readonly key: string;
-  readonly column: number;
+  readonly slot: number;
   /** All positions that the timer held then. */
   readonly positions: TimerProgram['positions'];
 }
@@ -31,14 +31,14 @@ export class ServoStand {
       const held = session.editor.baseline.value;
       if (!last || !held || session.memoryOpen.value || session.connection.value !== last.connection) return null;
       const isSame = session.workKey(held) === last.key && String(held.positions) === String(last.positions);
-      return isSame ? last.column : null;
+      return isSame ? last.slot : null;
     });
   }
 
-  /** The timer has acknowledged that the servos moved to a column, as it holds that now. */
-  moved(connection: TimerConnection, column: number): void {
+  /** The timer has acknowledged that the servos moved to a slot, as it holds that now. */
+  moved(connection: TimerConnection, slot: number): void {
     const held = this.#session.editor.baseline.peek();
-    this.#last.value = held && { connection, key: this.#session.workKey(held), column, positions: held.positions };
+    this.#last.value = held && { connection, key: this.#session.workKey(held), slot, positions: held.positions };
   }
 
   /** Something may have moved them, and it is not known where to. */

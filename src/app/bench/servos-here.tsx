@@ -3,27 +3,27 @@ import type { Identity } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { useSteady } from '../ui/use-steady.js';
-import { columnInSentence, standText } from './bench-text.js';
+import { slotInSentence, standText } from './bench-text.js';
 
 /** While the servos follow: the mark of the function where they stand, as far as that is known. */
-export function ServosHere({ column }: { readonly column: number }) {
+export function ServosHere({ slot }: { readonly slot: number }) {
   const { bench, follow } = useModels();
-  const here = useSteady(() => follow.on.value && bench.stand.at.value === column, [bench, follow, column]);
+  const here = useSteady(() => follow.on.value && bench.stand.at.value === slot, [bench, follow, slot]);
   return here ? <span class="servos-here">{messages.value.bench.here}</span> : null;
 }
 
 interface ServosOfferProps {
   readonly identity: Identity;
-  readonly column: number;
-  /** How many columns the table has. */
+  readonly slot: number;
+  /** How many slots the table has. */
   readonly width: number;
 }
 
 /** Under a function of which positions wait for the servos: the way to bring them there. */
-export function ServosOffer({ identity, column, width }: ServosOfferProps) {
+export function ServosOffer({ identity, slot, width }: ServosOfferProps) {
   const { bench, follow } = useModels();
   const { bench: words } = messages.value;
-  const waits = useSteady(() => follow.awaited.value.has(column), [follow, column]);
+  const waits = useSteady(() => follow.awaited.value.has(slot), [follow, slot]);
   if (!waits) return null;
   return (
     <tr class="row-notes servos-offer">
@@ -36,13 +36,13 @@ export function ServosOffer({ identity, column, width }: ServosOfferProps) {
             type="button"
             onClick={({ currentTarget, detail }) => {
               // The button goes away: whoever came to it by keys goes back to the field.
-              const field = follow.waitingAt(column);
+              const field = follow.waitingAt(slot);
               const input = field && currentTarget.closest('table')?.querySelector(`[data-field='${fieldKey(field)}']`);
-              follow.bring(column);
+              follow.bring(slot);
               if (detail === 0 && input instanceof HTMLElement) input.focus();
             }}
           >
-            {words.bring(columnInSentence(identity, column))}
+            {words.bring(slotInSentence(identity, slot))}
           </button>
         </div>
       </td>

@@ -2,8 +2,8 @@ import type { AssumedQuirks } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { messages, portKeyName, portName, timerName } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { identityOfKind, kindKey } from '../session/keys.js';
 import type { Assumed } from '../session/link.js';
+import { identityOfKind, kindKey } from '../session/record-keys.js';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 

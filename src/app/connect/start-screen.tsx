@@ -3,8 +3,8 @@ import { useModels } from '../models.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { AboutTimer } from './about-timer.js';
 import { ConnectButtons } from './connect-buttons.js';
+import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
 import { PortList, SerialSettingsForm } from './port-list.js';
-import { connectionSaid, TroubleHelp } from './trouble-help.js';
 
 /** Before anything was read: Connect, or try a simulated timer. */
 export function StartScreen() {
@@ -18,7 +18,7 @@ export function StartScreen() {
       {unavailable ? (
         <div class="notice bad">
           <NoticeText said={connectionSaid(unavailable, platform)} />
-          <TroubleHelp code={unavailable} platform={platform} info={null} />
+          <ConnectionHelp code={unavailable} platform={platform} info={null} />
         </div>
       ) : (
         <div class="start-connect">

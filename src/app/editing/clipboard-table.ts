@@ -32,7 +32,7 @@ export function formatTable(
 
 function formatCell(program: TimerProgram, field: GridField | null, decimal: string): string {
   if (!field) return '';
-  const value = field.kind === 'interval' ? intervalAt(program, field.column) : valueAt(program, field);
+  const value = field.kind === 'interval' ? intervalAt(program, field.slot) : valueAt(program, field);
   if (value === null) return '';
   return field.kind === 'position' ? String(value) : formatSeconds(value, decimal);
 }

@@ -27,7 +27,7 @@ export interface UnreadableField {
 
 /** What a text in a field says. */
 export function parseValue({ functions }: Identity, field: ProgramField, text: string): Reading {
-  return field.kind === 'time' ? readTime(text, { isDt: field.column === functions }) : parseSteps(text);
+  return field.kind === 'time' ? readTime(text, { isDt: field.slot === functions }) : parseSteps(text);
 }
 
 /** A value in the form in which a pilot reads and types it. */

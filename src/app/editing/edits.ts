@@ -30,7 +30,7 @@ export interface FieldValue {
  *
  * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire could not carry the value, as the check
  *   would find.
- * - `reserved`: column 0 of a class other than Q, which is edited only on purpose, as a field of its own.
+ * - `reserved`: slot 0 of a class other than Q, which is edited only on purpose, as a field of its own.
  * - `no-interval`: the start follows nothing.
  */
 export type RefusalCode =
@@ -96,13 +96,13 @@ export function withValues(program: TimerProgram, values: readonly FieldValue[])
 }
 
 /**
- * Sets an interval: the column keeps this distance to the one before it, and the functions after it keep theirs, as on a sheet of
- * intervals. DT stays unless it is this column or `moveDt` is set.
+ * Sets an interval: the slot keeps this distance to the one before it, and the functions after it keep theirs, as on a sheet of
+ * intervals. DT stays unless it is this slot or `moveDt` is set.
  * @param interval hundredths of a second; a negative one makes times fall.
  */
-export function setInterval(program: TimerProgram, column: number, interval: number, options: DtOption = {}): Edit {
-  if (column === 0) return { refused: refusal('no-interval', { kind: 'time', column }, interval) };
-  return retime(program, new Map(), new Map([[column, interval]]), options);
+export function setInterval(program: TimerProgram, slot: number, interval: number, options: DtOption = {}): Edit {
+  if (slot === 0) return { refused: refusal('no-interval', { kind: 'time', slot }, interval) };
+  return retime(program, new Map(), new Map([[slot, interval]]), options);
 }
 
 /**
@@ -110,20 +110,20 @@ export function setInterval(program: TimerProgram, column: number, interval: num
  * timer those functions go along that are at its time or later, for they follow it in flight.
  * @param by hundredths of a second, negative to earlier.
  */
-export function shiftFrom(program: TimerProgram, column: number, by: number, { moveDt = false }: DtOption = {}): Edit {
-  const { identity, timers } = program;
-  const from = timers[column];
+export function shiftFrom(program: TimerProgram, slot: number, by: number, { moveDt = false }: DtOption = {}): Edit {
+  const { identity, times } = program;
+  const from = times[slot];
   if (from === undefined || by === 0) return { values: [] };
-  if (column === 0 && identity.timerClass !== 'Q') {
-    return { refused: refusal('reserved', { kind: 'time', column }, from + by) };
+  if (slot === 0 && identity.timerClass !== 'Q') {
+    return { refused: refusal('reserved', { kind: 'time', slot }, from + by) };
   }
   const goesAlong = (time: number, at: number): boolean => {
-    if (at === column) return true;
+    if (at === slot) return true;
     if (at === identity.functions) return moveDt;
-    return column === 0 ? time >= from : at > column;
+    return slot === 0 ? time >= from : at > slot;
   };
-  const moved = timers.flatMap((time, at): CellValue[] =>
-    goesAlong(time, at) ? [{ field: { kind: 'time', column: at }, value: time + by }] : [],
+  const moved = times.flatMap((time, at): CellValue[] =>
+    goesAlong(time, at) ? [{ field: { kind: 'time', slot: at }, value: time + by }] : [],
   );
   return checked(program, moved);
 }
@@ -146,7 +146,7 @@ export function stepValue(
 ): FieldValue[] {
   const before = valueAt(program, field);
   if (before === null) return [];
-  const step = (field.kind === 'time' && manualRange(program.identity, field.column)?.step) || 1;
+  const step = (field.kind === 'time' && manualRange(program.identity, field.slot)?.step) || 1;
   const last = Math.floor(MAX_VALUE[field.kind] / step);
   const steps = (direction > 0 ? Math.floor : Math.ceil)(before / step) + direction * (tenfold ? 10 : 1);
   const value = Math.min(Math.max(steps, 0), last) * step;
@@ -159,15 +159,15 @@ export function stepValue(
  */
 export function stepInterval(
   program: TimerProgram,
-  column: number,
+  slot: number,
   direction: 1 | -1,
   options: StepOptions & DtOption = {},
 ): Edit {
-  const interval = intervalAt(program, column);
-  const [step] = stepValue(program, { kind: 'time', column }, direction, options);
+  const interval = intervalAt(program, slot);
+  const [step] = stepValue(program, { kind: 'time', slot }, direction, options);
   if (interval === null || !step) return { values: [] };
-  const by = step.value - (program.timers[column] as number);
-  return shiftFrom(program, column, Math.max(by, Math.min(0, -interval)), options);
+  const by = step.value - (program.times[slot] as number);
+  return shiftFrom(program, slot, Math.max(by, Math.min(0, -interval)), options);
 }
 
 /** Gives one servo all positions of another. A position past the last step, as a timer may hold it, can be given to no other. */
@@ -175,15 +175,15 @@ export function copyServo(program: TimerProgram, from: number, to: number): Edit
   const row = program.positions[from] ?? [];
   return checked(
     program,
-    row.map((value, column) => ({ field: { kind: 'position', servo: to, column }, value })),
+    row.map((value, slot) => ({ field: { kind: 'position', servo: to, slot }, value })),
   );
 }
 
 /** Mirrors all positions of a servo, 130 - p, as when it works the other way round. What is no step stays as it is. */
 export function reverseServo(program: TimerProgram, servo: number): FieldValue[] {
   const row = program.positions[servo] ?? [];
-  return row.flatMap((value, column): FieldValue[] => {
-    const field: CellField = { kind: 'position', servo, column };
+  return row.flatMap((value, slot): FieldValue[] => {
+    const field: CellField = { kind: 'position', servo, slot };
     return refusalOf(field, value) ? [] : [{ field, value: MAX_POSITION - value }];
   });
 }
@@ -196,17 +196,17 @@ export function reverseServo(program: TimerProgram, servo: number): FieldValue[]
 export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
   const { functions } = program.identity;
   const { unreadable = NONE_UNREADABLE } = options;
-  const takesTime = (column: number): boolean => range.top > 0 && (column < functions || options.moveDt === true);
+  const takesTime = (slot: number): boolean => range.top > 0 && (slot < functions || options.moveDt === true);
   const copies: CellValue[] = [];
   const intervals = new Map<number, number>();
   for (const field of fieldsIn(program.identity, { ...range, top: range.top + 1 })) {
-    if (field.kind !== 'position' && !takesTime(field.column)) continue;
+    if (field.kind !== 'position' && !takesTime(field.slot)) continue;
     const value =
-      field.kind === 'interval' ? intervalAt(program, range.top) : valueAt(program, { ...field, column: range.top });
+      field.kind === 'interval' ? intervalAt(program, range.top) : valueAt(program, { ...field, slot: range.top });
     if (value === null) continue;
-    const hidden = sourcesOf({ ...field, column: range.top }).find((source) => unreadable.has(fieldKey(source)));
+    const hidden = sourcesOf({ ...field, slot: range.top }).find((source) => unreadable.has(fieldKey(source)));
     if (hidden) return { refused: { code: 'unreadable', field: hidden } };
-    if (field.kind === 'interval') intervals.set(field.column, value);
+    if (field.kind === 'interval') intervals.set(field.slot, value);
     else copies.push({ field, value });
   }
   const spaced = retime(program, new Map(), intervals, options);
@@ -215,48 +215,48 @@ export function fillDown(program: TimerProgram, range: GridRange, options: DtOpt
 
 /** What the value of a cell is read from: an interval from the time that it counts from and the one at its end. */
 function sourcesOf(field: GridField): CellField[] {
-  const before = field.kind === 'interval' ? countedFrom(field.column) : null;
+  const before = field.kind === 'interval' ? countedFrom(field.slot) : null;
   return before ? [before, programField(field)] : [programField(field)];
 }
 
 /**
- * The times that follow from given times and intervals, first to last: a column takes its time, else its interval after the one before,
- * else it is moved as far as the nearest interval above moved its own column. DT without either stays unless `moveDt` is set. Only what
+ * The times that follow from given times and intervals, first to last: a slot takes its time, else its interval after the one before,
+ * else it is moved as far as the nearest interval above moved its own slot. DT without either stays unless `moveDt` is set. Only what
  * comes out has to be carried by the wire, not what would be on the way there. No interval counts from a time that cannot be read, and none
  * moves one.
- * @param times by column; whether the wire carries them is not looked at.
- * @param intervals by column, from 1 on.
- * @returns with a refusal also `cause`, the column of the interval that led to it.
+ * @param given times by slot; whether the wire carries them is not looked at.
+ * @param intervals by slot, from 1 on.
+ * @returns with a refusal also `cause`, the slot of the interval that led to it.
  */
 export function retime(
   program: TimerProgram,
-  times: ReadonlyMap<number, number>,
+  given: ReadonlyMap<number, number>,
   intervals: ReadonlyMap<number, number>,
   { moveDt = false, unreadable = NONE_UNREADABLE }: DtOption & TextOption = {},
 ):
   | { readonly values: readonly CellValue[] }
   | { readonly refused: Refusal | Unread<CellField>; readonly cause: number } {
-  const timers = [...program.timers];
+  const times = [...program.times];
   const values: CellValue[] = [];
   let by = 0;
   let cause = 0;
-  for (const [column, before] of program.timers.entries()) {
-    const field: CellField = { kind: 'time', column };
-    const time = times.get(column);
-    const interval = intervals.get(column);
+  for (const [slot, before] of program.times.entries()) {
+    const field: CellField = { kind: 'time', slot };
+    const time = given.get(slot);
+    const interval = intervals.get(slot);
     let value = before;
     let hidden: CellField | null = null;
     if (time !== undefined) value = time;
     else if (interval !== undefined) {
-      hidden = startOf(column, times, intervals);
-      value = timeBefore(timers, column) + interval;
+      hidden = startOf(slot, given, intervals);
+      value = timeBefore(times, slot) + interval;
       by = value - before;
-      cause = column;
-    } else if (column < program.identity.functions || moveDt) {
+      cause = slot;
+    } else if (slot < program.identity.functions || moveDt) {
       value += by;
       if (by !== 0) hidden = field;
     }
-    timers[column] = value;
+    times[slot] = value;
     if (hidden && unreadable.has(fieldKey(hidden))) return { refused: { code: 'unreadable', field: hidden }, cause };
     const refused = time === undefined && value !== before ? refusalOf(field, value) : null;
     if (refused) return { refused, cause };
@@ -267,12 +267,12 @@ export function retime(
 
 /** The time that an interval counts from as it stands in its field: null where that is launch, or is itself given. */
 export function startOf(
-  column: number,
+  slot: number,
   times: ReadonlyMap<number, number>,
   intervals: ReadonlyMap<number, number>,
 ): CellField | null {
-  const from = countedFrom(column);
-  return from && !times.has(from.column) && !intervals.has(from.column) ? from : null;
+  const from = countedFrom(slot);
+  return from && !times.has(from.slot) && !intervals.has(from.slot) ? from : null;
 }
 
 interface CellValue extends FieldValue {

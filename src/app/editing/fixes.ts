@@ -48,9 +48,9 @@ function betterValue(
 }
 
 function isDt({ identity }: TimerProgram, field: ProgramField): boolean {
-  return field.kind === 'time' && field.column === identity.functions;
+  return field.kind === 'time' && field.slot === identity.functions;
 }
 
 function stepOf(program: TimerProgram, field: ProgramField): number {
-  return (field.kind === 'time' && manualRange(program.identity, field.column)?.step) || 1;
+  return (field.kind === 'time' && manualRange(program.identity, field.slot)?.step) || 1;
 }

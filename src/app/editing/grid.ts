@@ -1,5 +1,5 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
-import { columnCount, type Identity } from '../../protocol/index.js';
+import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
  * The program as a grid, like the table on the screen: a row for each column of the timer, start to DT; across it the time, the
@@ -25,7 +25,7 @@ export const FIRST_SERVO_COLUMN = 2;
 /** A value of the program that stands in the grid. */
 export type CellField = Exclude<ProgramField, { kind: 'idleThrottle' }>;
 /** What stands in a cell: a value of the program, or an interval, which is a time seen from the one before it. */
-export type GridField = CellField | { readonly kind: 'interval'; readonly column: number };
+export type GridField = CellField | { readonly kind: 'interval'; readonly slot: number };
 
 /** How many columns the grid has: time, interval, servos. */
 export function gridColumns(identity: Identity): number {
@@ -34,22 +34,22 @@ export function gridColumns(identity: Identity): number {
 
 /** What stands in a cell; null outside of the grid, and for the interval of the start, which follows nothing. */
 export function gridField(identity: Identity, { row, column }: GridCell): GridField | null {
-  if (row < 0 || row >= columnCount(identity) || column < 0 || column >= gridColumns(identity)) return null;
-  if (column === TIME_COLUMN) return { kind: 'time', column: row };
-  if (column === INTERVAL_COLUMN) return row === 0 ? null : { kind: 'interval', column: row };
-  return { kind: 'position', servo: column - FIRST_SERVO_COLUMN, column: row };
+  if (row < 0 || row >= slotCount(identity) || column < 0 || column >= gridColumns(identity)) return null;
+  if (column === TIME_COLUMN) return { kind: 'time', slot: row };
+  if (column === INTERVAL_COLUMN) return row === 0 ? null : { kind: 'interval', slot: row };
+  return { kind: 'position', servo: column - FIRST_SERVO_COLUMN, slot: row };
 }
 
 /** The cell in which a value stands; null where it is none of the grid. */
 export function cellFor(field: ProgramField): GridCell | null {
   if (field.kind === 'idleThrottle') return null;
   const column = field.kind === 'time' ? TIME_COLUMN : FIRST_SERVO_COLUMN + field.servo;
-  return { row: field.column, column };
+  return { row: field.slot, column };
 }
 
 /** The value of the program that an entry in a cell changes: for an interval the time at its end. */
 export function programField(field: GridField): CellField {
-  return field.kind === 'interval' ? { kind: 'time', column: field.column } : field;
+  return field.kind === 'interval' ? { kind: 'time', slot: field.slot } : field;
 }
 
 /** The rectangle between two of its corners, in either order. */
@@ -74,7 +74,7 @@ export function columnsIn(identity: Identity, { left, right }: GridRange): numbe
 
 /** The rows of a range, from top to bottom, as far as there are any. */
 export function rowsIn(identity: Identity, { top, bottom }: GridRange): number[] {
-  const last = Math.min(bottom, columnCount(identity) - 1);
+  const last = Math.min(bottom, slotCount(identity) - 1);
   return Array.from({ length: Math.max(0, last - top + 1) }, (_, at) => top + at);
 }
 
@@ -87,21 +87,21 @@ export function fieldsIn(identity: Identity, range: GridRange): GridField[] {
 }
 
 /**
- * The time of a column after the one before it, in hundredths of a second; of function 1 (or a DT without functions) after launch.
+ * The time of a slot after the one before it, in hundredths of a second; of function 1 (or a DT without functions) after launch.
  * Negative where times fall. Null for the start: its time is the motor stop or reserved, and nothing counts from it.
  */
-export function intervalAt({ timers }: TimerProgram, column: number): number | null {
-  const time = timers[column];
-  return column < 1 || time === undefined ? null : time - timeBefore(timers, column);
+export function intervalAt({ times }: TimerProgram, slot: number): number | null {
+  const time = times[slot];
+  return slot < 1 || time === undefined ? null : time - timeBefore(times, slot);
 }
 
-/** The field that the interval of a column counts from; null where that is launch. */
-export function countedFrom(column: number): CellField | null {
-  return column > 1 ? { kind: 'time', column: column - 1 } : null;
+/** The field that the interval of a slot counts from; null where that is launch. */
+export function countedFrom(slot: number): CellField | null {
+  return slot > 1 ? { kind: 'time', slot: slot - 1 } : null;
 }
 
-/** The time that the interval of a column counts from: that of the column before, or launch. */
-export function timeBefore(timers: readonly number[], column: number): number {
-  const from = countedFrom(column);
-  return from ? (timers[from.column] as number) : 0;
+/** The time that the interval of a slot counts from: that of the slot before, or launch. */
+export function timeBefore(times: readonly number[], slot: number): number {
+  const from = countedFrom(slot);
+  return from ? (times[from.slot] as number) : 0;
 }

@@ -23,7 +23,7 @@ export const STEP_CODES = [
 export type StepCode = (typeof STEP_CODES)[number];
 
 /**
- * What a step is called. Parameters, where a step has any: `field`, the key of a field; `column`, `servo`, `from` and `to`, counted from 0;
+ * What a step is called. Parameters, where a step has any: `field`, the key of a field; `slot`, `servo`, `from` and `to`, counted from 0;
  * `by`, hundredths of a second; `count`, how many values it changed.
  */
 export interface StepName {

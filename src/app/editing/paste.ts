@@ -30,7 +30,7 @@ import { type Parsed, parseInterval, parseSteps, parseTime, readInterval, type U
  * - `before-unreadable`: its interval counts from a time that is not pasted, and whose text is no value.
  * - `later-unreadable`: its interval would move a later function whose text is no value.
  * - `interval-disagrees`: the row has a time too, and this is not the interval that follows from the times.
- * - `reserved`: column 0 of a class other than Q is edited only as a field of its own.
+ * - `reserved`: slot 0 of a class other than Q is edited only as a field of its own.
  * - `too-large` (cells, characters): the rest of the text from this row on was not read.
  */
 export type PasteProblemCode =
@@ -223,41 +223,41 @@ function resolve(
     }
     const { value } = parsed;
     if (field.kind === 'interval') {
-      intervals.set(field.column, { cell, value });
+      intervals.set(field.slot, { cell, value });
       continue;
     }
     const differs = value !== valueAt(program, field);
     if (differs && isReserved(program.identity, field)) refuse(cell, 'reserved');
     else if (differs && refusalOf(field, value)) {
       refuse(cell, `${field.kind}-out-of-range`, { min: 0, max: MAX_VALUE[field.kind] });
-    } else if (field.kind === 'time') times.set(field.column, value);
+    } else if (field.kind === 'time') times.set(field.slot, value);
     else positions.push({ field, value });
   }
 
-  const followed = new Map([...intervals].map(([column, { value }]) => [column, value]));
+  const followed = new Map([...intervals].map(([slot, { value }]) => [slot, value]));
   let retimed = retime(program, times, followed, texts);
   while ('refused' in retimed) {
     const { cause, refused } = retimed;
     const cell = intervals.get(cause)?.cell as Pasted;
-    const { column } = refused.field;
-    if (refused.code === 'unreadable') refuse(cell, column < cause ? 'before-unreadable' : 'later-unreadable');
-    else refuse(cell, column === cause ? 'time-out-of-range' : 'later-out-of-range', { min: 0, max: MAX_VALUE.time });
+    const { slot } = refused.field;
+    if (refused.code === 'unreadable') refuse(cell, slot < cause ? 'before-unreadable' : 'later-unreadable');
+    else refuse(cell, slot === cause ? 'time-out-of-range' : 'later-out-of-range', { min: 0, max: MAX_VALUE.time });
     followed.delete(cause);
     retimed = retime(program, times, followed, texts);
   }
   const after = withValues(program, retimed.values);
-  for (const [column, { cell, value }] of intervals) {
-    if (!times.has(column)) continue;
-    const from = startOf(column, times, followed);
+  for (const [slot, { cell, value }] of intervals) {
+    if (!times.has(slot)) continue;
+    const from = startOf(slot, times, followed);
     if (from && texts.unreadable?.has(fieldKey(from))) refuse(cell, 'before-unreadable');
-    else if (intervalAt(after, column) !== value) refuse(cell, 'interval-disagrees');
+    else if (intervalAt(after, slot) !== value) refuse(cell, 'interval-disagrees');
   }
   problems.sort((a, b) => a.row - b.row || a.column - b.column);
   return { values: [...retimed.values, ...positions], problems };
 }
 
-function isReserved({ timerClass }: Identity, { kind, column }: GridField): boolean {
-  return kind === 'time' && column === 0 && timerClass !== 'Q';
+function isReserved({ timerClass }: Identity, { kind, slot }: GridField): boolean {
+  return kind === 'time' && slot === 0 && timerClass !== 'Q';
 }
 
 /** Minutes need their colon here: with a comma between columns, `2.05,5` may be two cells. */
@@ -271,6 +271,6 @@ function parseCell({ text, field }: Pasted): Parsed {
 
 function readingOf({ functions }: Identity, { field, text }: Pasted): PasteReading[] {
   if (field.kind === 'position') return [];
-  const typed = readInterval(text, { isDt: field.column === functions });
+  const typed = readInterval(text, { isDt: field.slot === functions });
   return 'either' in typed ? [{ field, text, value: typed.either[1] }] : [];
 }

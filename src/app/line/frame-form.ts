@@ -6,7 +6,7 @@ import {
   commandOf,
   encodeFrame,
   type Frame,
-  type Layout,
+  type LayoutOptions,
   MAX_DATA,
 } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
@@ -73,7 +73,7 @@ export class FrameForm {
   }
 
   /** What is known of the timer: how frames are to be read. */
-  get layout(): Layout {
+  get layout(): LayoutOptions {
     const client = this.#session.connection.value?.client;
     return client ? { identity: client.identity ?? undefined, quirks: client.quirksAssumed } : {};
   }

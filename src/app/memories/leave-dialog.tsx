@@ -27,7 +27,7 @@ function Question() {
   const { leaving, session } = useModels();
   const { nextFlight: words, memoryName, program, write } = messages.value;
   const question = leaving.question.value;
-  const { home, word } = session.nextFlight;
+  const { original, word } = session.nextFlight;
   if (!question) return null;
   if (question.goingBack) {
     return (
@@ -41,22 +41,24 @@ function Question() {
       </>
     );
   }
-  const homeName = home.value === null ? null : memoryName(home.value);
-  const canGoBack = word.value !== null && homeName !== null && session.connection.value && !session.busy.value;
+  const originalName = original.value === null ? null : memoryName(original.value);
+  const canGoBack = word.value !== null && originalName !== null && session.connection.value && !session.busy.value;
   return (
     <>
-      {question.failed && homeName && (
+      {question.failed && originalName && (
         <p class="notice bad" role="alert">
-          {words.leaving.failed(homeName)}
+          {words.leaving.failed(originalName)}
         </p>
       )}
       <p role="status">
-        <strong>{word.value ? nextFlightText(word.value, 'will') : homeName && words.leaving.as(homeName)}</strong>
+        <strong>
+          {word.value ? nextFlightText(word.value, 'will') : originalName && words.leaving.as(originalName)}
+        </strong>
       </p>
       <div class="buttons">
         {canGoBack && (
           <button type="button" class="primary" onClick={() => void leaving.backAndDisconnect()}>
-            {words.leaving.back(homeName)}
+            {words.leaving.back(originalName)}
           </button>
         )}
         <button type="button" onClick={() => void leaving.disconnectAsItIs()}>

@@ -45,10 +45,10 @@ export class Leaving {
   /** Makes the memory of the time of connect current again, and disconnects when the timer has said that it is. */
   async backAndDisconnect(): Promise<void> {
     const { nextFlight } = this.#session;
-    const { home } = nextFlight;
-    if (this.#question.value?.goingBack !== false || home.value === null) return;
+    const { original } = nextFlight;
+    if (this.#question.value?.goingBack !== false || original.value === null) return;
     this.#question.value = { goingBack: true, failed: false };
-    await this.#memories.fly(home.value);
+    await this.#memories.fly(original.value);
     if (!nextFlight.word.value) await this.#session.disconnect();
     // The connection may have ended meanwhile.
     else if (this.#question.value) this.#question.value = { goingBack: false, failed: true };

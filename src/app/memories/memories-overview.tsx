@@ -57,7 +57,7 @@ function Memory({ memory, known, isCurrent, ready }: MemoryProps) {
   const { memories } = useModels();
   const { overview: words, nextFlight, look, memoryName } = messages.value;
   const program = lastRead(known);
-  const dt: ProgramField = { kind: 'time', column: program.identity.functions };
+  const dt: ProgramField = { kind: 'time', slot: program.identity.functions };
   const dts = possibleValues(known, dt).map((value) => figureText(program.identity, dt, value));
   return (
     <li class={`overview-memory ${isCurrent ? 'current' : ''}`}>

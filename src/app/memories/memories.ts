@@ -281,13 +281,13 @@ export class Memories {
     const { knowledge, recovery, simulated, servoMoves } = this.#session;
     const moveServos = servoMoves.take();
     let asked = false;
-    const { memories, stopped, home } = await client.writeMemories(
+    const { memories, stopped, original } = await client.writeMemories(
       shown.map(({ goal }) => goal),
       {
         ...options,
         baselines: shown.map(({ before }) => before),
         moveServos,
-        onHome: (home) => this.#walk.leave(identity, home),
+        onOriginal: (original) => this.#walk.leave(identity, original),
         // The goal and a backup are kept before the first byte, as for any write.
         onMemory: async (read, goal) => {
           options.stillOn();
@@ -317,7 +317,7 @@ export class Memories {
       begun.delete(memory);
       await knowledge.ended(before);
     }
-    await this.#walk.cameHome(identity, home, stopped);
+    await this.#walk.wasRestored(identity, original, stopped);
     if (stopped) throw stopped;
     return servoMoves.wanted(
       moveServos,

@@ -1,5 +1,5 @@
 import type { TimerProgram } from '../../program/index.js';
-import { clockText, columnLabel, figureText, messages } from '../messages/index.js';
+import { clockText, figureText, messages, slotLabel } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { useModels } from '../models.js';
 import { type Known, openValues } from '../session/knowledge.js';
@@ -87,13 +87,13 @@ function headline(known: Known, name: string): string {
 /** All times and positions of a program: to be read, not to be changed. */
 function HeldTable({ program, caption }: { readonly program: TimerProgram; readonly caption: string }) {
   const { program: words, servoName } = messages.value;
-  const { identity, timers, positions } = program;
+  const { identity, times, positions } = program;
   return (
     <table class="held">
       <caption class="visually-hidden">{caption}</caption>
       <thead>
         <tr>
-          <th scope="col">{words.column}</th>
+          <th scope="col">{words.slot}</th>
           <th scope="col">{words.time}</th>
           {positions.map((_, servo) => (
             <th scope="col" key={servoName(servo)}>
@@ -103,14 +103,14 @@ function HeldTable({ program, caption }: { readonly program: TimerProgram; reado
         </tr>
       </thead>
       <tbody>
-        {timers.map((time, column) => {
-          const label = columnLabel(identity, column);
+        {times.map((time, slot) => {
+          const label = slotLabel(identity, slot);
           return (
             <tr key={label}>
               <th scope="row">{label}</th>
-              <td>{figureText(identity, { kind: 'time', column }, time)}</td>
+              <td>{figureText(identity, { kind: 'time', slot }, time)}</td>
               {positions.map((row, servo) => (
-                <td key={servoName(servo)}>{row[column]}</td>
+                <td key={servoName(servo)}>{row[slot]}</td>
               ))}
             </tr>
           );

@@ -10,7 +10,7 @@ export class MemoryWalk {
   kept = true;
   readonly #session: Session;
   /** The memory to come back to, while it is left. */
-  #home: number | null = null;
+  #original: number | null = null;
 
   constructor(session: Session) {
     this.#session = session;
@@ -21,38 +21,40 @@ export class MemoryWalk {
     { client, identity }: TimerConnection,
     options: JobOptions & { readonly memories?: readonly number[] },
   ): Promise<readonly TimerProgram[]> {
-    const onHome = (home: number): Promise<void> => this.leave(identity, home);
-    const { programs, home } = await client.readMemories({ ...options, onHome }).catch(async (error: unknown) => {
-      await this.cameHome(identity, this.#home, error);
-      throw error;
-    });
+    const onOriginal = (original: number): Promise<void> => this.leave(identity, original);
+    const { programs, original } = await client
+      .readMemories({ ...options, onOriginal: onOriginal })
+      .catch(async (error: unknown) => {
+        await this.wasRestored(identity, this.#original, error);
+        throw error;
+      });
     options.stillOn();
     for (const program of programs) this.#session.knowledge.read(program);
-    await this.cameHome(identity, home, null);
+    await this.wasRestored(identity, original, null);
     return programs;
   }
 
   /** Another memory is about to be selected: the one to come back to is noted. */
-  async leave(identity: Identity, home: number): Promise<void> {
+  async leave(identity: Identity, original: number): Promise<void> {
     const { recovery, simulated, memoryOpen, nextFlight } = this.#session;
-    this.#home = home;
-    // A job that has not come back before is remembered until its own home is current again.
+    this.#original = original;
+    // A job that has not come back before is remembered until its own original is current again.
     const isNoted = recovery.offer.value?.kind === 'memories';
-    if (!isNoted && !(await recovery.leave(identity, home, simulated.value))) this.kept = false;
+    if (!isNoted && !(await recovery.leave(identity, original, simulated.value))) this.kept = false;
     memoryOpen.value = true;
     nextFlight.leave(null);
   }
 
   /** The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer answers by now. */
-  async cameHome(identity: Identity, home: number | null, stopped: unknown): Promise<void> {
+  async wasRestored(identity: Identity, original: number | null, stopped: unknown): Promise<void> {
     const { recovery, simulated, memoryOpen, nextFlight, editor } = this.#session;
-    const wasLeft = this.#home !== null;
-    this.#home = null;
+    const wasLeft = this.#original !== null;
+    this.#original = null;
     const isOpen = stopped instanceof TimerError && ['memory-left', 'other-timer'].includes(stopped.code);
-    if (home === null || isOpen) return;
-    nextFlight.found(home);
-    memoryOpen.value = home !== editor.baseline.value?.memory;
-    if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.cameHome(identity, simulated.value);
+    if (original === null || isOpen) return;
+    nextFlight.found(original);
+    memoryOpen.value = original !== editor.baseline.value?.memory;
+    if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.wasRestored(identity, simulated.value);
   }
 
   /** Asks which memory is current where a job has left that open. */

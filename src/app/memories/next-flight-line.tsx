@@ -10,15 +10,15 @@ export function NextFlightLine() {
   const isConnected = session.connection.value !== null;
   // While a job goes from memory to memory there is nothing to say yet. What an interrupted job left says so itself.
   if (!word || session.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
-  const { home } = word;
+  const { original } = word;
   return (
     <div class="notice bad next-flight" role="alert">
       <p>
         <strong>{nextFlightText(word, isConnected ? 'now' : 'last')}</strong>
       </p>
-      {home !== null && isConnected && (
-        <button type="button" onClick={() => void memories.fly(home)}>
-          {words.back(memoryName(home))}
+      {original !== null && isConnected && (
+        <button type="button" onClick={() => void memories.fly(original)}>
+          {words.back(memoryName(original))}
         </button>
       )}
     </div>
@@ -35,6 +35,6 @@ export function nextFlightText(word: NextFlightWord, when: 'now' | 'will' | 'las
     word.code === 'other'
       ? [{ now: words.other, will: words.will, last: words.last }[when](memoryName(word.memory))]
       : [words.unknown, ...(word.asked === null ? [] : [words.asked(memoryName(word.asked))])];
-  const home = word.home === null ? words.homeUnknown : words.home(memoryName(word.home));
-  return [...said, home].join(' ');
+  const original = word.original === null ? words.originalUnknown : words.original(memoryName(word.original));
+  return [...said, original].join(' ');
 }

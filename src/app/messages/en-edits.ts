@@ -10,14 +10,14 @@ type Params = Readonly<Record<string, string>>;
 const steps: Record<StepCode, (params: Params) => string> = {
   type: ({ field }) => `typing in ${field}`,
   step: ({ field }) => `stepping of ${field}`,
-  shift: ({ column, by }) => `shift from ${column} by ${by}`,
-  interval: ({ column }) => `interval of ${column}`,
+  shift: ({ slot, by }) => `shift from ${slot} by ${by}`,
+  interval: ({ slot }) => `interval of ${slot}`,
   paste: ({ count }) => `paste of ${count}`,
   fill: ({ count }) => `fill down of ${count}`,
   'copy-servo': ({ from, to }) => `copy of ${from} to ${to}`,
   'reverse-servo': ({ servo }) => `reversal of ${servo}`,
   revert: ({ field }) => `putting back ${field}`,
-  'revert-row': ({ column }) => `putting back ${column}`,
+  'revert-row': ({ slot }) => `putting back ${slot}`,
   'revert-column': ({ name }) => `putting back ${name}`,
   'revert-all': () => 'putting back everything',
   'move-mark': ({ field }) => `moving ${field}`,
@@ -69,7 +69,7 @@ export const edits = {
   },
   table: {
     interval: 'Interval',
-    intervalOf: (column: string) => `${column} interval`,
+    intervalOf: (slot: string) => `${slot} interval`,
     selected: (count: number) => `${cells(count)} selected`,
     range: {
       title: 'Selected range',
@@ -88,7 +88,7 @@ export const edits = {
     copyTo: (servo: string) => `Copy to ${servo}`,
     reverse: 'Reverse',
     revertColumn: 'Put column back',
-    revertRow: (column: string) => `Put back ${column} with its positions`,
+    revertRow: (slot: string) => `Put back ${slot} with its positions`,
   },
   shift: {
     title: 'Shift in time',

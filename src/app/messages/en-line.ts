@@ -116,7 +116,7 @@ export const line = {
   errors,
   errorMeaning,
 
-  position: (column: string, servo: string, steps: number) => `${column}, ${servo}: ${steps} steps`,
+  position: (slot: string, servo: string, steps: number) => `${slot}, ${servo}: ${steps} steps`,
   positions: (servo: string, steps: readonly number[]) => `${servo}: ${steps.join(' ')}`,
   dt: (time: string) => `DT ${time}`,
   motorStop: (time: string) => `motor stop ${time}`,

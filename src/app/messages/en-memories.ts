@@ -9,18 +9,18 @@ export const nextFlight = {
   /** While there is no connection. */
   last: (memory: string) =>
     `${memory} was current when the timer was heard last: it flies next unless something else has changed it.`,
-  home: (home: string) => `At connect it was ${home}.`,
-  homeUnknown: 'Which one it was at connect is not known.',
+  original: (original: string) => `At connect it was ${original}.`,
+  originalUnknown: 'Which one it was at connect is not known.',
   unknown: 'It is not known which memory flies next.',
   asked: (memory: string) => `${memory} was selected last.`,
-  back: (home: string) => `Back to ${home}`,
+  back: (original: string) => `Back to ${original}`,
   leaving: {
     title: 'Before you disconnect',
-    back: (home: string) => `Back to ${home} and disconnect`,
+    back: (original: string) => `Back to ${original} and disconnect`,
     disconnect: 'Disconnect',
     stay: 'Stay connected',
     as: (memory: string) => `${memory} flies next, as at connect.`,
-    failed: (home: string) => `It was not possible to go back to ${home}. The timer is still connected.`,
+    failed: (original: string) => `It was not possible to go back to ${original}. The timer is still connected.`,
   },
 };
 

@@ -24,9 +24,9 @@ export const recovery = {
     `A write into ${memory} of a timer of this kind was interrupted. What became of it can be seen when ${memory} is current: that is then what flies next.`,
   show: (memory: string) => `Make ${memory} current and look`,
   leftTitle: 'Another memory is current than before',
-  left: (home: string, current: string) =>
-    `A job over several memories was interrupted: ${current} is current, and would fly next. Before the job it was ${home}.`,
-  goHome: (memory: string) => `Make ${memory} current again`,
+  left: (original: string, current: string) =>
+    `A job over several memories was interrupted: ${current} is current, and would fly next. Before the job it was ${original}.`,
+  makeCurrent: (memory: string) => `Make ${memory} current again`,
   unknownMemory: 'an unknown memory',
 };
 

@@ -13,8 +13,8 @@ import { backups, recovery } from './en-recovery.js';
 
 type Params = Readonly<Record<string, string>>;
 
-const columnName = (column: number, kind: 'start' | 'function' | 'dt'): string =>
-  kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : `Function ${column}`;
+const slotName = (slot: number, kind: 'start' | 'function' | 'dt'): string =>
+  kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : `Function ${slot}`;
 
 const findings: Record<FindingCode, (params: Params) => string> = {
   'time-not-whole': () => 'A time is whole hundredths of a second.',
@@ -63,7 +63,7 @@ export const en = {
   unknownClass: (letter: string) => `Class ${letter}`,
   memoryName: (memory: number) => `M${memory + 1}`,
   servoName: (servo: number) => `S${servo + 1}`,
-  columnName,
+  slotName,
   /** What stands before a sentence about it. */
   about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
@@ -100,7 +100,7 @@ export const en = {
   program: {
     title: 'Program',
     tableCaption: 'Time and servo positions of each function',
-    column: 'Function',
+    slot: 'Function',
     time: 'Time',
     memory: 'Memory',
     memoryUnknown: 'This timer does not say which memory is current, so it is not known which one flies next.',
@@ -111,9 +111,9 @@ export const en = {
     idleThrottleUnit: 'unit unknown',
     reserved: 'reserved',
     editReserved: 'Edit the reserved time',
-    timeOf: (column: string) => `${column} time`,
+    timeOf: (slot: string) => `${slot} time`,
     motorStopTime: 'Motor stop time',
-    positionOf: (column: string, servo: string) => `${column}, ${servo}`,
+    positionOf: (slot: string, servo: string) => `${slot}, ${servo}`,
     shortDt: 'Short DT',
     changes: (count: number) => plural(count, 'change', 'changes'),
     undoAll: 'Undo all',
@@ -273,9 +273,9 @@ export const en = {
     until: 'Until',
     motorRuns: 'Motor runs',
     passing: { passed: 'passed over', back: 'not known' },
-    passedOver: (column: string, next: string) => `${column} is passed over: ${next} comes at the same time.`,
-    goesBack: (next: string, column: string) =>
-      `${next} comes before ${column}: what the timer does in the shaded part is not known. The dotted lines lead back in the order of the numbers.`,
+    passedOver: (slot: string, next: string) => `${slot} is passed over: ${next} comes at the same time.`,
+    goesBack: (next: string, slot: string) =>
+      `${next} comes before ${slot}: what the timer does in the shaded part is not known. The dotted lines lead back in the order of the numbers.`,
     more: (count: number) => `And ${count} more.`,
   },
   preview: {

@@ -1,5 +1,5 @@
 import type { LineEntry } from '../../client/index.js';
-import { columnKind } from '../../program/index.js';
+import { slotKind } from '../../program/index.js';
 import {
   CodecError,
   commandOf,
@@ -7,12 +7,12 @@ import {
   decodeRequest,
   type Frame,
   type Identity,
-  type Layout,
+  type LayoutOptions,
   type Reply,
   type Request,
 } from '../../protocol/index.js';
 import { formatTime } from '../editing/units.js';
-import { columnLabel, messages, timerName } from './index.js';
+import { messages, slotLabel, timerName } from './index.js';
 
 /** As much of what passed on the line as its words need. */
 export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>;
@@ -32,7 +32,7 @@ export function frameName({ direction, frame, rejected, error }: Seen): string {
  * What passed on the line, in words: “Function 4, S2: 70 steps”. Empty for a request that says no more than its name.
  * @param layout what is known of the timer.
  */
-export function describeFrame({ frame, rejected, error }: Seen, layout: Layout): string {
+export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOptions): string {
   const { line } = messages.value;
   if (error) return line.errorMeaning[error];
   if (rejected || !frame) return line.rejectedMeaning[rejected ?? 'noise'];
@@ -60,20 +60,20 @@ export function hexOf(bytes: Iterable<number>): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join(' ');
 }
 
-function content(frame: Frame, layout: Layout): string {
+function content(frame: Frame, layout: LayoutOptions): string {
   const isReply = commandOf(frame.code)?.direction === 'reply';
   return isReply ? replyText(decodeReply(frame, layout), layout) : requestText(decodeRequest(frame, layout), layout);
 }
 
-function requestText(request: Request, { identity }: Layout): string {
+function requestText(request: Request, { identity }: LayoutOptions): string {
   const { line, servoName, memoryName } = messages.value;
   switch (request.name) {
     case 'SETSERVO': {
-      const column = columnLabel(known(identity), request.function);
-      return line.position(column, servoName(request.servo), request.position);
+      const slot = slotLabel(known(identity), request.function);
+      return line.position(slot, servoName(request.servo), request.position);
     }
     case 'MOVETOFUNC':
-      return columnLabel(known(identity), request.function);
+      return slotLabel(known(identity), request.function);
     case 'SETTIMERS':
       return timesText(known(identity), request.times);
     case 'SETMEMORY':
@@ -85,7 +85,7 @@ function requestText(request: Request, { identity }: Layout): string {
   }
 }
 
-function replyText(reply: Reply, { identity }: Layout): string {
+function replyText(reply: Reply, { identity }: LayoutOptions): string {
   const { line, servoName, memoryName } = messages.value;
   switch (reply.name) {
     case 'GETTIMERS':
@@ -109,7 +109,7 @@ function timesText(identity: Identity, times: readonly number[]): string {
   const { line } = messages.value;
   const shown = times.map(formatTime);
   const first = shown[0] as string;
-  const functions = shown.filter((_, column) => columnKind(identity, column) === 'function');
+  const functions = shown.filter((_, slot) => slotKind(identity, slot) === 'function');
   return [
     line.dt(shown.at(-1) as string),
     identity.timerClass === 'Q' ? line.motorStop(first) : line.reserved(first),
@@ -117,7 +117,7 @@ function timesText(identity: Identity, times: readonly number[]): string {
   ].join(', ');
 }
 
-/** Which column is DT, and what time 0 is, hangs on what the timer said of itself. */
+/** Which slot is DT, and what time 0 is, hangs on what the timer said of itself. */
 function known(identity: Identity | undefined): Identity {
   if (!identity) throw new CodecError('identity-needed', 'identity', 'the timer has not said what it is');
   return identity;

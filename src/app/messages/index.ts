@@ -1,12 +1,12 @@
 import { signal } from '@preact/signals';
 import {
   type Change,
-  columnKind,
   type Finding,
   fieldKey,
   fieldsOf,
   manualRange,
   type ProgramField,
+  slotKind,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { type KnownPort, portKind } from '../../serial/index.js';
@@ -35,17 +35,17 @@ export type Messages = typeof en;
 /** The language in force. Components read it, so that all of them follow when it changes. */
 export const messages = signal<Messages>(en);
 
-export function columnLabel(identity: Identity, column: number): string {
-  return messages.value.columnName(column, columnKind(identity, column));
+export function slotLabel(identity: Identity, slot: number): string {
+  return messages.value.slotName(slot, slotKind(identity, slot));
 }
 
 /** What a field is called: “DT time”, “Motor stop time”, “Function 3, S1”. */
 export function fieldLabel(identity: Identity, field: ProgramField): string {
   const { program, servoName } = messages.value;
   if (field.kind === 'idleThrottle') return program.idleThrottle;
-  const column = columnLabel(identity, field.column);
-  if (field.kind === 'position') return program.positionOf(column, servoName(field.servo));
-  return field.column === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(column);
+  const slot = slotLabel(identity, field.slot);
+  if (field.kind === 'position') return program.positionOf(slot, servoName(field.servo));
+  return field.slot === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(slot);
 }
 
 /** A time as it is said: “2 min 30 s”, “20 s”, “2.3 s”; one before launch with a minus. */
@@ -72,8 +72,8 @@ export function figureOf(
 ): Figure | { readonly text: string; readonly unit: null } {
   if (field.kind !== 'time' || !Number.isInteger(value) || value < 0)
     return { text: formatValue(field, value), unit: null };
-  const isDt = field.column === identity.functions;
-  return formatFigure(value, isDt ? 100 : (manualRange(identity, field.column)?.step ?? 1));
+  const isDt = field.slot === identity.functions;
+  return formatFigure(value, isDt ? 100 : (manualRange(identity, field.slot)?.step ?? 1));
 }
 
 /** A value as a large figure: “10.0 s”, “3:00 min”, “65”. */
@@ -107,7 +107,7 @@ export function findingText({ code, params, field }: Finding): string {
 /** What a cell of the table is called, also that of an interval. */
 export function gridLabel(identity: Identity, field: GridField): string {
   if (field.kind !== 'interval') return fieldLabel(identity, field);
-  return messages.value.edits.table.intervalOf(columnLabel(identity, field.column));
+  return messages.value.edits.table.intervalOf(slotLabel(identity, field.slot));
 }
 
 export function timerName({ timerClass }: Pick<Identity, 'timerClass'>): string {
@@ -166,7 +166,7 @@ export function stepText(identity: Identity, { code, params }: StepName): string
       return [name, field ? fieldLabel(identity, field) : String(value)];
     }
     if (typeof value === 'string') return [name, value];
-    if (name === 'column') return [name, columnLabel(identity, value)];
+    if (name === 'slot') return [name, slotLabel(identity, value)];
     if (name === 'servo' || name === 'from' || name === 'to') return [name, servoName(value)];
     if (name === 'by') return [name, seconds(formatInterval(value))];
     return [name, name === 'count' ? edits.cells(value) : String(value)];

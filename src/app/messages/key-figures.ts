@@ -1,4 +1,4 @@
-import { columnKind, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { type ProgramField, slotKind, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { figureText, messages } from './index.js';
 
@@ -13,15 +13,15 @@ export interface KeyFigure {
 
 /** What a pilot looks at first: DT, and on class Q the motor stop. */
 export function keyFields({ timerClass, functions }: Identity): ProgramField[] {
-  const dt: ProgramField = { kind: 'time', column: functions };
-  return timerClass === 'Q' ? [dt, { kind: 'time', column: 0 }] : [dt];
+  const dt: ProgramField = { kind: 'time', slot: functions };
+  return timerClass === 'Q' ? [dt, { kind: 'time', slot: 0 }] : [dt];
 }
 
 /** What such a field is called in a sentence: “DT”, “motor stop”; null for any other. */
 export function keyName(identity: Identity, field: ProgramField): string | null {
   const { knowledge: words } = messages.value;
   if (field.kind !== 'time') return null;
-  const kind = columnKind(identity, field.column);
+  const kind = slotKind(identity, field.slot);
   if (kind === 'dt') return words.dt;
   return kind === 'start' && identity.timerClass === 'Q' ? words.motorStop : null;
 }

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import type { ProgramField } from '../../program/index.js';
-import { columnCount, type Identity } from '../../protocol/index.js';
+import { type Identity, slotCount } from '../../protocol/index.js';
 import { copyServo, type Obstacle, reverseServo } from '../editing/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
@@ -38,8 +38,8 @@ export function ColumnMenu({ identity, servo }: { readonly identity: Identity; r
   };
   const revert = (): void => {
     const fields = Array.from(
-      { length: columnCount(identity) },
-      (_, column): ProgramField => ({ kind: 'position', servo, column }),
+      { length: slotCount(identity) },
+      (_, column): ProgramField => ({ kind: 'position', servo, slot: column }),
     );
     editor.revertFields(fields, { code: 'revert-column', params: { name: servoName(servo) } });
     close();

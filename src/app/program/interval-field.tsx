@@ -30,41 +30,41 @@ interface Entry {
  * The time since the function before: the same truth as the time, seen from there. What is typed moves this function and those after it. A
  * text that is no interval, or asks what it means, changes nothing, and the interval stands there again when the field is left.
  */
-export function IntervalField({ column, label }: { readonly column: number; readonly label: string }) {
+export function IntervalField({ slot, label }: { readonly slot: number; readonly label: string }) {
   const { session } = useModels();
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const entered = useSignal<Entry | null>(null);
   const focused = useSignal(false);
-  const find = (): number | null => editor.working.value && intervalAt(editor.working.value, column);
-  const interval = useSteady(find, [editor, column]);
+  const find = (): number | null => editor.working.value && intervalAt(editor.working.value, slot);
+  const interval = useSteady(find, [editor, slot]);
   const entry = entered.value?.interval === interval ? entered.value : null;
   const problem = entry?.problem ?? null;
   const either = entry?.either;
-  const typing = groupOf('type', `interval:${column}`);
-  const stepping = groupOf('step', `interval:${column}`);
-  const notesId = `interval-notes-${column}`;
+  const typing = groupOf('type', `interval:${slot}`);
+  const stepping = groupOf('step', `interval:${slot}`);
+  const notesId = `interval-notes-${slot}`;
 
   /** @returns why it was not done; null when it was. */
   const set = (edit: Edit, group: string): string | null => {
     const identity = editor.identity.value;
-    const obstacle = attemptInterval(editor, column, edit, group);
+    const obstacle = attemptInterval(editor, slot, edit, group);
     return obstacle && identity && obstacleText(identity, obstacle);
   };
   const step: OnStep = (direction, options) => {
     const working = editor.working.value;
     if (!working) return;
-    const problem = set(stepInterval(working, column, direction, options), stepping);
+    const problem = set(stepInterval(working, slot, direction, options), stepping);
     entered.value = { text: null, problem, interval: find() };
   };
   const type = (text: string): void => {
     const working = editor.working.value;
     if (!working) return;
-    const parsed = readInterval(text, { isDt: column === working.identity.functions });
+    const parsed = readInterval(text, { isDt: slot === working.identity.functions });
     const problem =
       'unreadable' in parsed
         ? messages.value.unreadable[parsed.unreadable]
-        : set(setInterval(working, column, parsed.value), typing);
+        : set(setInterval(working, slot, parsed.value), typing);
     // What it began with may have been an interval.
     if (problem) editor.abandon(typing);
     const either = 'either' in parsed ? parsed.either : undefined;
@@ -73,7 +73,7 @@ export function IntervalField({ column, label }: { readonly column: number; read
   const answer = (value: number, byKey: boolean): void => {
     const working = editor.working.value;
     if (!working) return;
-    const problem = set(setInterval(working, column, value), typing);
+    const problem = set(setInterval(working, slot, value), typing);
     entered.value = problem ? { text: formatInterval(value), problem, interval: find() } : null;
     if (byKey) input.current?.focus();
   };

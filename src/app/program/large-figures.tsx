@@ -18,12 +18,12 @@ export function LargeFigures() {
         <span class="figure-name">
           {program.dt} {isShort && <strong class="badge loud">{program.shortDt}</strong>}
         </span>
-        <ValueField field={{ kind: 'time', column: identity.functions }} label={program.dt} place="large" />
+        <ValueField field={{ kind: 'time', slot: identity.functions }} label={program.dt} place="large" />
       </div>
       {identity.timerClass === 'Q' && (
         <div class="figure">
           <span class="figure-name">{program.motorStop}</span>
-          <ValueField field={{ kind: 'time', column: 0 }} label={program.motorStop} place="large" />
+          <ValueField field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
         </div>
       )}
       {hasThrottle && (

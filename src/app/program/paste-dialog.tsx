@@ -69,7 +69,7 @@ function Preview({ pasting: { range, text }, close }: { readonly pasting: Pastin
         <div class="notice">
           <ul>
             {readings.slice(0, TOLD).map(({ field, text, value }) => (
-              <li key={`${field.kind} ${field.column} ${text}`}>
+              <li key={`${field.kind} ${field.slot} ${text}`}>
                 {words.reading(gridLabel(identity, field), text, spokenTime(value))}
               </li>
             ))}

@@ -7,14 +7,14 @@ import { useModels } from '../models.js';
 import { TimeQuestion } from './time-question.js';
 
 /** The DT of a contest or of a trimming flight with one tap; and the pilot's own. */
-export function DtPresets({ column }: { readonly column: number }) {
+export function DtPresets({ slot }: { readonly slot: number }) {
   const { session, preferences } = useModels();
   const { editor } = session;
   const { presets: words } = messages.value.edits;
   const changing = useSignal(false);
-  const field: ProgramField = { kind: 'time', column };
+  const field: ProgramField = { kind: 'time', slot };
   const key = fieldKey(field);
-  const current = useComputed(() => editor.working.value?.timers[column]).value;
+  const current = useComputed(() => editor.working.value?.times[slot]).value;
   return (
     <div class="presets">
       <fieldset class="chips">

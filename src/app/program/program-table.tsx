@@ -1,14 +1,14 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { columnKind, fieldKey, type ProgramField } from '../../program/index.js';
-import { columnCount, type Identity } from '../../protocol/index.js';
+import { fieldKey, type ProgramField, slotKind } from '../../program/index.js';
+import { type Identity, slotCount } from '../../protocol/index.js';
 import { ServosHere, ServosOffer } from '../bench/servos-here.js';
 import { fillDown } from '../editing/edits.js';
 import { cellFor, FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
-import { columnLabel, fieldLabel, messages, obstacleText } from '../messages/index.js';
+import { fieldLabel, messages, obstacleText, slotLabel } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../session/attempt.js';
-import { programKey } from '../session/keys.js';
+import { programKey } from '../session/record-keys.js';
 import { useHeight } from '../ui/use-height.js';
 import { useSteady } from '../ui/use-steady.js';
 import { ColumnMenu } from './column-menu.js';
@@ -41,7 +41,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   const identity = editor.identity.value;
   const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
   if (!identity) return null;
-  const columns = Array.from({ length: columnCount(identity) }, (_, column) => column);
+  const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
 
   /** A single cell is filled from the one above it. */
   const fill = (): void => {
@@ -92,7 +92,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
         <caption class="visually-hidden">{program.tableCaption}</caption>
         <thead>
           <tr>
-            <th scope="col">{program.column}</th>
+            <th scope="col">{program.slot}</th>
             <th scope="col">{program.time}</th>
             <th scope="col">{edits.table.interval}</th>
             {servos.map((servo) => (
@@ -105,8 +105,8 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
         </thead>
         <TableSelection.Provider value={selection}>
           <tbody>
-            {columns.map((column) => (
-              <ProgramRow key={column} {...{ identity, column, servos, selection, marked }} />
+            {slots.map((slot) => (
+              <ProgramRow key={slot} {...{ identity, slot, servos, selection, marked }} />
             ))}
           </tbody>
         </TableSelection.Provider>
@@ -135,21 +135,21 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
 
 interface ProgramRowProps {
   readonly identity: Identity;
-  readonly column: number;
+  readonly slot: number;
   readonly servos: readonly number[];
   readonly selection: Selection;
   readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
-function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowProps) {
+function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowProps) {
   const { session } = useModels();
   const { editor } = session;
   const { about, program, edits, servoName } = messages.value;
   const positions = useMemo(
-    () => servos.map((servo): ProgramField => ({ kind: 'position', servo, column })),
-    [servos, column],
+    () => servos.map((servo): ProgramField => ({ kind: 'position', servo, slot })),
+    [servos, slot],
   );
-  const fields: ProgramField[] = [{ kind: 'time', column }, ...positions];
+  const fields: ProgramField[] = [{ kind: 'time', slot }, ...positions];
   const { notes, changed } = useSteady(() => {
     const keys = fields.map(fieldKey);
     return {
@@ -159,13 +159,13 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
   }, [editor, positions]);
   const selected = useSteady(() => {
     const range = selection.shown.value;
-    return range && column >= range.top && column <= range.bottom ? range : null;
-  }, [selection, column]);
+    return range && slot >= range.top && slot <= range.bottom ? range : null;
+  }, [selection, slot]);
   const markedAt = useSteady(() => {
     const place = marked.value && cellFor(marked.value);
-    return place?.row === column ? place.column : null;
-  }, [marked, column]);
-  const name = columnLabel(identity, column);
+    return place?.row === slot ? place.column : null;
+  }, [marked, slot]);
+  const name = slotLabel(identity, slot);
   const cell = (at: number, label: string) => {
     const isSelected = selected && at >= selected.left && at <= selected.right;
     const classes = `${isSelected ? 'selected' : ''} ${at === markedAt ? 'marked' : ''}`;
@@ -174,10 +174,10 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
   const timeCell = cell(TIME_COLUMN, program.time);
   return (
     <>
-      <tr class={columnKind(identity, column)} data-column={column}>
+      <tr class={slotKind(identity, slot)} data-slot={slot}>
         <th scope="row">
           {name}
-          <ServosHere column={column} />
+          <ServosHere slot={slot} />
           {changed && (
             <button
               type="button"
@@ -185,15 +185,15 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
               tabIndex={-1}
               title={edits.table.revertRow(name)}
               aria-label={edits.table.revertRow(name)}
-              onClick={() => editor.revertFields(fields, { code: 'revert-row', params: { column } })}
+              onClick={() => editor.revertFields(fields, { code: 'revert-row', params: { slot } })}
             />
           )}
         </th>
         <td {...timeCell} class={`time ${timeCell.class}`}>
-          <TimeCell identity={identity} column={column} />
+          <TimeCell identity={identity} slot={slot} />
         </td>
         <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
-          {column > 0 && <IntervalField column={column} label={edits.table.intervalOf(name)} />}
+          {slot > 0 && <IntervalField slot={slot} label={edits.table.intervalOf(name)} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
@@ -212,13 +212,13 @@ function ProgramRow({ identity, column, servos, selection, marked }: ProgramRowP
           </td>
         </tr>
       )}
-      <ServosOffer identity={identity} column={column} width={servos.length + 3} />
+      <ServosOffer identity={identity} slot={slot} width={servos.length + 3} />
     </>
   );
 }
 
-/** Column 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
-function TimeCell({ identity, column }: { identity: Identity; column: number }) {
+/** Slot 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
+function TimeCell({ identity, slot }: { identity: Identity; slot: number }) {
   const { session } = useModels();
   const { editor } = session;
   const { program } = messages.value;
@@ -231,10 +231,10 @@ function TimeCell({ identity, column }: { identity: Identity; column: number }) 
   useEffect(() => {
     unlocked.value = false;
   }, [unlocked, shown]);
-  const field: ProgramField = { kind: 'time', column };
+  const field: ProgramField = { kind: 'time', slot };
   const label = fieldLabel(identity, field);
-  const isMotorStop = column === 0 && identity.timerClass === 'Q';
-  const reserved = column === 0 && !isMotorStop;
+  const isMotorStop = slot === 0 && identity.timerClass === 'Q';
+  const reserved = slot === 0 && !isMotorStop;
   return (
     <>
       <ValueField field={field} label={label} place="table" readOnly={reserved && !unlocked.value} />

@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
-import { columnCount } from '../../protocol/index.js';
+import { slotCount } from '../../protocol/index.js';
 import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
-import { columnLabel, messages, obstacleText } from '../messages/index.js';
+import { messages, obstacleText, slotLabel } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { attempt } from '../session/attempt.js';
 
@@ -18,8 +18,8 @@ export function ShiftTool() {
   const identity = editor.identity.value;
   if (!identity) return null;
   const first = identity.timerClass === 'Q' ? 0 : 1;
-  const columns = Array.from({ length: columnCount(identity) }, (_, column) => column).slice(first);
-  const column = Math.min(Math.max(from.value, first), identity.functions);
+  const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot).slice(first);
+  const slot = Math.min(Math.max(from.value, first), identity.functions);
 
   const move = (direction: 1 | -1): void => {
     const parsed = parseInterval(amount.value);
@@ -30,8 +30,8 @@ export function ShiftTool() {
     const by = direction * parsed.value;
     const working = editor.working.value;
     if (!working) return;
-    const edit = shiftFrom(working, column, by, { moveDt: moveDt.value });
-    const obstacle = attempt(editor, edit, { code: 'shift', params: { column, by } });
+    const edit = shiftFrom(working, slot, by, { moveDt: moveDt.value });
+    const obstacle = attempt(editor, edit, { code: 'shift', params: { slot, by } });
     problem.value = obstacle && `${nothingDone} ${obstacleText(identity, obstacle)}`;
   };
   return (
@@ -41,14 +41,14 @@ export function ShiftTool() {
         <label>
           {shift.from}
           <select
-            value={column}
+            value={slot}
             onChange={(event) => {
               from.value = Number(event.currentTarget.value);
             }}
           >
-            {columns.map((each) => (
+            {slots.map((each) => (
               <option key={each} value={each}>
-                {columnLabel(identity, each)}
+                {slotLabel(identity, each)}
               </option>
             ))}
           </select>

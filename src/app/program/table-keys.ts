@@ -14,13 +14,13 @@ export interface TableKeys {
 /** Where in the grid something of the table stands; null outside of its cells. */
 export function cellOf(target: EventTarget | null): GridCell | null {
   const cell = target instanceof Element ? target.closest('td[data-cell]') : null;
-  const row = cell?.closest('tr[data-column]')?.getAttribute('data-column');
+  const row = cell?.closest('tr[data-slot]')?.getAttribute('data-slot');
   return cell && row ? { row: Number(row), column: Number(cell.getAttribute('data-cell')) } : null;
 }
 
 /** What stands in the table at a place of the grid. */
 export function cellAt(table: Element, { row, column }: GridCell): Element | null {
-  return table.querySelector(`tr[data-column="${row}"] td[data-cell="${column}"]`);
+  return table.querySelector(`tr[data-slot="${row}"] td[data-cell="${column}"]`);
 }
 
 const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {

@@ -3,7 +3,7 @@ import { useMemo } from 'preact/hooks';
 import { fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { kindKey } from '../session/keys.js';
+import { kindKey } from '../session/record-keys.js';
 import type { OnEdit } from '../timeline/drag.js';
 import { useLate } from '../timeline/hooks.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';

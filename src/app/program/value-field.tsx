@@ -42,7 +42,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
     const isTyped = editor.isTyped(field);
     const figure = working && value !== null && !isTyped ? figureOf(working.identity, field, value) : null;
     const isSaid =
-      isLarge && field.kind === 'time' && (field.column === working?.identity.functions || figure?.unit === 'min');
+      isLarge && field.kind === 'time' && (field.slot === working?.identity.functions || figure?.unit === 'min');
     return {
       text: isLarge && figure ? figure.text : editor.textOf(field),
       // In the table a column of seconds says it at its head, as it were; what is not seconds there says it itself.

@@ -16,11 +16,11 @@ export function attempt(editor: Editor, edit: Edit, step: StepName, group: strin
   return null;
 }
 
-/** Does an edit of the interval of a column, as {@link attempt}. One cannot count from a time whose text is no value. */
-export function attemptInterval(editor: Editor, column: number, edit: Edit, group: string): Obstacle | null {
-  const before = countedFrom(column);
+/** Does an edit of the interval of a slot, as {@link attempt}. One cannot count from a time whose text is no value. */
+export function attemptInterval(editor: Editor, slot: number, edit: Edit, group: string): Obstacle | null {
+  const before = countedFrom(slot);
   if (before && editor.unreadable.value.has(fieldKey(before))) return { code: 'unreadable', field: before };
-  return attempt(editor, edit, { code: 'interval', params: { column } }, group);
+  return attempt(editor, edit, { code: 'interval', params: { slot } }, group);
 }
 
 /** Steps a field up or down. Steps that follow each other are one to undo. A text that is no value has no next one. */

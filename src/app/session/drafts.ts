@@ -3,7 +3,7 @@ import { differences, sameLayout, type TimerProgram } from '../../program/index.
 import type { TabNumber } from '../browser/tab-number.js';
 import type { EditorContent } from '../editing/editor.js';
 import type { Draft, Keeper } from '../storage/index.js';
-import { programKey, workKey } from './keys.js';
+import { programKey, workKey } from './record-keys.js';
 
 /** In the place of a key, before it is known under which number this tab keeps its work. */
 const EARLY = '';

@@ -9,7 +9,7 @@ import {
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { UnfinishedWrite } from '../storage/index.js';
-import { programKey } from './keys.js';
+import { programKey } from './record-keys.js';
 import type { UnfinishedRecords } from './unfinished.js';
 
 /** What is known of what one memory of the timer at hand holds. Times are milliseconds since 1970. */
@@ -283,8 +283,8 @@ export function openValues({ before, goal }: Pick<Uncertain, 'before' | 'goal'>)
   const { timerClass, functions } = before.identity;
   const rank = ({ field }: Change): number => {
     if (field.kind !== 'time') return 2;
-    if (field.column === functions) return 0;
-    return field.column === 0 && timerClass === 'Q' ? 1 : 2;
+    if (field.slot === functions) return 0;
+    return field.slot === 0 && timerClass === 'Q' ? 1 : 2;
   };
   const open = differences(before, goal).filter(({ to }) => to !== null);
   return open.sort((a, b) => rank(a) - rank(b));

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { LineEntry } from '../../client/index.js';
-import { COMMANDS, decodeReply, type Identity, type Layout, type LayoutQuirks } from '../../protocol/index.js';
+import { COMMANDS, decodeReply, type Identity, type LayoutOptions, type LayoutQuirks } from '../../protocol/index.js';
 
 /** More than a pilot scrolls through, and little enough to keep for a whole day. */
 const KEPT = 500;
@@ -10,7 +10,7 @@ export interface LineRecord extends LineEntry {
   /** Counts from 1 and is never used again, not even after clearing. */
   readonly number: number;
   /** What was known of the timer by then: how its messages are to be read. */
-  readonly layout: Layout;
+  readonly layout: LayoutOptions;
 }
 
 /** What was on the line since the log was cleared, also what is no longer kept. */

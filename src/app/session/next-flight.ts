@@ -1,13 +1,13 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Identity } from '../../protocol/index.js';
-import { kindKey } from './keys.js';
+import { kindKey } from './record-keys.js';
 
 /** What the pilot has to know of the memory that flies next; memories are counted from 0. */
 export type NextFlightWord =
-  /** By the timer's own word another one is current than at connect; `home` is null when that one was never known. */
-  | { readonly code: 'other'; readonly memory: number; readonly home: number | null }
+  /** By the timer's own word another one is current than at connect; `original` is null when that one was never known. */
+  | { readonly code: 'other'; readonly memory: number; readonly original: number | null }
   /** Others were selected and it is not known which one is current; `asked` was selected last, if that is known. */
-  | { readonly code: 'unknown'; readonly asked: number | null; readonly home: number | null };
+  | { readonly code: 'unknown'; readonly asked: number | null; readonly original: number | null };
 
 /**
  * The current memory is what flies next. It is changed only by selecting one (SETMEMORY), and this page does that when the pilot asks for
@@ -15,10 +15,10 @@ export type NextFlightWord =
  */
 export class NextFlight {
   /** The memory that was current when the timer was connected; null when it was not said before another one was selected. */
-  readonly home: ReadonlySignal<number | null>;
+  readonly original: ReadonlySignal<number | null>;
   /** What there is to say; null while the memory of the time of connect is current, or nothing was selected. */
   readonly word: ReadonlySignal<NextFlightWord | null>;
-  readonly #home = signal<number | null>(null, { name: 'home' });
+  readonly #original = signal<number | null>(null, { name: 'original' });
   /** The memory that the timer named last. */
   readonly #current = signal<number | null>(null, { name: 'current' });
   /** Others were selected since the one of the time of connect was current. */
@@ -28,13 +28,13 @@ export class NextFlight {
 
   /** @param open whether it is open which memory is current. */
   constructor(open: ReadonlySignal<boolean>) {
-    this.home = this.#home;
+    this.original = this.#original;
     this.word = computed(() => {
-      const home = this.#home.value;
+      const original = this.#original.value;
       const current = open.value ? null : this.#current.value;
-      if (current === home && current !== null) return null;
-      if (current !== null) return { code: 'other', memory: current, home };
-      return this.#left.value ? { code: 'unknown', asked: this.#asked.value, home } : null;
+      if (current === original && current !== null) return null;
+      if (current !== null) return { code: 'other', memory: current, original };
+      return this.#left.value ? { code: 'unknown', asked: this.#asked.value, original } : null;
     });
   }
 
@@ -58,8 +58,8 @@ export class NextFlight {
     batch(() => {
       this.#current.value = memory;
       if (memory === null) return;
-      if (!this.#left.value) this.#home.value ??= memory;
-      if (memory === this.#home.value) this.#left.value = false;
+      if (!this.#left.value) this.#original.value ??= memory;
+      if (memory === this.#original.value) this.#left.value = false;
     });
   }
 
@@ -67,7 +67,7 @@ export class NextFlight {
   forget(): void {
     batch(() => {
       this.#kind = null;
-      this.#home.value = null;
+      this.#original.value = null;
       this.#current.value = null;
       this.#left.value = false;
       this.#asked.value = null;

@@ -14,13 +14,13 @@ import { Editor } from '../editing/editor.js';
 import type { Backup, Draft, Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
 import { Drafts } from './drafts.js';
-import { kindKey, programKey, workKey } from './keys.js';
+import { InterruptedJobs } from './interrupted-jobs.js';
 import { Knowledge } from './knowledge.js';
 import { LineLog } from './line-log.js';
 import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import type { NoteCode, Notice } from './notice.js';
-import { Recovery } from './recovery.js';
+import { kindKey, programKey, workKey } from './record-keys.js';
 import { ServoMoves } from './servo-moves.js';
 import { SetAside } from './set-aside.js';
 import { type Standing, standingOf } from './standing.js';
@@ -79,7 +79,7 @@ export class Session {
   readonly knowledge: Knowledge;
   /** How far the program that was read last can be called what the timer holds. */
   readonly standing: ReadonlySignal<Standing>;
-  readonly recovery: Recovery;
+  readonly recovery: InterruptedJobs;
   readonly link: Link;
   readonly servoMoves: ServoMoves;
   readonly job = signal<Job | null>(null, { name: 'job' });
@@ -132,7 +132,7 @@ export class Session {
     const unfinished = new UnfinishedRecords(options.storage.unfinished, options.tab);
     this.knowledge = new Knowledge(unfinished, atHand, () => options.tab.value);
     this.standing = standingOf(this.editor, this.knowledge, this.connection);
-    this.recovery = new Recovery(unfinished, this.knowledge, this.backups);
+    this.recovery = new InterruptedJobs(unfinished, this.knowledge, this.backups);
     this.servoMoves = new ServoMoves(this.connection, this.safe);
     this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
     this.engaged = computed(() => this.busy.value || this.link.waiting.value);
@@ -387,7 +387,7 @@ export class Session {
     const { working } = this.editor;
     if (!working.value || !sameLayout(working.value.identity, program.identity)) return;
     const idleThrottle = program.idleThrottle ?? working.value.idleThrottle;
-    const wanted = { ...working.value, timers: program.timers, positions: program.positions, idleThrottle };
+    const wanted = { ...working.value, times: program.times, positions: program.positions, idleThrottle };
     this.editor.replace(wanted, { code: 'restore', params: {} });
   }
 

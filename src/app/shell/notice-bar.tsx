@@ -1,6 +1,6 @@
 import type { Platform } from '../browser/platform.js';
+import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
 import { OtherTabNotice } from '../connect/other-tab-notice.js';
-import { connectionSaid, TroubleHelp } from '../connect/trouble-help.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import { useModels } from '../models.js';
@@ -61,7 +61,7 @@ export function NoticeBar() {
           <button type="button" class="quiet" onClick={() => (session.notice.value = null)}>
             {dismiss}
           </button>
-          {notice.kind === 'connection' && <TroubleHelp code={notice.code} platform={platform} info={notice.port} />}
+          {notice.kind === 'connection' && <ConnectionHelp code={notice.code} platform={platform} info={notice.port} />}
         </div>
       )}
     </div>

@@ -46,7 +46,7 @@ export function ProgramPage() {
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
             <LargeFigures />
-            <DtPresets column={identity.functions} />
+            <DtPresets slot={identity.functions} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
             <ProgramTable marked={marked} />
             <ShiftTool />

@@ -1,6 +1,7 @@
 import { type DBSchema, deleteDB, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
+import { withPresentNames } from './former-names.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
 
@@ -28,17 +29,24 @@ export interface Keeper<T extends { readonly key: string }> {
   all(): Promise<T[]>;
 }
 
+/** The shelves on which programs lie, of which parts had other names before version 4. */
+const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
+
 /** The arrangement of the shelves. A browser refuses it when a newer version of this page has been here. */
-const VERSION = 3;
+const VERSION = 4;
 
 /** Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds on to it. */
 export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>> {
   // Where storage is switched off, opening may throw at once instead of failing later.
   const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
     openDB<Schema>(name, VERSION, {
-      upgrade(database) {
+      async upgrade(database, before, _, change) {
         for (const store of STORES) {
           if (!database.objectStoreNames.contains(store)) database.createObjectStore(store, { keyPath: 'key' });
+        }
+        if (before === 0 || before >= 4) return;
+        for (const store of RENAMED) {
+          for await (const entry of change.objectStore(store)) await entry.update(withPresentNames(entry.value));
         }
       },
       blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
@@ -62,7 +70,7 @@ export async function deleteStorage(opened: Promise<IDBPDatabase<Schema>>, name 
 }
 
 /** So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in milliseconds. */
-const PATIENCE = 50;
+const IDLE_WITHIN = 50;
 
 /** Copying a record takes time: what was typed is drawn first. A page that is left, or put away on a phone, may never be idle again. */
 function drawn(): Promise<void> {
@@ -75,8 +83,8 @@ function drawn(): Promise<void> {
     addEventListener('pagehide', settle, settled);
     document.addEventListener('visibilitychange', settle, settled);
     // Safari knows nothing of being idle.
-    if (typeof requestIdleCallback === 'function') requestIdleCallback(settle, { timeout: PATIENCE });
-    else setTimeout(settle, PATIENCE);
+    if (typeof requestIdleCallback === 'function') requestIdleCallback(settle, { timeout: IDLE_WITHIN });
+    else setTimeout(settle, IDLE_WITHIN);
   });
 }
 

@@ -1,8 +1,9 @@
 import * as v from 'valibot';
 import { sameLayout, type TimerProgram } from '../../program/index.js';
-import { columnCount, type Identity, MAX_TIME, requireIdentity } from '../../protocol/index.js';
+import { type Identity, MAX_TIME, requireIdentity, slotCount } from '../../protocol/index.js';
 import type { Content } from '../editing/content.js';
 import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
+import { withPresentNames } from './former-names.js';
 
 /*
  * What is stored is checked as strictly as what comes over a wire: an error of another version, of the browser or of a disk must not
@@ -49,14 +50,14 @@ const programIn = ({ time, position, throttle }: Ranges): v.GenericSchema<unknow
     v.object({
       identity,
       memory: v.nullable(whole(0, 254)),
-      timers: v.array(whole(...time)),
+      times: v.array(whole(...time)),
       positions: v.array(v.array(whole(...position))),
       idleThrottle: v.nullable(whole(...throttle)),
     }),
-    v.check(({ identity: of, memory, timers, positions }) => {
-      const columns = columnCount(of);
+    v.check(({ identity: of, memory, times, positions }) => {
+      const slots = slotCount(of);
       const fits =
-        timers.length === columns && positions.length === of.servos && positions.every((row) => row.length === columns);
+        times.length === slots && positions.length === of.servos && positions.every((row) => row.length === slots);
       return fits && (memory === null || memory < of.memories);
     }, 'the lists do not have the shape of the identity'),
   );
@@ -142,7 +143,7 @@ export const unfinishedSchema = v.variant('kind', [
     startedAt: date,
     identity,
     /** The memory that was current, and is to be current again; counted from 0. */
-    home: whole(0, 254),
+    original: whole(0, 254),
   }),
 ]);
 export type Unfinished = v.InferOutput<typeof unfinishedSchema>;
@@ -161,7 +162,11 @@ export const backupSchema = v.object({
 export type Backup = v.InferOutput<typeof backupSchema>;
 
 /** What was tried on the bench and is neither kept nor put back yet, under the kind of timer and the memory. */
-export const trialsSchema = v.array(v.object({ key, before: held, touched: v.array(v.string()) }));
+export const trialsSchema = v.pipe(
+  v.unknown(),
+  v.transform(withPresentNames),
+  v.array(v.object({ key, before: held, touched: v.array(v.string()) })),
+);
 
 /** What is remembered of a port. Two adapters of one make share it: nothing tells them apart. */
 export const portSchema = v.object({

@@ -29,27 +29,27 @@ export function aimAt(arrangement: Arrangement, front: number, { x, y }: Point, 
   const line = lineAt(arrangement, front, { x, y }, false);
   if (line) return { kind: 'position', ...line };
   const mark = arrangement.flags.find(({ at }) => Math.abs(at - x) <= MARK_REACH && layout.shows(at));
-  return mark ? { kind: 'time', column: mark.column } : null;
+  return mark ? { kind: 'time', slot: mark.slot } : null;
 }
 
-/** The line under a pointer and the column that it stands at there; of several the one in front. */
+/** The line under a pointer and the slot that it stands at there; of several the one in front. */
 export function lineAt(
   { heights, stages, layout }: Arrangement,
   front: number,
   { x, y }: Point,
   coarse: boolean,
-): { servo: number; column: number } | null {
+): { servo: number; slot: number } | null {
   const reach = coarse ? LINE_REACH.coarse : LINE_REACH.fine;
-  let found: { servo: number; column: number } | null = null;
+  let found: { servo: number; slot: number } | null = null;
   let nearest = reach;
-  for (const { column, from, until } of stages) {
+  for (const { slot, from, until } of stages) {
     const ends = [layout.x(from), until === null ? layout.box.right : layout.x(until)];
     if (x < Math.min(...ends) || x > Math.max(...ends)) continue;
     for (const [servo, row] of heights.entries()) {
-      const distance = Math.abs((row[column] as number) - y);
+      const distance = Math.abs((row[slot] as number) - y);
       if (distance > nearest || (distance === nearest && servo !== front)) continue;
       nearest = distance;
-      found = { servo, column };
+      found = { servo, slot };
     }
   }
   return found;
@@ -60,7 +60,7 @@ const SNAP = 5;
 
 /** The time that a pointer asks about, in whole hundredths of a second. */
 export function timeAt({ flags, stages, motorStop, layout }: Arrangement, x: number): number {
-  const marks = flags.map(({ column, at }) => ({ time: stages[column]?.from ?? 0, distance: Math.abs(at - x) }));
+  const marks = flags.map(({ slot, at }) => ({ time: stages[slot]?.from ?? 0, distance: Math.abs(at - x) }));
   if (motorStop !== null) marks.push({ time: motorStop, distance: Math.abs(layout.x(motorStop) - x) });
   const nearest = marks.sort((a, b) => a.distance - b.distance)[0];
   if (nearest && nearest.distance <= SNAP) return nearest.time;

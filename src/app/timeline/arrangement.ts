@@ -1,4 +1,4 @@
-import { columnKind, type ProgramField, type TimerProgram } from '../../program/index.js';
+import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
 import { heightsOf, highestOf, Layout, type LinePaths, pathsOf, spread, type View } from './layout.js';
 import { endOf, marksOf, motorStopOf, type Stage, stagesOf } from './preview/flight.js';
 import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
@@ -46,7 +46,7 @@ export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, eve
 
 /** A function or DT: where its time is, and where its number stands above it. */
 export interface Flag {
-  readonly column: number;
+  readonly slot: number;
   readonly isDt: boolean;
   readonly at: number;
   readonly x: number;
@@ -64,9 +64,9 @@ const SMALLEST_RADIUS = 8;
 
 function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout): Flag[] {
   const { left, right } = layout.box;
-  const flags = stages.slice(1).map(({ column, from, passing }) => ({
-    column,
-    isDt: columnKind(program.identity, column) === 'dt',
+  const flags = stages.slice(1).map(({ slot, from, passing }) => ({
+    slot,
+    isDt: slotKind(program.identity, slot) === 'dt',
     at: layout.x(from),
     passedOver: passing === 'passed',
   }));
@@ -103,7 +103,7 @@ export interface Arrangement {
   readonly measures: Measures;
   readonly stages: readonly Stage[];
   readonly lines: readonly LinePaths[];
-  /** `[servo][column]` */
+  /** `[servo][slot]` */
   readonly heights: readonly (readonly number[])[];
   readonly flags: readonly Flag[];
   readonly ticks: readonly number[];
@@ -132,7 +132,7 @@ export function arrange(program: TimerProgram, options: ArrangeOptions): Arrange
   const stages = stagesOf(program);
   const heights = heightsOf(program, layout);
   const dt = stages.at(-1)?.from ?? 0;
-  const chosen = selected?.kind === 'time' ? [program.timers[selected.column] ?? 0] : [];
+  const chosen = selected?.kind === 'time' ? [program.times[selected.slot] ?? 0] : [];
   const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / plot) * view.span };
   return {
     program,
@@ -156,13 +156,13 @@ export interface Grip {
 
 /** The places that can be taken hold of: the marks, the end of the motor, and the steps of the servo in front. */
 export function gripsOf({ flags, heights, stages, layout, measures, motorStop }: Arrangement, front: number): Grip[] {
-  const grips = flags.map(({ column, x }): Grip => ({ field: { kind: 'time', column }, x, y: FLAG }));
+  const grips = flags.map(({ slot, x }): Grip => ({ field: { kind: 'time', slot }, x, y: FLAG }));
   if (motorStop !== null) {
-    grips.push({ field: { kind: 'time', column: 0 }, x: layout.x(motorStop), y: measures.motor });
+    grips.push({ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor });
   }
-  for (const { column, from } of stages) {
-    const y = heights[front]?.[column];
-    if (y !== undefined) grips.push({ field: { kind: 'position', servo: front, column }, x: layout.x(from), y });
+  for (const { slot, from } of stages) {
+    const y = heights[front]?.[slot];
+    if (y !== undefined) grips.push({ field: { kind: 'position', servo: front, slot }, x: layout.x(from), y });
   }
   return grips;
 }

@@ -23,8 +23,8 @@ export interface Limits {
 }
 
 /** The step of a time of this class in hundredths of a second: 1 where the manual gives none. */
-export function timeStep(identity: Identity, column: number): number {
-  return manualRange(identity, column)?.step ?? 1;
+export function timeStep(identity: Identity, slot: number): number {
+  return manualRange(identity, slot)?.step ?? 1;
 }
 
 /**
@@ -34,14 +34,14 @@ export function timeStep(identity: Identity, column: number): number {
  */
 export function limitsOf(program: TimerProgram, field: ProgramField, free = false): Limits {
   if (field.kind !== 'time') return { min: 0, max: MAX_POSITION };
-  const { identity, timers } = program;
-  const { column } = field;
-  const step = timeStep(identity, column);
+  const { identity, times } = program;
+  const { slot } = field;
+  const step = timeStep(identity, slot);
   const largest = Math.floor(MAX_TIME / step) * step;
   if (free) return { min: 0, max: largest };
-  const time = timers[column] as number;
-  const before = column > 1 ? (timers[column - 1] as number) : 0;
-  const after = timers[column === 0 ? identity.functions : column + 1] ?? MAX_TIME + 1;
+  const time = times[slot] as number;
+  const before = slot > 1 ? (times[slot - 1] as number) : 0;
+  const after = times[slot === 0 ? identity.functions : slot + 1] ?? MAX_TIME + 1;
   const min = before < time ? Math.ceil((before + 1) / step) * step : before === time ? time : 0;
   const max = after > time ? Math.floor((after - 1) / step) * step : after === time ? time : largest;
   // Between close neighbours there may be no whole step: then it stays where it is.
@@ -50,13 +50,13 @@ export function limitsOf(program: TimerProgram, field: ProgramField, free = fals
 
 /** The nearest value that a field can be moved to: a whole step inside of its limits. */
 export function snapped(program: TimerProgram, field: ProgramField, value: number, free = false): number {
-  const step = field.kind === 'time' ? timeStep(program.identity, field.column) : 1;
+  const step = field.kind === 'time' ? timeStep(program.identity, field.slot) : 1;
   return within(Math.round(value / step) * step, limitsOf(program, field, free));
 }
 
 /** The value some steps up or down. From between two steps the first one goes to the next of them. */
 export function stepped(program: TimerProgram, field: ProgramField, steps: number, free = false): number {
-  const step = field.kind === 'time' ? timeStep(program.identity, field.column) : 1;
+  const step = field.kind === 'time' ? timeStep(program.identity, field.slot) : 1;
   const value = valueAt(program, field) ?? 0;
   const start = steps > 0 ? Math.floor(value / step) : Math.ceil(value / step);
   return within((start + steps) * step, limitsOf(program, field, free));
@@ -67,7 +67,7 @@ function within(value: number, { min, max }: Limits): number {
 }
 
 /** One movement of one handle, from taking hold to letting go. */
-export class Edit {
+export class DragEdit {
   readonly program: TimerProgram;
   readonly field: ProgramField;
   readonly #name: EditStep['name'];

@@ -4,7 +4,7 @@ import { formatTime } from '../editing/units.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { type Arrangement, FLAG, type Flag } from './arrangement.js';
 import { limitsOf, type OnEdit } from './drag.js';
-import type { HandleKeys } from './keys.js';
+import type { HandleKeys } from './key-control.js';
 import { servoClass } from './layers.js';
 import { timeOf } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
@@ -22,7 +22,7 @@ export interface HandlesProps {
   readonly onSelect: ((field: ProgramField) => void) | undefined;
 }
 
-/** The marks above the plot, the end of the motor and the steps of the servo in front, in the order of the columns. */
+/** The marks above the plot, the end of the motor and the steps of the servo in front, in the order of the slots. */
 export function Handles(props: HandlesProps) {
   const { arrangement, front, onEdit } = props;
   const { flags, stages, heights, layout, measures, motorStop } = arrangement;
@@ -33,7 +33,7 @@ export function Handles(props: HandlesProps) {
       {motorStop !== null && (
         <Handle
           {...props}
-          field={{ kind: 'time', column: 0 }}
+          field={{ kind: 'time', slot: 0 }}
           x={layout.x(motorStop)}
           y={measures.motor}
           inView={layout.shows(layout.x(motorStop))}
@@ -41,22 +41,22 @@ export function Handles(props: HandlesProps) {
           <circle class="knob" r="5.5" />
         </Handle>
       )}
-      {stages.map(({ column, from, passing }) => {
-        const roomy = flags[column - 1]?.roomy ?? true;
+      {stages.map(({ slot, from, passing }) => {
+        const roomy = flags[slot - 1]?.roomy ?? true;
         const inView = layout.shows(layout.x(from));
-        const flag = flags[column - 1];
-        const y = dots[column];
+        const flag = flags[slot - 1];
+        const y = dots[slot];
         return (
-          <g key={column}>
+          <g key={slot}>
             {flag && (
-              <Handle {...props} field={{ kind: 'time', column }} x={flag.x} y={FLAG} inView={inView}>
+              <Handle {...props} field={{ kind: 'time', slot }} x={flag.x} y={FLAG} inView={inView}>
                 <FlagFigure flag={flag} />
               </Handle>
             )}
             {y !== undefined && (
               <Handle
                 {...props}
-                field={{ kind: 'position', servo: front, column }}
+                field={{ kind: 'position', servo: front, slot }}
                 x={layout.x(from)}
                 y={y}
                 inView={inView}
@@ -74,7 +74,7 @@ export function Handles(props: HandlesProps) {
   );
 }
 
-function FlagFigure({ flag: { column, isDt, radius, labelled, roomy, passedOver } }: { flag: Flag }) {
+function FlagFigure({ flag: { slot, isDt, radius, labelled, roomy, passedOver } }: { flag: Flag }) {
   const { dt } = messages.value.program;
   const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''}`;
   const wide = radius + 2;
@@ -84,7 +84,7 @@ function FlagFigure({ flag: { column, isDt, radius, labelled, roomy, passedOver 
       {!isDt && roomy && <circle class={classes} r={radius} />}
       {labelled && (
         <text class={classes} y="0.35em" font-size={Math.min(13, radius * 1.2)}>
-          {isDt ? dt : column}
+          {isDt ? dt : slot}
         </text>
       )}
     </>

@@ -88,7 +88,7 @@ function TimeAxis({
 }: Arrangement & Pick<PictureProps, 'selected'>) {
   const dt = stages.at(-1)?.from;
   const marks = new Set(marksOf(program));
-  const chosen = selected?.kind === 'time' ? program.timers[selected.column] : undefined;
+  const chosen = selected?.kind === 'time' ? program.times[selected.slot] : undefined;
   const { bottom, right } = layout.box;
   return (
     <g class="axis">
@@ -113,10 +113,10 @@ function Unknown({ stages, layout }: Arrangement) {
   const { top, bottom } = layout.box;
   return (
     <g class="unknown">
-      {stages.map(({ column, from, until, passing }) => {
+      {stages.map(({ slot, from, until, passing }) => {
         if (passing !== 'back' || until === null) return null;
         const x = layout.x(until);
-        return <rect key={column} x={x} y={top} width={layout.x(from) - x} height={bottom - top} />;
+        return <rect key={slot} x={x} y={top} width={layout.x(from) - x} height={bottom - top} />;
       })}
     </g>
   );
@@ -126,15 +126,15 @@ function Unknown({ stages, layout }: Arrangement) {
 function Marks({ flags, layout, measures, selected }: Arrangement & { selected: ProgramField | null }) {
   const { top, bottom } = layout.box;
   const flagged = measures.left >= 24;
-  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.column : null;
+  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
   return (
     <g class="marks">
-      {flags.map(({ column, isDt, at, x, radius, labelled, roomy }) => {
+      {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
         const lead = !flagged || !labelled ? '' : `M${x} ${FLAG + radius}L${at} ${top - 4}V${top}`;
         return (
           <path
-            key={column}
-            class={`${isDt ? 'dt' : ''} ${column === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`}
+            key={slot}
+            class={`${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`}
             d={`${lead}M${at} ${top}V${bottom}`}
           />
         );
@@ -210,8 +210,8 @@ const NAME_HEIGHT = 14;
 /** The name of each servo where its line leaves the picture. */
 function LineNames({ program, heights, layout, measures, front }: Arrangement & { readonly front: number | null }) {
   const { top, bottom, right } = layout.box;
-  const { column } = reachedAt(program, layout.time(right));
-  const named = heights.map((row, servo) => ({ servo, y: row[column] as number }));
+  const { slot } = reachedAt(program, layout.time(right));
+  const named = heights.map((row, servo) => ({ servo, y: row[slot] as number }));
   const shown = named.length > MOST_NAMES ? named.filter(({ servo }) => servo === front) : named;
   const places = spread(
     shown.map(({ y }) => y),
@@ -256,13 +256,13 @@ export function Crosshair({ arrangement, time }: { arrangement: Arrangement; tim
   const { layout, heights, program } = arrangement;
   if (time === null || !layout.shows(layout.x(time))) return null;
   const { top, bottom } = layout.box;
-  const { column } = reachedAt(program, time);
+  const { slot } = reachedAt(program, time);
   const dots = heights.length > MOST_NAMES ? [] : heights;
   return (
     <g class="crosshair" transform={`translate(${layout.x(time).toFixed(1)} 0)`}>
       <path d={`M0 ${top - 6}V${bottom + 6}`} />
       {dots.map((row, servo) => (
-        <circle key={servoClass(servo)} class={servoClass(servo)} cy={row[column]} r="3.5" />
+        <circle key={servoClass(servo)} class={servoClass(servo)} cy={row[slot]} r="3.5" />
       ))}
     </g>
   );

@@ -73,20 +73,20 @@ const MOST_STRANDS = 6;
 /** Lines that run together are drawn side by side, this many pixels apart. */
 const STRAND = 4;
 
-/** `[servo][column]`: how high each line runs, in pixels. Lines that would cover each other are drawn side by side. */
+/** `[servo][slot]`: how high each line runs, in pixels. Lines that would cover each other are drawn side by side. */
 export function heightsOf({ positions }: TimerProgram, layout: Layout): number[][] {
   const heights = positions.map((row) => row.map((position) => layout.y(position)));
   if (heights.length > MOST_STRANDS) return heights;
-  const columns = heights[0]?.length ?? 0;
-  for (let column = 0; column < columns; column++) {
+  const slots = heights[0]?.length ?? 0;
+  for (let slot = 0; slot < slots; slot++) {
     const apart = spread(
-      heights.map((row) => row[column] as number),
+      heights.map((row) => row[slot] as number),
       STRAND,
       layout.box.top,
       layout.box.bottom,
     );
     heights.forEach((row, servo) => {
-      row[column] = apart[servo] as number;
+      row[slot] = apart[servo] as number;
     });
   }
   return heights;
@@ -103,12 +103,12 @@ export interface LinePaths {
 
 export function pathsOf(stages: readonly Stage[], heights: readonly number[], layout: Layout): LinePaths {
   const paths = { held: '', steps: '', back: '' };
-  for (const { column, from, until, passing } of stages) {
+  for (const { slot, from, until, passing } of stages) {
     const x = round(layout.x(from));
-    const y = round(heights[column] as number);
+    const y = round(heights[slot] as number);
     const end = until === null ? round(Math.max(layout.x(layout.scale.end), layout.box.right)) : round(layout.x(until));
     if (passing !== 'passed') paths[passing === 'back' ? 'back' : 'held'] += `M${x} ${y}H${end}`;
-    if (until !== null) paths.steps += `M${end} ${y}V${round(heights[column + 1] as number)}`;
+    if (until !== null) paths.steps += `M${end} ${y}V${round(heights[slot + 1] as number)}`;
   }
   return paths;
 }

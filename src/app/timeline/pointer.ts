@@ -1,7 +1,7 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { aimAt, lineAt, type Point, timeAt } from './aim.js';
 import type { Arrangement } from './arrangement.js';
-import { Edit, limitsOf, type OnEdit, snapped } from './drag.js';
+import { DragEdit, limitsOf, type OnEdit, snapped } from './drag.js';
 import type { Layout } from './layout.js';
 import type { TimelineModel } from './view-model.js';
 
@@ -89,7 +89,7 @@ export class PointerControl {
     model.asked.value = null;
     if (field.kind === 'position') model.front.value = field.servo;
     model.wanted.value = field;
-    model.moving.value = { edit: new Edit(program, field, target.onEdit), scale: layout.scale };
+    model.moving.value = { edit: new DragEdit(program, field, target.onEdit), scale: layout.scale };
   }
 
   /** A finger on a handle, or a second one, does not scroll the page; a finger beside the handles does. Comes after {@link down}. */

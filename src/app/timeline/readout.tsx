@@ -1,6 +1,6 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
-import { columnLabel, fieldLabel, messages } from '../messages/index.js';
+import { fieldLabel, messages, slotLabel } from '../messages/index.js';
 import { servoClass } from './layers.js';
 import { motorStopOf, reachedAt } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
@@ -35,8 +35,8 @@ function Figure({ figure, what }: { figure: string; what: string }) {
 
 /** What a flight has reached at a time. */
 function reachedText(program: TimerProgram, time: number): string {
-  const { column, certain } = reachedAt(program, time);
-  return certain ? columnLabel(program.identity, column) : messages.value.timeline.notKnown;
+  const { slot, certain } = reachedAt(program, time);
+  return certain ? slotLabel(program.identity, slot) : messages.value.timeline.notKnown;
 }
 
 interface MomentProps {
@@ -83,7 +83,7 @@ export function descriptionOf(program: TimerProgram): string {
   return timeline.description({
     servos,
     functions: functions - 1,
-    dt: seconds(formatTime(program.timers[functions] ?? 0)),
+    dt: seconds(formatTime(program.times[functions] ?? 0)),
     motorStop: stop === null ? null : seconds(formatTime(stop)),
   });
 }
@@ -91,8 +91,8 @@ export function descriptionOf(program: TimerProgram): string {
 /** A time, what it has reached, and where all servos stand: for who does not see the picture. */
 function momentText(program: TimerProgram, time: number): string {
   const { seconds, servoName, timeline } = messages.value;
-  const { column, certain } = reachedAt(program, time);
-  const servos = program.positions.map((row, servo) => timeline.stands(servoName(servo), row[column] ?? 0));
+  const { slot, certain } = reachedAt(program, time);
+  const servos = program.positions.map((row, servo) => timeline.stands(servoName(servo), row[slot] ?? 0));
   return [seconds(formatTime(time)), reachedText(program, time), ...(certain ? servos : [])].join(', ');
 }
 
@@ -111,10 +111,10 @@ const MOST_CHIPS = 8;
 /** Which line is which, where each servo stands at the time that is asked about, and which one is in front. */
 function Legend({ program, time, front, onFront, overlay }: LegendProps) {
   const { timeline, servoName } = messages.value;
-  const column = time === null ? null : reachedAt(program, time);
+  const slot = time === null ? null : reachedAt(program, time);
   const servos = program.positions.map((row, servo) => ({
     servo,
-    value: column === null ? '' : column.certain ? String(row[column.column] ?? '') : timeline.unknownValue,
+    value: slot === null ? '' : slot.certain ? String(row[slot.slot] ?? '') : timeline.unknownValue,
   }));
   return (
     <div class="timeline-legend">

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
-import { columnLabel, messages } from '../messages/index.js';
+import { messages, slotLabel } from '../messages/index.js';
 import { motorStopOf, stagesOf } from './preview/flight.js';
 
 /** The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is opened. */
@@ -35,7 +35,7 @@ function Stages({ program }: { program: TimerProgram }) {
       <caption class="visually-hidden">{timeline.tableCaption}</caption>
       <thead>
         <tr>
-          <th scope="col">{words.column}</th>
+          <th scope="col">{words.slot}</th>
           <th scope="col">{timeline.from}</th>
           <th scope="col">{timeline.until}</th>
           {positions.map((_, servo) => (
@@ -46,13 +46,13 @@ function Stages({ program }: { program: TimerProgram }) {
         </tr>
       </thead>
       <tbody>
-        {stagesOf(program).map(({ column, from, until, passing }) => (
-          <tr key={column}>
-            <th scope="row">{columnLabel(identity, column)}</th>
+        {stagesOf(program).map(({ slot, from, until, passing }) => (
+          <tr key={slot}>
+            <th scope="row">{slotLabel(identity, slot)}</th>
             <td>{time(from)}</td>
             <td>{passing === 'held' ? until !== null && time(until) : timeline.passing[passing]}</td>
             {positions.map((row, servo) => (
-              <td key={servoName(servo)}>{row[column]}</td>
+              <td key={servoName(servo)}>{row[slot]}</td>
             ))}
           </tr>
         ))}
@@ -77,9 +77,9 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
   const { timeline } = messages.value;
   const { identity } = program;
   const notes = stagesOf(program)
-    .filter(({ column, passing }) => passing === 'back' || (passing === 'passed' && changes(program, column)))
-    .map(({ column, passing }) => {
-      const [here, next] = [columnLabel(identity, column), columnLabel(identity, column + 1)] as const;
+    .filter(({ slot, passing }) => passing === 'back' || (passing === 'passed' && changes(program, slot)))
+    .map(({ slot, passing }) => {
+      const [here, next] = [slotLabel(identity, slot), slotLabel(identity, slot + 1)] as const;
       return passing === 'back' ? timeline.goesBack(next, here) : timeline.passedOver(here, next);
     });
   if (notes.length === 0) return null;
@@ -93,7 +93,7 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
   );
 }
 
-/** Whether a column has other positions than the one after it. */
-function changes({ positions }: TimerProgram, column: number): boolean {
-  return positions.some((row) => row[column] !== row[column + 1]);
+/** Whether a slot has other positions than the one after it. */
+function changes({ positions }: TimerProgram, slot: number): boolean {
+  return positions.some((row) => row[slot] !== row[slot + 1]);
 }

@@ -5,7 +5,7 @@ import { arrange, measuresOf, scaleOf } from './arrangement.js';
 import type { OnEdit } from './drag.js';
 import { Handles } from './handles.js';
 import { useGlide, useStable, useWidth } from './hooks.js';
-import { HandleKeys, pictureKey } from './keys.js';
+import { HandleKeys, pictureKey } from './key-control.js';
 import { Crosshair, Picture } from './layers.js';
 import { PointerControl, type Target } from './pointer.js';
 import { timeOf } from './preview/flight.js';

@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { ProgramField } from '../../program/index.js';
-import type { Edit } from './drag.js';
+import type { DragEdit } from './drag.js';
 import type { View } from './layout.js';
 import type { Scale } from './scale.js';
 
@@ -10,7 +10,7 @@ const DEEPEST = 60;
 
 /** A handle that is being moved. */
 export interface Moving {
-  readonly edit: Edit;
+  readonly edit: DragEdit;
   /** The axis as it was when the handle was taken: it stands still until the handle is let go. */
   readonly scale: Scale;
 }

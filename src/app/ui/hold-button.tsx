@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { Hold } from './hold.js';
+import { PressAndHold } from './press-and-hold.js';
 
 interface HoldButtonProps {
   readonly label: string;
@@ -15,7 +15,7 @@ interface HoldButtonProps {
 export function HoldButton({ label, holding, disabled, onHeld, describedBy }: HoldButtonProps) {
   const latest = useRef(onHeld);
   latest.current = onHeld;
-  const hold = useMemo(() => new Hold(() => latest.current()), []);
+  const hold = useMemo(() => new PressAndHold(() => latest.current()), []);
   const release = hold.release.bind(hold);
   useEffect(() => {
     addEventListener('blur', release);

@@ -1,7 +1,7 @@
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
-import type { Offer } from '../session/recovery.js';
+import type { Offer } from '../session/interrupted-jobs.js';
 import { ValueTable } from './value-table.js';
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
@@ -103,15 +103,15 @@ function MemoryLeft({ offer: { record, current } }: { offer: OfferOf<'memories'>
   return (
     <>
       <h2 id="recovery-title">{words.leftTitle}</h2>
-      <p>{words.left(memoryName(record.home), memoryText(current))}</p>
+      <p>{words.left(memoryName(record.original), memoryText(current))}</p>
       <div class="buttons">
         <button
           type="button"
           class="primary"
           disabled={session.busy.value}
-          onClick={() => void session.selectMemory(record.home)}
+          onClick={() => void session.selectMemory(record.original)}
         >
-          {words.goHome(memoryName(record.home))}
+          {words.makeCurrent(memoryName(record.original))}
         </button>
         <NotNow />
       </div>

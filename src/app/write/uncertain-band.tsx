@@ -4,8 +4,8 @@ import type { Identity } from '../../protocol/index.js';
 import { dateText, fieldLabel, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
 import { useModels } from '../models.js';
-import { kindKey } from '../session/keys.js';
 import { openValues, type Uncertain } from '../session/knowledge.js';
+import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
 
 /** So many values are named where neither DT nor the motor stop is among them. */

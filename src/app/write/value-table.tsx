@@ -5,16 +5,16 @@ import { changeText, fieldLabel, figureText, messages } from '../messages/index.
 
 interface ValueTableProps {
   readonly identity: Identity;
-  /** What the columns are of. */
+  /** What the slots are of. */
   readonly names: readonly string[];
   readonly rows: readonly {
     readonly field: ProgramField;
-    /** One for each column; null when it is not known. */
+    /** One for each slot; null when it is not known. */
     readonly values: readonly (number | null)[];
     /** Stands behind the last value. */
     readonly note?: ComponentChildren;
   }[];
-  /** Whether the last column is the one that counts. */
+  /** Whether the last slot is the one that counts. */
   readonly lastCounts?: boolean;
 }
 

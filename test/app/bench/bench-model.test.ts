@@ -1,12 +1,12 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { HOLD, Hold } from '../../../src/app/ui/hold.js';
+import { HOLD, PressAndHold } from '../../../src/app/ui/press-and-hold.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
 import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from './bench.js';
 
-const S2: ProgramField = { kind: 'position', servo: 1, column: 4 };
-const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
-const DT: ProgramField = { kind: 'time', column: 10 };
+const S2: ProgramField = { kind: 'position', servo: 1, slot: 4 };
+const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
+const DT: ProgramField = { kind: 'time', slot: 10 };
 
 afterEach(() => localStorage.clear());
 
@@ -44,19 +44,19 @@ function stored(app: AppBench): number[] {
 }
 
 function heldBy({ timer }: SafeBench, field: ProgramField): number | undefined {
-  return field.kind === 'position' ? timer.core.content.positions[field.servo]?.[field.column] : undefined;
+  return field.kind === 'position' ? timer.core.content.positions[field.servo]?.[field.slot] : undefined;
 }
 
 describe('moving to a function', () => {
   it('moves the servos, and says where they are', async () => {
     const { bench, timer } = await safeBench();
     expect(await run(bench.moveTo(4))).toBe(true);
-    expect(timer.core.column).toBe(4);
-    expect(bench.done.value).toEqual({ action: { kind: 'move', column: 4 }, certain: true });
+    expect(timer.core.slot).toBe(4);
+    expect(bench.done.value).toEqual({ action: { kind: 'move', slot: 4 }, certain: true });
     const moving = bench.moveTo(5);
     expect(bench.done.value, 'they are on their way').toBeNull();
     await run(moving);
-    expect(bench.done.value).toMatchObject({ action: { column: 5 } });
+    expect(bench.done.value).toMatchObject({ action: { slot: 5 } });
   });
 
   it('waits for the word that it is safe', async () => {
@@ -83,7 +83,7 @@ describe('moving to a function', () => {
     const moving = bench.moveTo(3);
     timer.core.sleep();
     expect(await run(moving)).toBe(false);
-    const maybe = { action: { kind: 'move', column: 3 }, certain: false };
+    const maybe = { action: { kind: 'move', slot: 3 }, certain: false };
     expect(bench.done.value).toEqual(maybe);
     timer.core.onAnswer = undefined;
     timer.core.press();
@@ -126,7 +126,7 @@ describe('the motor', () => {
 describe('a hold', () => {
   it('happens once, however long it lasts and however often the key repeats itself', async () => {
     const app = await safeBench();
-    const hold = new Hold(() => void app.bench.unlock());
+    const hold = new PressAndHold(() => void app.bench.unlock());
     hold.press();
     await vi.advanceTimersByTimeAsync(HOLD - 1);
     hold.press();
@@ -143,7 +143,7 @@ describe('a hold', () => {
 
   it('is taken back by letting go', async () => {
     const app = await safeBench();
-    const hold = new Hold(() => void app.bench.unlock());
+    const hold = new PressAndHold(() => void app.bench.unlock());
     hold.press();
     await vi.advanceTimersByTimeAsync(HOLD - 1);
     hold.release();
@@ -264,7 +264,7 @@ describe('following', () => {
     set(app, DT, 20000);
     await run(app.write.open());
     await run(app.write.start());
-    expect(app.timer.core.content.timers[10]).toBe(20000);
+    expect(app.timer.core.content.times[10]).toBe(20000);
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
     expect(app.follow.trials.takeBack()).toMatchObject([{ field: S2 }]);
   });

@@ -1,7 +1,7 @@
 import { fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
-import { HOLD } from '../../../src/app/ui/hold.js';
+import { HOLD } from '../../../src/app/ui/press-and-hold.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
 
 async function press(name: string | RegExp): Promise<void> {
@@ -57,7 +57,7 @@ describe('the bench', () => {
     await press('Function 4');
     expect(screen.getByText('Servos at function 4')).toBeTruthy();
     await press('Next function');
-    expect([timer.core.column, screen.queryByText('Servos at function 5') !== null]).toEqual([5, true]);
+    expect([timer.core.slot, screen.queryByText('Servos at function 5') !== null]).toEqual([5, true]);
     await press('Previous function');
     await press('Previous function');
     expect(screen.getByText('Servos at function 3')).toBeTruthy();
@@ -80,7 +80,7 @@ describe('the bench', () => {
     adapter.answersAt = 1;
     await press('Function 4');
     expect(screen.getByText(/No answer came: the servos may have moved to function 4 all the same/)).toBeTruthy();
-    expect(timer.core.column).toBe(10);
+    expect(timer.core.slot).toBe(10);
   });
 
   it('has no motor to unlock on B', async () => {

@@ -8,9 +8,9 @@ afterEach(() => localStorage.clear());
 
 /** What a pilot, his timer and his cable may do, each followed by some milliseconds. */
 type Act =
-  | { readonly do: 'edit'; readonly servo: number; readonly columns: readonly number[]; readonly value: number }
-  | { readonly do: 'type'; readonly servo: number; readonly column: number; readonly text: string }
-  | { readonly do: 'move' | 'bring'; readonly column: number }
+  | { readonly do: 'edit'; readonly servo: number; readonly slots: readonly number[]; readonly value: number }
+  | { readonly do: 'type'; readonly servo: number; readonly slot: number; readonly text: string }
+  | { readonly do: 'move' | 'bring'; readonly slot: number }
   | { readonly do: 'going' | 'safe'; readonly on: boolean }
   | { readonly do: 'deaf'; readonly answers: number }
   | { readonly do: 'select'; readonly memory: number }
@@ -31,18 +31,18 @@ type Act =
         | 'write';
     };
 
-const column = fc.integer({ min: 0, max: 10 });
+const slot = fc.integer({ min: 0, max: 10 });
 const servo = fc.nat(2);
 const value = fc.nat(130);
 const few = fc.constantFrom(3, 4, 5);
 const act: fc.Arbitrary<Act> = fc.oneof(
   {
-    arbitrary: fc.record({ do: fc.constant('edit' as const), servo, columns: few.map((at) => [at]), value }),
+    arbitrary: fc.record({ do: fc.constant('edit' as const), servo, slots: few.map((at) => [at]), value }),
     weight: 8,
   },
-  fc.record({ do: fc.constant('edit' as const), servo, columns: fc.uniqueArray(column, { minLength: 1 }), value }),
-  fc.record({ do: fc.constant('type' as const), servo, column: few, text: value.map(String) }),
-  { arbitrary: fc.record({ do: fc.constantFrom('move' as const, 'bring' as const), column: few }), weight: 4 },
+  fc.record({ do: fc.constant('edit' as const), servo, slots: fc.uniqueArray(slot, { minLength: 1 }), value }),
+  fc.record({ do: fc.constant('type' as const), servo, slot: few, text: value.map(String) }),
+  { arbitrary: fc.record({ do: fc.constantFrom('move' as const, 'bring' as const), slot: few }), weight: 4 },
   { arbitrary: fc.record({ do: fc.constant('going' as const), on: fc.boolean() }), weight: 3 },
   fc.record({ do: fc.constant('safe' as const), on: fc.constantFrom(true, true, true, false) }),
   fc.record({ do: fc.constant('deaf' as const), answers: fc.integer({ min: 1, max: 4 }) }),
@@ -70,7 +70,7 @@ class Judge {
   #safe = true;
   /** Where a movement was acknowledged, with nothing since that could have moved the servos. */
   #at: number | null = null;
-  #asked: { readonly code: number; readonly column: number } | null = null;
+  #asked: { readonly code: number; readonly slot: number } | null = null;
   #stored = false;
   #seen = 0;
 
@@ -80,14 +80,14 @@ class Judge {
 
   /** @param isOn whether the page says that the servos follow. */
   acts(act: Act, isOn: boolean): void {
-    this.#moved = act.do === 'move' ? act.column : null;
-    if (act.do === 'bring' && isOn) this.#brought = act.column;
+    this.#moved = act.do === 'move' ? act.slot : null;
+    if (act.do === 'bring' && isOn) this.#brought = act.slot;
     if (act.do === 'going') {
       this.#going = act.on && isOn;
       this.#edited = null;
     }
-    if (act.do === 'edit') this.#edited = this.#going && act.columns.length === 1 ? (act.columns[0] ?? null) : null;
-    if (act.do === 'type') this.#edited = this.#going ? act.column : null;
+    if (act.do === 'edit') this.#edited = this.#going && act.slots.length === 1 ? (act.slots[0] ?? null) : null;
+    if (act.do === 'type') this.#edited = this.#going ? act.slot : null;
     if (act.do === 'safe') this.#safe = act.on;
     if (['stop', 'hide', 'unplug'].includes(act.do) || !this.#safe) this.ends();
   }
@@ -109,15 +109,15 @@ class Judge {
       const asked = this.#asked;
       if (direction === 'in') {
         if (asked && code === asked.code + 1) {
-          if (asked.code === COMMANDS.MOVETOFUNC.request) this.#at = asked.column;
-          if (asked.code === COMMANDS.SETSERVO.request) this.#stored = asked.column === this.#at;
+          if (asked.code === COMMANDS.MOVETOFUNC.request) this.#at = asked.slot;
+          if (asked.code === COMMANDS.SETSERVO.request) this.#stored = asked.slot === this.#at;
         }
         continue;
       }
       if (code === COMMANDS.MOVETOFUNC.request) this.#explains(data[0] as number, undone);
-      const column = data[0] ?? -1;
+      const slot = data[0] ?? -1;
       // Fences and readings in between move nothing.
-      if ((code - 0x61) % 2 === 0) this.#asked = { code, column };
+      if ((code - 0x61) % 2 === 0) this.#asked = { code, slot };
       if ([COMMANDS.MOVETOFUNC.request, COMMANDS.JUMP2.request, COMMANDS.UNLOCK.request].includes(code as never)) {
         this.#at = null;
         this.#stored = false;
@@ -125,12 +125,12 @@ class Judge {
     }
   }
 
-  #explains(column: number, undone: boolean): void {
-    expect(this.#safe, `a movement to ${column} while it is not said to be safe`).toBe(true);
-    const isAgain = this.#stored && this.#at === column;
-    const isEdited = this.#edited === column || (undone && this.#going);
-    const why = { isAgain, moved: this.#moved === column, brought: this.#brought === column, isEdited };
-    expect(Object.values(why).some(Boolean), `a movement to ${column} that nobody asked for`).toBe(true);
+  #explains(slot: number, undone: boolean): void {
+    expect(this.#safe, `a movement to ${slot} while it is not said to be safe`).toBe(true);
+    const isAgain = this.#stored && this.#at === slot;
+    const isEdited = this.#edited === slot || (undone && this.#going);
+    const why = { isAgain, moved: this.#moved === slot, brought: this.#brought === slot, isEdited };
+    expect(Object.values(why).some(Boolean), `a movement to ${slot} that nobody asked for`).toBe(true);
     if (isAgain) return;
     // One click, one movement.
     if (why.moved) this.#moved = null;
@@ -141,16 +141,16 @@ class Judge {
 
 function perform(app: AppBench, act: Act, lose: (answers: number) => void): void {
   const { editor, session, bench, follow, write, timer, adapter } = app;
-  const position = (servo: number, column: number) => ({ kind: 'position' as const, servo, column });
+  const position = (servo: number, slot: number) => ({ kind: 'position' as const, servo, slot });
   if (act.do === 'edit') {
-    const values = act.columns.map((column) => ({ field: position(act.servo, column), value: act.value }));
+    const values = act.slots.map((slot) => ({ field: position(act.servo, slot), value: act.value }));
     editor.apply(values, { code: 'step', params: {} });
-  } else if (act.do === 'type') editor.type(position(act.servo, act.column), act.text);
+  } else if (act.do === 'type') editor.type(position(act.servo, act.slot), act.text);
   else if (act.do === 'undo') editor.undo();
   else if (act.do === 'time') {
-    editor.apply([{ field: { kind: 'time', column: 10 }, value: 20_000 }], { code: 'step', params: {} });
-  } else if (act.do === 'move') void bench.moveTo(act.column);
-  else if (act.do === 'bring') follow.bring(act.column);
+    editor.apply([{ field: { kind: 'time', slot: 10 }, value: 20_000 }], { code: 'step', params: {} });
+  } else if (act.do === 'move') void bench.moveTo(act.slot);
+  else if (act.do === 'bring') follow.bring(act.slot);
   else if (act.do === 'going') follow.setGoing(act.on);
   else if (act.do === 'safe') session.safe.value = act.on;
   else if (act.do === 'deaf') lose(act.answers);
@@ -204,7 +204,7 @@ it('every movement on the wire was asked for by a click or by the switch, and wh
         const at = app.bench.stand.at.value;
         if (at === null || app.session.busy.value) continue;
         const { core } = app.timer;
-        expect([at, core.servos]).toEqual([core.column, core.content.positions.map((row) => row[at])]);
+        expect([at, core.servos]).toEqual([core.slot, core.content.positions.map((row) => row[at])]);
       }
       void app.follow.stop();
       await idle();

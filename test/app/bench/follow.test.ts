@@ -6,7 +6,7 @@ import type { Request } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
 import { type AppBench, type BenchOptions, connectedBench, idle, run } from './bench.js';
 
-const position = (servo: number, column: number): ProgramField => ({ kind: 'position', servo, column });
+const position = (servo: number, slot: number): ProgramField => ({ kind: 'position', servo, slot });
 const S2 = position(1, 4);
 
 afterEach(() => localStorage.clear());
@@ -50,7 +50,7 @@ const reads = ({ timer }: AppBench): number => timer.core.answered.filter(({ nam
 describe('where the servos stand', () => {
   it('is not known before they were moved', async () => {
     const { bench, timer } = await safeBench();
-    expect([bench.stand.at.value, timer.core.column]).toEqual([null, 10]);
+    expect([bench.stand.at.value, timer.core.slot]).toEqual([null, 10]);
     await run(bench.moveTo(4));
     expect(bench.stand.at.value).toBe(4);
   });
@@ -58,7 +58,7 @@ describe('where the servos stand', () => {
   it('stays known while only times are written, and while it is read', async () => {
     const app = await safeBench();
     await run(app.bench.moveTo(4));
-    set(app, [{ kind: 'time', column: 10 }, 20_000]);
+    set(app, [{ kind: 'time', slot: 10 }, 20_000]);
     await run(app.write.open());
     await run(app.write.start());
     app.write.dismiss();
@@ -116,7 +116,7 @@ describe('servos that follow', () => {
       set(app, [S2, 70]);
       await idle();
       expect(told(app)).toEqual(['S4.1=70', 'M4']);
-      expect([app.timer.core.column, app.timer.core.servos]).toEqual([4, [55, 70, 55]]);
+      expect([app.timer.core.slot, app.timer.core.servos]).toEqual([4, [55, 70, 55]]);
       expect(app.bench.stand.at.value).toBe(4);
     },
   );
@@ -192,7 +192,7 @@ describe('servos that follow', () => {
 
   it('count what was tried, and not what waits for a write', async () => {
     const app = await following();
-    set(app, [S2, 70], [position(0, 6), 7], [{ kind: 'time', column: 10 }, 20_000]);
+    set(app, [S2, 70], [position(0, 6), 7], [{ kind: 'time', slot: 10 }, 20_000]);
     await idle();
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 70 }]);
     expect(app.editor.changes.value).toHaveLength(2);
@@ -221,8 +221,8 @@ describe('going to the function that is edited', () => {
 
   it('goes to the last one only, when the pilot is quicker than the servos', async () => {
     const app = await going({ latency: 50 });
-    for (const column of [1, 2, 3, 5, 6]) {
-      set(app, [position(0, column), 7]);
+    for (const slot of [1, 2, 3, 5, 6]) {
+      set(app, [position(0, slot), 7]);
       await vi.advanceTimersByTimeAsync(10);
     }
     await idle();
@@ -232,7 +232,7 @@ describe('going to the function that is edited', () => {
 
   it('does not send them through all the functions of a paste', async () => {
     const app = await going();
-    set(app, ...[5, 6, 7].map((column): [ProgramField, number] => [position(0, column), 7]));
+    set(app, ...[5, 6, 7].map((slot): [ProgramField, number] => [position(0, slot), 7]));
     await idle();
     expect([told(app), [...app.follow.awaited.value]]).toEqual([[], [5, 6, 7]]);
   });
@@ -344,7 +344,7 @@ describe('following ends', () => {
     await idle();
     core.onAnswer = undefined;
     expect([app.follow.ended.value?.reason, app.bench.stand.at.value]).toEqual(['failed', null]);
-    expect(app.bench.done.value).toEqual({ action: { kind: 'move', column: 4 }, certain: false });
+    expect(app.bench.done.value).toEqual({ action: { kind: 'move', slot: 4 }, certain: false });
     core.press();
     await idle(60_000);
     expect(app.session.connection.value).not.toBeNull();

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { type Locks, TabNumber } from '../../../src/app/browser/tab-number.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore, run } from '../bench/bench.js';
 
-const S1 = { kind: 'position', servo: 0, column: 2 } as const;
+const S1 = { kind: 'position', servo: 0, slot: 2 } as const;
 
 /** One tab of a browser: what it holds and what it remembers. */
 interface Tab {

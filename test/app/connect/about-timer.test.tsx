@@ -69,7 +69,7 @@ describe('what was assumed of a timer can be forgotten', () => {
     about();
     await press('Forget what was assumed');
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
-    expect(bench.editor.baseline.value?.timers).toEqual(core.content.timers);
+    expect(bench.editor.baseline.value?.times).toEqual(core.content.times);
     expect(quirksKept(bench)).not.toMatchObject({ [KIND]: { bigEndianTimes: true } });
   });
 

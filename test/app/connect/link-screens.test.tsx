@@ -152,7 +152,7 @@ describe('the write dialog', () => {
   it('shows what was read, what the timer holds now and what it will hold, where that has moved', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
-    timer.core.content.timers[10] = 18_500;
+    timer.core.content.times[10] = 18_500;
     await press('Write…');
     const [conflicts, difference] = within(screen.getByRole('dialog')).getAllByRole('table');
     if (!conflicts || !difference) throw new Error('a table is missing');

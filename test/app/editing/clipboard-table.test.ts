@@ -8,7 +8,7 @@ const NARROW_NO_BREAK = '\u202f';
 
 describe('a range as text', () => {
   const program = programOf();
-  const late = { ...program, timers: [1000, 50, 1000, 995, 12507, 65535] };
+  const late = { ...program, times: [1000, 50, 1000, 995, 12507, 65535] };
 
   it('is seconds and steps, apart by tabs and line breaks', () => {
     expect(formatTable(program, { top: 0, left: 0, bottom: 2, right: 3 })).toBe(

@@ -17,9 +17,9 @@ const Q536 = { ...B536, timerClass: 'Q' };
 const held: TimerProgram = { identity: Q536, memory: 0, ...firstContent(Q536, 0), idleThrottle: 30 };
 const SMALL = { ...Q536, functions: 5, servos: 1 };
 const small: TimerProgram = { identity: SMALL, memory: 0, ...firstContent(SMALL, 0), idleThrottle: null };
-const DT: ProgramField = { kind: 'time', column: 10 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
-const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+const DT: ProgramField = { kind: 'time', slot: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
+const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
 
 function editorOf(program: TimerProgram = held): Editor {
   const editor = new Editor();
@@ -207,7 +207,7 @@ describe('when the timer is read again', () => {
     editor.type(S1, '7');
     editor.type(DT, 'x');
     editor.rebase(small);
-    expect([editor.dirty.value, editor.working.value?.timers.length]).toEqual([false, 6]);
+    expect([editor.dirty.value, editor.working.value?.times.length]).toEqual([false, 6]);
   });
 });
 
@@ -277,7 +277,7 @@ describe('what can be read in two ways', () => {
     expect([editor.textOf(DT), editor.blocked.value]).toEqual(['4:00', false]);
     editor.type(DT, '2.30');
     editor.leave(DT);
-    editor.apply([{ field: { kind: 'position', servo: 0, column: 1 }, value: 1 }], {
+    editor.apply([{ field: { kind: 'position', servo: 0, slot: 1 }, value: 1 }], {
       code: 'step',
       params: { field: 'position:0:1' },
     });

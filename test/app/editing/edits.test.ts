@@ -32,7 +32,7 @@ function valuesOf(edit: Edit): readonly FieldValue[] {
 
 /** The times after an edit. */
 function timesAfter(edit: Edit, before: TimerProgram = program): readonly number[] {
-  return withValues(before, valuesOf(edit)).timers;
+  return withValues(before, valuesOf(edit)).times;
 }
 
 function refusalIn(edit: Edit): string {
@@ -60,7 +60,7 @@ describe('an interval', () => {
   });
 
   it('lists the field that was asked for also when its time is that already', () => {
-    expect(setInterval(program, 3, 250)).toEqual({ values: [{ field: { kind: 'time', column: 3 }, value: 1250 }] });
+    expect(setInterval(program, 3, 250)).toEqual({ values: [{ field: { kind: 'time', slot: 3 }, value: 1250 }] });
   });
 
   it.each([
@@ -70,15 +70,15 @@ describe('an interval', () => {
     [1, -1, 'time-out-of-range time:1'],
     [1, 0.5, 'time-not-whole time:1'],
     [1, Number.NaN, 'time-not-whole time:1'],
-  ])('of column %i cannot be %d: %s', (column, interval, refused) => {
-    expect(refusalIn(setInterval(program, column, interval))).toBe(refused);
+  ])('of slot %i cannot be %d: %s', (slot, interval, refused) => {
+    expect(refusalIn(setInterval(program, slot, interval))).toBe(refused);
   });
 
   it('says with a refusal what the field would have been, and its range', () => {
     expect(setInterval(program, 2, 65300)).toMatchObject({
       refused: {
         code: 'time-out-of-range',
-        field: { kind: 'time', column: 3 },
+        field: { kind: 'time', slot: 3 },
         params: { value: 65600, min: 0, max: 65535 },
       },
     });
@@ -93,16 +93,16 @@ describe('an interval', () => {
         fc.boolean(),
         (before, at, set, moveDt) => {
           const { functions } = before.identity;
-          const column = 1 + (at % functions);
-          const after = byOrRefused(setInterval(before, column, set, { moveDt }), before);
+          const slot = 1 + (at % functions);
+          const after = byOrRefused(setInterval(before, slot, set, { moveDt }), before);
           if (!after) return;
           for (let other = 1; other <= functions; other++) {
             const kept = intervalAt(before, other);
-            if (other === column) expect(intervalAt(after, other)).toBe(set);
-            else if (other < functions || moveDt || column === functions) expect(intervalAt(after, other)).toBe(kept);
+            if (other === slot) expect(intervalAt(after, other)).toBe(set);
+            else if (other < functions || moveDt || slot === functions) expect(intervalAt(after, other)).toBe(kept);
           }
-          if (!moveDt && column < functions) expect(after.timers[functions]).toBe(before.timers[functions]);
-          expect({ ...after, timers: before.timers }).toEqual(before);
+          if (!moveDt && slot < functions) expect(after.times[functions]).toBe(before.times[functions]);
+          expect({ ...after, times: before.times }).toEqual(before);
         },
       ),
       { numRuns: 500 },
@@ -132,12 +132,12 @@ describe('a shift', () => {
     [3, Number.POSITIVE_INFINITY, 'time-not-whole time:3'],
     [3, 0, 'done'],
     [99, 100, 'done'],
-  ])('from column %i by %d: %s', (column, by, refused) => {
-    expect(refusalIn(shiftFrom(program, column, by))).toBe(refused);
+  ])('from slot %i by %d: %s', (slot, by, refused) => {
+    expect(refusalIn(shiftFrom(program, slot, by))).toBe(refused);
   });
 
   it('takes no DT out of range that it does not move', () => {
-    const late = { ...program, timers: [1000, 50, 1000, 1250, 1500, 65535] };
+    const late = { ...program, times: [1000, 50, 1000, 1250, 1500, 65535] };
     expect(refusalIn(shiftFrom(late, 3, 100))).toBe('done');
     expect(refusalIn(shiftFrom(late, 3, 100, { moveDt: true }))).toBe('time-out-of-range time:5');
   });
@@ -154,10 +154,10 @@ describe('a shift', () => {
         fc.integer({ min: -3000, max: 3000 }),
         fc.boolean(),
         (before, at, by, moveDt) => {
-          const column = at % before.timers.length;
-          const there = byOrRefused(shiftFrom(before, column, column === 0 ? Math.abs(by) : by, { moveDt }), before);
+          const slot = at % before.times.length;
+          const there = byOrRefused(shiftFrom(before, slot, slot === 0 ? Math.abs(by) : by, { moveDt }), before);
           if (!there) return;
-          const back = shiftFrom(there, column, column === 0 ? -Math.abs(by) : -by, { moveDt });
+          const back = shiftFrom(there, slot, slot === 0 ? -Math.abs(by) : -by, { moveDt });
           expect(withValues(there, valuesOf(back))).toEqual(before);
         },
       ),
@@ -167,8 +167,8 @@ describe('a shift', () => {
 });
 
 describe('a step', () => {
-  const time = (column: number): ProgramField => ({ kind: 'time', column });
-  const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+  const time = (slot: number): ProgramField => ({ kind: 'time', slot });
+  const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
   const E4 = { ...Q4, timerClass: 'E' };
   const stepped = (field: ProgramField, value: number, direction: 1 | -1, tenfold = false, identity = Q4): number => {
     const before = withValues({ ...program, identity }, [{ field, value }]);
@@ -215,7 +215,7 @@ describe('a step', () => {
           const was = valueAt(before, field);
           const values = stepValue(before, field, direction, { tenfold });
           for (const { value } of values) {
-            const step = field.kind === 'time' ? (manualRange(before.identity, field.column)?.step ?? 1) : 1;
+            const step = field.kind === 'time' ? (manualRange(before.identity, field.slot)?.step ?? 1) : 1;
             const max = { time: 65535, position: 130, idleThrottle: 255 }[field.kind];
             expect((value - (was as number)) * direction).toBeGreaterThan(0);
             expect(value >= 0 && value <= max && value % step === 0).toBe(true);
@@ -235,11 +235,11 @@ describe('a step', () => {
   });
 
   it('of an interval ends at 0', () => {
-    const close = { ...program, timers: [1000, 50, 1000, 1005, 1500, 18000] };
+    const close = { ...program, times: [1000, 50, 1000, 1005, 1500, 18000] };
     expect(timesAfter(stepInterval(close, 3, -1, { tenfold: true }), close)).toEqual([
       1000, 50, 1000, 1000, 1495, 18000,
     ]);
-    const falls = { ...program, timers: [1000, 50, 1000, 900, 1500, 18000] };
+    const falls = { ...program, times: [1000, 50, 1000, 900, 1500, 18000] };
     expect(stepInterval(falls, 3, -1)).toEqual({ values: [] });
     expect(stepInterval(program, 0, 1)).toEqual({ values: [] });
   });
@@ -294,30 +294,30 @@ describe('fill down', () => {
       [10, 20, 20, 20, 50, 60],
       [15, 25, 25, 25, 55, 65],
     ]);
-    expect(filled(1, 2, 3, 3).timers).toEqual(program.timers);
+    expect(filled(1, 2, 3, 3).times).toEqual(program.times);
   });
 
   it('takes positions from the start to DT, but neither its time nor that of DT', () => {
     const after = filled(0, 0, 5, 2);
     expect(after.positions).toEqual([[10, 10, 10, 10, 10, 10], program.positions[1]]);
-    expect(after.timers).toEqual(program.timers);
-    expect(filled(3, 0, 5, 0).timers).toEqual([1000, 50, 1000, 1250, 1250, 18000]);
-    expect(filled(3, 0, 5, 0, true).timers).toEqual([1000, 50, 1000, 1250, 1250, 1250]);
+    expect(after.times).toEqual(program.times);
+    expect(filled(3, 0, 5, 0).times).toEqual([1000, 50, 1000, 1250, 1250, 18000]);
+    expect(filled(3, 0, 5, 0, true).times).toEqual([1000, 50, 1000, 1250, 1250, 1250]);
   });
 
   it('spaces functions evenly from one interval', () => {
-    expect(filled(1, 1, 4, 1).timers).toEqual([1000, 50, 100, 150, 200, 18000]);
-    expect(filled(1, 1, 3, 1).timers).toEqual([1000, 50, 100, 150, 400, 18000]);
-    expect(filled(1, 1, 5, 1, true).timers).toEqual([1000, 50, 100, 150, 200, 250]);
-    expect(filled(1, 1, 3, 1, true).timers).toEqual([1000, 50, 100, 150, 400, 16900]);
-    expect(filled(0, 1, 4, 1).timers).toEqual(program.timers);
+    expect(filled(1, 1, 4, 1).times).toEqual([1000, 50, 100, 150, 200, 18000]);
+    expect(filled(1, 1, 3, 1).times).toEqual([1000, 50, 100, 150, 400, 18000]);
+    expect(filled(1, 1, 5, 1, true).times).toEqual([1000, 50, 100, 150, 200, 250]);
+    expect(filled(1, 1, 3, 1, true).times).toEqual([1000, 50, 100, 150, 400, 16900]);
+    expect(filled(0, 1, 4, 1).times).toEqual(program.times);
   });
 
   it('is not done where a value cannot be set', () => {
     const odd = { ...program, positions: [[10, 200, 30, 40, 50, 60], program.positions[1] ?? []] };
     const down = (left: number) => fillDown(odd, { top: 1, left, bottom: 3, right: 3 });
     expect([refusalIn(down(2)), refusalIn(down(3))]).toEqual(['position-out-of-range position:0:2', 'done']);
-    const late = { ...program, timers: [1000, 40000, 60000, 60100, 60200, 65000] };
+    const late = { ...program, times: [1000, 40000, 60000, 60100, 60200, 65000] };
     expect(refusalIn(fillDown(late, { top: 1, left: 1, bottom: 2, right: 1 }))).toBe('time-out-of-range time:2');
   });
 
@@ -330,7 +330,7 @@ describe('fill down', () => {
     ['a time', 0, 'time:1', 'done'],
     ['a position', 2, 'position:0:2', 'unreadable position:0:2'],
     ['a position', 2, 'time:2', 'done'],
-  ])('gives %s (column %i) on only where it can be read: %s', (_, left, key, result) => {
+  ])('gives %s (slot %i) on only where it can be read: %s', (_, left, key, result) => {
     const range = { top: 2, left, bottom: 3, right: left };
     expect(refusalIn(fillDown(program, range, { unreadable: new Set([key]) }))).toBe(result);
   });
@@ -347,7 +347,7 @@ describe('fill down', () => {
         if (!after) return;
         expect(byOrRefused(fillDown(after, range, { moveDt }), after)).toEqual(after);
         for (const field of fieldsOf(before.identity)) {
-          const inside = field.kind !== 'idleThrottle' && field.column > range.top;
+          const inside = field.kind !== 'idleThrottle' && field.slot > range.top;
           if (!inside) expect(valueAt(after, field)).toBe(valueAt(before, field));
         }
       }),

@@ -11,7 +11,7 @@ function fixesOf(program: TimerProgram): [FindingCode, number | null][] {
 }
 
 const held = programOf();
-const timed = (at: number, time: number): TimerProgram => ({ ...held, timers: held.timers.with(at, time) });
+const timed = (at: number, time: number): TimerProgram => ({ ...held, times: held.times.with(at, time) });
 const placed = (value: number): TimerProgram => ({
   ...held,
   positions: [held.positions[0]?.with(2, value) ?? [], [...(held.positions[1] ?? [])]],
@@ -36,7 +36,7 @@ describe('what is obvious', () => {
 
 describe('what the pilot has to decide', () => {
   it.each([
-    ['a motor that stops after DT', { ...held, timers: held.timers.with(0, 19000) }, 'motor-stop-after-dt'],
+    ['a motor that stops after DT', { ...held, times: held.times.with(0, 19000) }, 'motor-stop-after-dt'],
     ['a short DT', timed(5, 2000), 'dt-short'],
     ['a DT before the function before it', timed(4, 35000), 'time-falls'],
     ['a DT at the function before it', timed(4, 18000), 'position-never-reached'],
@@ -49,7 +49,7 @@ describe('what the pilot has to decide', () => {
     ['an unknown class', { ...held, identity: { ...held.identity, timerClass: 'X' } }, 'class-unknown'],
     [
       'a time after the last that a wire carries',
-      { ...timed(2, 65535), timers: [1000, 50, 65535, 65535, 65535, 65535] },
+      { ...timed(2, 65535), times: [1000, 50, 65535, 65535, 65535, 65535] },
       'time-repeats',
     ],
   ] as const)('%s is left to them', (_, program, code) => {

@@ -10,7 +10,7 @@ export function programOf(): TimerProgram {
   return {
     identity: Q4,
     memory: 0,
-    timers: [1000, 50, 1000, 1250, 1500, 18000],
+    times: [1000, 50, 1000, 1250, 1500, 18000],
     positions: [
       [10, 20, 30, 40, 50, 60],
       [15, 25, 35, 45, 55, 65],
@@ -30,12 +30,12 @@ export const anyProgram: fc.Arbitrary<TimerProgram> = fc
     servos: fc.integer({ min: 1, max: 3 }),
   })
   .chain((layout) => {
-    const columns = layout.functions + 1;
-    const row = fc.array(position, { minLength: columns, maxLength: columns });
+    const slots = layout.functions + 1;
+    const row = fc.array(position, { minLength: slots, maxLength: slots });
     return fc.record({
       identity: fc.constant({ ...layout, firmware: '536', memories: 4 }),
       memory: fc.constant(0),
-      timers: fc.array(time, { minLength: columns, maxLength: columns }),
+      times: fc.array(time, { minLength: slots, maxLength: slots }),
       positions: fc.array(row, { minLength: layout.servos, maxLength: layout.servos }),
       idleThrottle: fc.constantFrom(null, 30),
     });

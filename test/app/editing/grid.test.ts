@@ -18,11 +18,11 @@ function keysIn(...[top, left, bottom, right]: [number, number, number, number])
 }
 
 function keyOf(field: GridField): string {
-  return field.kind === 'interval' ? `interval:${field.column}` : fieldKey(field);
+  return field.kind === 'interval' ? `interval:${field.slot}` : fieldKey(field);
 }
 
 describe('the grid', () => {
-  it('has a row for each column of the timer, and time, interval and servos across', () => {
+  it('has a row for each slot of the timer, and time, interval and servos across', () => {
     const across = (row: number) =>
       [0, 1, 2, 3].map((column) => gridField(Q4, { row, column })).map((field) => field && keyOf(field));
     expect(across(0)).toEqual(['time:0', null, 'position:0:0', 'position:1:0']);
@@ -49,8 +49,8 @@ describe('the grid', () => {
   });
 
   it('shows a time twice: an interval stands for the time at its end', () => {
-    expect(programField({ kind: 'interval', column: 3 })).toEqual({ kind: 'time', column: 3 });
-    expect(programField({ kind: 'position', servo: 1, column: 3 })).toEqual({ kind: 'position', servo: 1, column: 3 });
+    expect(programField({ kind: 'interval', slot: 3 })).toEqual({ kind: 'time', slot: 3 });
+    expect(programField({ kind: 'position', servo: 1, slot: 3 })).toEqual({ kind: 'position', servo: 1, slot: 3 });
   });
 });
 
@@ -80,8 +80,8 @@ describe('a range', () => {
 
 describe('an interval', () => {
   it('counts from the row before, from launch for function 1, and not for the start', () => {
-    const program = { ...programOf(), timers: [1000, 50, 1000, 900, 1500, 18000] };
-    expect([0, 1, 2, 3, 4, 5, 6].map((column) => intervalAt(program, column))).toEqual([
+    const program = { ...programOf(), times: [1000, 50, 1000, 900, 1500, 18000] };
+    expect([0, 1, 2, 3, 4, 5, 6].map((slot) => intervalAt(program, slot))).toEqual([
       null,
       50,
       950,

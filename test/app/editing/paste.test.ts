@@ -5,7 +5,7 @@ import { refusalOf, setInterval, withValues } from '../../../src/app/editing/edi
 import { fieldsIn, type GridRange, intervalAt, programField } from '../../../src/app/editing/grid.js';
 import { type PasteOptions, type PastePreview, pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import { differences, fieldKey, type TimerProgram } from '../../../src/program/index.js';
-import { columnCount } from '../../../src/protocol/index.js';
+import { slotCount } from '../../../src/protocol/index.js';
 import { anyProgram, programAndRange, programOf, Q4 } from './grid-programs.js';
 
 const program = programOf();
@@ -32,7 +32,7 @@ describe('a pasted table', () => {
       'time:4': '1500 -> 12550',
     });
     expect(preview).toMatchObject({ problems: [], ignored: 0, headings: false, names: false });
-    expect(withValues(program, pasted(preview)).timers).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
+    expect(withValues(program, pasted(preview)).times).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
   });
 
   it.each([
@@ -42,7 +42,7 @@ describe('a pasted table', () => {
     ['2:05.5', 12550],
     ['\u00a09.75\u202f', 975],
   ])('takes a time like %j', (text, time) => {
-    expect(pasted(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', column: 3 }, value: time }]);
+    expect(pasted(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', slot: 3 }, value: time }]);
   });
 
   it('leaves what is under empty cells', () => {
@@ -211,7 +211,7 @@ describe('a cell that is wrong', () => {
       row: 0,
       column: 0,
       text: '200',
-      field: { kind: 'position', servo: 1, column: 2 },
+      field: { kind: 'position', servo: 1, slot: 2 },
     });
     expect(problems[1]?.text.length).toBeLessThan(100);
   });
@@ -238,7 +238,7 @@ describe('a cell that is wrong', () => {
 });
 
 describe('pasted intervals', () => {
-  const times = (preview: PastePreview, rest = false) => withValues(program, pasted(preview, rest)).timers;
+  const times = (preview: PastePreview, rest = false) => withValues(program, pasted(preview, rest)).times;
 
   it('are set from top to bottom: what has none keeps its distance, DT its time', () => {
     expect(times(paste('1\n2', at(1, 1)))).toEqual([1000, 100, 300, 550, 800, 18000]);
@@ -249,7 +249,7 @@ describe('pasted intervals', () => {
 
   it('may lead through times that cannot be', () => {
     expect(times(paste('650\n-640', at(2, 1)))).toEqual([1000, 50, 65050, 1050, 1300, 18000]);
-    expect(times(paste('655\n-654', at(3, 1)))).toEqual(program.timers);
+    expect(times(paste('655\n-654', at(3, 1)))).toEqual(program.times);
     expect(times(paste('644\n-640', at(3, 1)))).toEqual([1000, 50, 1000, 65400, 1400, 18000]);
   });
 
@@ -328,14 +328,14 @@ describe('copied and pasted', () => {
       fc.property(programAndRange, anyProgram, decimal, ([source, range], other, mark) => {
         const target = {
           ...source,
-          timers: source.timers.map((_, column) => other.timers[column % other.timers.length] as number),
+          times: source.times.map((_, column) => other.times[column % other.times.length] as number),
           positions: source.positions.map((row) => row.map((_, column) => other.positions[0]?.[column % 2] as number)),
         };
         const preview = previewPaste(target, range, formatTable(source, range, { decimal: mark }));
         const after = withValues(target, pasted(preview, true));
         if (preview.problems.length > 0) return;
         for (const field of fieldsIn(source.identity, range)) {
-          if (field.kind === 'interval') expect(intervalAt(after, field.column)).toBe(intervalAt(source, field.column));
+          if (field.kind === 'interval') expect(intervalAt(after, field.slot)).toBe(intervalAt(source, field.slot));
         }
         expect(formatTable(after, range)).toBe(formatTable(source, range));
       }),
@@ -411,8 +411,8 @@ describe('whatever is pasted', () => {
           else expect(refusalOf(field, to as number)).toBeNull();
         }
         const { timerClass } = before.identity;
-        if (timerClass !== 'Q') expect(after.timers[0]).toBe(before.timers[0]);
-        expect(preview.problems.every(({ row }) => row < columnCount(before.identity) + 2)).toBe(true);
+        if (timerClass !== 'Q') expect(after.times[0]).toBe(before.times[0]);
+        expect(preview.problems.every(({ row }) => row < slotCount(before.identity) + 2)).toBe(true);
         if (preview.changes.length > 0) changed++;
       }),
       { numRuns: 3000 },

@@ -18,9 +18,9 @@ import {
 import { programOf } from './grid-programs.js';
 
 const held = programOf();
-const DT: ProgramField = { kind: 'time', column: 5 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
-const S2: ProgramField = { kind: 'position', servo: 1, column: 3 };
+const DT: ProgramField = { kind: 'time', slot: 5 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
+const S2: ProgramField = { kind: 'position', servo: 1, slot: 3 };
 const preset = { code: 'preset', params: {} } as const;
 
 function editorOf(program: TimerProgram = held): Editor {
@@ -210,7 +210,7 @@ describe('when the timer is read again', () => {
     editor.rebase({
       ...held,
       identity: { ...held.identity, firmware: '999', functions: 4 },
-      timers: held.timers.slice(1),
+      times: held.times.slice(1),
       positions: held.positions.map((row) => row.slice(1)),
     });
     expect(editor.undoStep.value).toBeNull();

@@ -11,7 +11,7 @@ import {
   readTime,
 } from '../../../src/app/editing/units.js';
 import { figureText, presetText, spokenTime } from '../../../src/app/messages/index.js';
-import { columnCount } from '../../../src/protocol/index.js';
+import { slotCount } from '../../../src/protocol/index.js';
 
 const times: [text: string, parsed: number | string][] = [
   ['0', 0],
@@ -294,14 +294,12 @@ describe('a time in words and figures', () => {
     [10, 2050, '20.5 s', '20.5 s'],
     [10, 230, '2.3 s', '2.3 s'],
     [10, 5999, '59.99 s', '59.99 s'],
-  ])('of column %i, %i is “%s”, said “%s”', (column, value, figure, spoken) => {
-    expect([figureText(identity, { kind: 'time', column }, value), spokenTime(value)]).toEqual([figure, spoken]);
+  ])('of slot %i, %i is “%s”, said “%s”', (slot, value, figure, spoken) => {
+    expect([figureText(identity, { kind: 'time', slot }, value), spokenTime(value)]).toEqual([figure, spoken]);
   });
 
   it('has hundredths where the class has them', () => {
-    const figures = [1, 2, 3].map((column) =>
-      figureText({ ...identity, timerClass: 'B' }, { kind: 'time', column }, 50),
-    );
+    const figures = [1, 2, 3].map((slot) => figureText({ ...identity, timerClass: 'B' }, { kind: 'time', slot }, 50));
     expect(figures).toEqual(['0.50 s', '0.50 s', '0.5 s']);
   });
 
@@ -320,8 +318,8 @@ describe('a time in words and figures', () => {
     for (let value = 0; value <= 65_535; value++) {
       const forms = new Set([spokenTime(value), presetText(value)]);
       for (const timerClass of ['Q', 'B', 'E']) {
-        for (let column = 0; column < columnCount(identity); column++) {
-          forms.add(figureText({ ...identity, timerClass }, { kind: 'time', column }, value));
+        for (let slot = 0; slot < slotCount(identity); slot++) {
+          forms.add(figureText({ ...identity, timerClass }, { kind: 'time', slot }, value));
         }
       }
       for (const text of forms) {

@@ -116,12 +116,12 @@ describe('a frame by hand', () => {
       if (name === 'SETMEMORY') timer.core.sleep();
     };
     await run(form.confirm());
-    expect(session.nextFlight.word.value).toEqual({ code: 'unknown', asked: null, home: 0 });
+    expect(session.nextFlight.word.value).toEqual({ code: 'unknown', asked: null, original: 0 });
     timer.core.onAnswer = undefined;
     timer.core.press();
     await idle();
     await run(session.read());
-    expect(session.nextFlight.word.value).toEqual({ code: 'other', memory: 2, home: 0 });
+    expect(session.nextFlight.word.value).toEqual({ code: 'other', memory: 2, original: 0 });
   });
 
   it('may do anything when its letter is no request of the table, or when a question carries data', async () => {

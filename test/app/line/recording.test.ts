@@ -174,7 +174,7 @@ describe('a session that was saved', () => {
   ])('is the same timer when it is replayed: %s', async (_, options) => {
     const { session, editor } = await connectedBench(options);
     const program = editor.working.value;
-    expect(program?.timers).toHaveLength(11);
+    expect(program?.times).toHaveLength(11);
     const text = captureText(session.log.introduced(session.log.entries.value), []);
     await run(session.disconnect());
 

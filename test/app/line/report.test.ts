@@ -17,7 +17,7 @@ const facts: ReportFacts = {
   identity: B536,
   quirksFound: new Map([
     ['memory-unknown', {}],
-    ['times-rounded', { column: 3, sent: 1005, held: 1000 }],
+    ['times-rounded', { slot: 3, sent: 1005, held: 1000 }],
   ]),
   quirksAssumed: { bigEndianTimes: false },
   counts: { out: 12, in: 10, damaged: 2, errors: 1 },
@@ -39,7 +39,7 @@ describe('a report', () => {
       '# Page: in a browser tab',
       '# Port: ftdi, usb:0403:6001, 19200 8N1, RTS low',
       '# Timer: F1B, firmware 536, 10 functions, 4 memories, 3 servos',
-      '# Found: memory-unknown; times-rounded column 3 sent 1005 held 1000',
+      '# Found: memory-unknown; times-rounded slot 3 sent 1005 held 1000',
       '# Assumed: bigEndianTimes false',
       '# Line: 12 to the timer, 10 from the timer, 2 damaged, 1 line error, 3 repeats',
       '# Line errors: framing 1',

@@ -10,7 +10,7 @@ const lines = () => within(screen.getByRole('dialog')).getByRole('alert').textCo
 /** A timer whose third memory has another DT, in front of the dialog that shows the copy of the first one into it. */
 async function reviewed(): Promise<AppBench> {
   const app = await connected();
-  app.timer.core.memories[2]?.timers.splice(10, 1, 36_000);
+  app.timer.core.memories[2]?.times.splice(10, 1, 36_000);
   await press('Copy M1 to M3…');
   return app;
 }
@@ -35,7 +35,7 @@ describe('copying a memory', () => {
     const time = clockText(Date.now());
     expect(lines()).toBe(`M3 verified ${time} · DT 3:00 min · motor stop 10.0 s · 1 change`);
     expect(dialog('Copy a memory').getByRole('status').textContent).toBe('M1 flies next.');
-    expect(timer.core.memories[2]?.timers[10]).toBe(18_000);
+    expect(timer.core.memories[2]?.times[10]).toBe(18_000);
   });
 
   it('that would change nothing says so', async () => {
@@ -49,7 +49,7 @@ describe('copying a memory', () => {
 
   it('shows the difference again when the memory has changed meanwhile', async () => {
     const { timer } = await reviewed();
-    timer.core.memories[2]?.timers.splice(10, 1, 30_000);
+    timer.core.memories[2]?.times.splice(10, 1, 30_000);
     await write();
     expect(lines()).toContain('The timer holds something else than was shown.');
     expect(lines()).toContain('Nothing was written into M3.');

@@ -3,7 +3,7 @@ import type { Plan } from '../../../src/app/memories/memories.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 
 /** A timer whose second memory is current and whose memories differ. */
 async function bench(options: BenchOptions = {}): Promise<AppBench> {
@@ -40,10 +40,10 @@ function contents({ timer }: AppBench) {
 }
 
 function kept({ session }: AppBench) {
-  return session.backups.list.value.map(({ reason, program: { memory, timers, positions } }) => ({
+  return session.backups.list.value.map(({ reason, program: { memory, times, positions } }) => ({
     reason,
     memory,
-    timers,
+    times,
     positions,
   }));
 }
@@ -58,12 +58,12 @@ describe('the memories at a glance', () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
     made.memories.dismiss();
-    made.timer.core.memories[1]?.timers.fill(100);
+    made.timer.core.memories[1]?.times.fill(100);
     await run(made.session.read());
     await run(made.session.selectMemory(0));
     expect(made.session.knowledge.of(1)).toMatchObject({
       state: 'read',
-      program: { timers: made.timer.core.memories[1]?.timers },
+      program: { times: made.timer.core.memories[1]?.times },
     });
   });
 
@@ -105,7 +105,7 @@ describe('backing up all memories', () => {
       if (name === 'SETMEMORY') noted.push([...made.store.unfinished.records.values()][0]);
     };
     await job(made, { kind: 'back-up' });
-    expect(noted[0]).toMatchObject({ kind: 'memories', home: 1 });
+    expect(noted[0]).toMatchObject({ kind: 'memories', original: 1 });
   });
 
   it('leaves the edits as they are', async () => {
@@ -150,9 +150,9 @@ describe('copying a memory', () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
     made.memories.dismiss();
-    made.timer.core.memories[2]?.timers.fill(1234);
+    made.timer.core.memories[2]?.times.fill(1234);
     await job(made, { kind: 'copy', from: 2, to: 3 });
-    expect(made.timer.core.memories[3]?.timers).toEqual(made.timer.core.memories[2]?.timers);
+    expect(made.timer.core.memories[3]?.times).toEqual(made.timer.core.memories[2]?.times);
     expect([made.timer.core.memory, made.store.unfinished.records.size]).toEqual([1, 0]);
   });
 
@@ -250,7 +250,7 @@ describe('what is about to be written', () => {
 
   it('is shown with what the other memory holds, by a reading just now', async () => {
     const made = await bench();
-    made.timer.core.memories[3]?.timers.splice(10, 1, 36_000);
+    made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
     await run(made.memories.open(COPY));
     expect(made.memories.current.value).toMatchObject({
       step: 'review',
@@ -258,7 +258,7 @@ describe('what is about to be written', () => {
         {
           memory: 3,
           changes: [
-            { field: { kind: 'time', column: 10 }, from: 36_000, to: 21_000 },
+            { field: { kind: 'time', slot: 10 }, from: 36_000, to: 21_000 },
             { field: S1, from: 53, to: 51 },
           ],
         },
@@ -271,7 +271,7 @@ describe('what is about to be written', () => {
     const made = await bench();
     made.session.safe.value = true;
     await run(made.memories.open(COPY));
-    made.timer.core.memories[3]?.timers.splice(10, 1, 36_000);
+    made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
     const before = contents(made);
     await run(made.memories.start());
     expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'stale' } });
@@ -328,7 +328,7 @@ describe('a copy that fails early ends in words', () => {
     await job(made, { kind: 'back-up' });
     made.memories.dismiss();
     const backups = [...made.session.backups.list.value].reverse();
-    for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.timers.splice(10, 1, 36_000);
+    for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.times.splice(10, 1, 36_000);
     let writes = 0;
     made.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS' && ++writes === 2) made.adapter.unplug();
@@ -376,7 +376,7 @@ describe('a plug that is pulled in the middle', () => {
     ['a copy that was complete', COPY, (_, name) => name === 'SETSERVO', null],
   ];
 
-  it.each(pulled)('of %s is said; the way home is offered at the next meeting', async (_, plan, at, rest) => {
+  it.each(pulled)('of %s is said; the way back is offered at the next meeting', async (_, plan, at, rest) => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
     await job(made, plan);
@@ -387,7 +387,11 @@ describe('a plug that is pulled in the middle', () => {
     made.adapter.replug();
     await idle();
     await run(made.session.read());
-    expect(made.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: left });
+    expect(made.session.recovery.offer.value).toMatchObject({
+      kind: 'memories',
+      record: { original: 1 },
+      current: left,
+    });
     expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
     await run(made.session.selectMemory(1));
     expect(made.timer.core.memory).toBe(1);
@@ -417,7 +421,7 @@ describe('a plug that is pulled in the middle', () => {
     await job(made, { kind: 'back-up' });
     const after = await reloaded(made);
     await run(after.session.connect());
-    expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { home: 1 }, current: 2 });
+    expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { original: 1 }, current: 2 });
     await run(after.session.selectMemory(1));
     expect([after.session.recovery.offer.value, after.store.unfinished.records.size]).toEqual([null, 0]);
   });

@@ -131,8 +131,8 @@ describe('the memories', () => {
   it('are uncertain in words since a write into one was cut off', async () => {
     const { session } = await connected();
     const before = { ...(session.editor.baseline.value as TimerProgram), memory: 2 };
-    const timers = before.timers.map((time, column) => (column === 10 ? 36_000 : time));
-    await session.knowledge.cut(before, { ...before, timers });
+    const times = before.times.map((time, slot) => (slot === 10 ? 36_000 : time));
+    await session.knowledge.cut(before, { ...before, times });
     await lookAt('M3');
     expect(screen.getByRole('heading', { name: 'It is not known what M3 holds' })).toBeTruthy();
     const row = screen.getByRole('rowheader', { name: 'DT time' }).parentElement;

@@ -1,13 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { describeFrame, frameName } from '../../../src/app/messages/frame-text.js';
 import type { LineEntry } from '../../../src/client/index.js';
-import { encodeFrame, type Layout } from '../../../src/protocol/index.js';
+import { encodeFrame, type LayoutOptions } from '../../../src/protocol/index.js';
 import { B536 } from '../../protocol/vectors.js';
 import { came, damage, frameEntry, lineError, sent } from '../line/line.js';
 
 const Q = { ...B536, timerClass: 'Q' };
 const times = [1000, 1050, 1200, 1400, 1600, 1800, 2000, 2200, 2400, 2600, 18000];
-const said = (entry: LineEntry, layout: Layout): string => `${frameName(entry)}: ${describeFrame(entry, layout)}`;
+const said = (entry: LineEntry, layout: LayoutOptions): string =>
+  `${frameName(entry)}: ${describeFrame(entry, layout)}`;
 
 describe('what a frame says', () => {
   it.each<[string, LineEntry, string]>([

@@ -285,7 +285,7 @@ describe('writing', () => {
     const said = dialog.getByRole('alert').textContent;
     expect(said).toContain('Verified.');
     expect(said).toMatch(/M1 verified \d\d:\d\d · DT 4:00 min · motor stop 10\.0 s · 2 changes/);
-    expect([timer.core.content.timers[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
+    expect([timer.core.content.times[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
     await press('Close');
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(screen.getByText(/^As in the timer, verified \d\d:\d\d$/)).toBeTruthy();
@@ -356,12 +356,12 @@ describe('writing', () => {
   it('is cancelled without a trace', async () => {
     const { timer } = await connected();
     await type('DT time', '4:00');
-    const { timers } = timer.core.content;
+    const { times } = timer.core.content;
     await press('Write…');
     await press('Cancel');
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(timer.core.answered.map(({ name }) => name).filter((name) => name.startsWith('SET'))).toEqual([]);
-    expect(timer.core.content.timers).toEqual(timers);
+    expect(timer.core.content.times).toEqual(times);
     expect(field('DT time').value).toBe('4:00');
   });
 });
@@ -437,7 +437,7 @@ describe('without Web Serial', () => {
     const trying = before.session.trySimulated('Q');
     await idle();
     await trying;
-    before.editor.type({ kind: 'time', column: 10 }, '4:00');
+    before.editor.type({ kind: 'time', slot: 10 }, '4:00');
     await idle();
     await opened({ store, webSerial: false });
     expect(field('DT time').value).toBe('4:00');

@@ -282,7 +282,7 @@ describe('a range', () => {
     field('Function 1 time').focus();
     expect(copied()).toBeNull();
     await key('ArrowDown', { shiftKey: true });
-    for (let column = 0; column < 3; column++) await key('ArrowRight', { shiftKey: true });
+    for (let slot = 0; slot < 3; slot++) await key('ArrowRight', { shiftKey: true });
     expect(screen.getByText('6 values selected')).toBeTruthy();
     expect(copied()).toBe('10.50\t25\t25\n11.00\t35\t35');
     await key('Escape');
@@ -501,9 +501,9 @@ describe('undo by keys', () => {
     const connecting = first.session.connect();
     await idle();
     await connecting;
-    first.editor.type({ kind: 'time', column: 10 }, '4:00');
-    first.editor.leave({ kind: 'time', column: 10 });
-    first.editor.type({ kind: 'time', column: 10 }, '5:00');
+    first.editor.type({ kind: 'time', slot: 10 }, '4:00');
+    first.editor.leave({ kind: 'time', slot: 10 });
+    first.editor.type({ kind: 'time', slot: 10 }, '5:00');
     await idle();
     expect(editor.undoStep.value).toBeNull();
     const again = await appBench({ store });
@@ -589,7 +589,7 @@ describe('a time that can be read in two ways', () => {
     expect(document.activeElement, 'the focus waits').toBe(field(where));
     const asked = within(screen.getByRole('group', { name: `What ${where} means` }));
     expect(asked.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(answers);
-    expect([editor.working.value?.timers, editor.blocked.value]).toEqual([before?.timers, true]);
+    expect([editor.working.value?.times, editor.blocked.value]).toEqual([before?.times, true]);
     fireEvent.click(asked.getByRole('button', { name: answers[at] }));
     await idle();
     const inTable = where === 'DT' ? 'DT time' : where;
@@ -610,13 +610,13 @@ describe('a time that can be read in two ways', () => {
 
   it('is asked in an interval of DT, which moves nothing before', async () => {
     const { editor } = await connected();
-    const last = editor.working.value?.timers[9] ?? 0;
+    const last = editor.working.value?.times[9] ?? 0;
     await typeOut('DT interval', '2.30');
     await key('Enter');
     expect([document.activeElement, editor.dirty.value]).toEqual([field('DT interval'), false]);
     fireEvent.click(screen.getByRole('button', { name: '2 min 30 s' }));
     await idle();
-    expect([field('DT interval').value, editor.working.value?.timers[10]]).toEqual(['2:30', last + 15000]);
+    expect([field('DT interval').value, editor.working.value?.times[10]]).toEqual(['2:30', last + 15000]);
   });
 
   it('is asked of a preset', async () => {
@@ -651,7 +651,7 @@ describe('a time that can be read in two ways', () => {
       ['20', 2000],
     ] as const) {
       await enter('DT', text);
-      expect([editor.working.value?.timers[10], editor.blocked.value]).toEqual([value, false]);
+      expect([editor.working.value?.times[10], editor.blocked.value]).toEqual([value, false]);
     }
   });
 });

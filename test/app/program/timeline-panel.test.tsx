@@ -8,7 +8,7 @@ import { usualLinkages } from '../../../src/app/timeline/preview/surfaces.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, appBench, idle } from '../bench/bench.js';
 
-const S1: ProgramField = { kind: 'position', servo: 0, column: 4 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 4 };
 
 async function opened(): Promise<AppBench> {
   const app = await appBench();
@@ -100,7 +100,7 @@ describe('the timeline', () => {
 
   it('has a backup behind it, or nothing, as chosen', async () => {
     const app = await opened();
-    const backup = { ...app.editor.baseline.value, timers: app.editor.baseline.value?.timers.map((time) => time + 1) };
+    const backup = { ...app.editor.baseline.value, times: app.editor.baseline.value?.times.map((time) => time + 1) };
     await app.session.backups.add(backup as Parameters<typeof app.session.backups.add>[0], 'write', false);
     app.editor.type(S1, '99');
     await idle();
@@ -220,7 +220,7 @@ describe('the memories side by side', () => {
     await idle(0);
     fireEvent.click(dialog.getByRole('button', { name: 'Copy' }));
     await idle();
-    expect(timer.core.memories[3]?.timers).toEqual(timer.core.memories[1]?.timers);
+    expect(timer.core.memories[3]?.times).toEqual(timer.core.memories[1]?.times);
     expect(overview().getByText('They hold the same.')).toBeTruthy();
   });
 

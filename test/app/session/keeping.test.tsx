@@ -117,7 +117,7 @@ describe('everything on this device', () => {
       reload,
       erasers: { settings: eraser('settings'), ports: eraser('ports'), offline: eraser('offline') },
     });
-    bench.editor.type({ kind: 'position', servo: 0, column: 2 }, '7');
+    bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     await idle();
     render(<App models={bench.models} />);
     await press('Delete everything on this device…');
@@ -138,7 +138,7 @@ describe('everything on this device', () => {
     if (!baseline.value) throw new Error('nothing was read');
     await bench.session.knowledge.cut(baseline.value, {
       ...baseline.value,
-      timers: baseline.value.timers.map(() => 0),
+      times: baseline.value.times.map(() => 0),
     });
     await run(bench.session.disconnect());
     render(<App models={bench.models} />);

@@ -7,9 +7,9 @@ import { type ProgramField, type TimerProgram, withValue } from '../../../src/pr
 import { MemoryStore } from '../bench/bench.js';
 import { programOf } from '../programs.js';
 
-const DT: ProgramField = { kind: 'time', column: 3 };
-const STOP: ProgramField = { kind: 'time', column: 0 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 1 };
+const DT: ProgramField = { kind: 'time', slot: 3 };
+const STOP: ProgramField = { kind: 'time', slot: 0 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 1 };
 
 /** DT 3:00, motor stop 10 s. */
 const BEFORE = programOf('Q', [1000, 30, 1200, 18_000]);
@@ -330,11 +330,11 @@ describe('another tab', () => {
 
 describe('the values that are open', () => {
   it('begin with DT and the motor stop', () => {
-    const goal = withValue(withValue(withValue(GOAL, STOP, 900), { kind: 'time', column: 1 }, 40), DT, 1);
+    const goal = withValue(withValue(withValue(GOAL, STOP, 900), { kind: 'time', slot: 1 }, 40), DT, 1);
     expect(openValues({ before: BEFORE, goal }).map(({ field }) => field)).toEqual([
       DT,
       STOP,
-      { kind: 'time', column: 1 },
+      { kind: 'time', slot: 1 },
       S1,
     ]);
   });

@@ -4,8 +4,8 @@ import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
 import { FaultyStore } from '../faults.js';
 
-const DT: ProgramField = { kind: 'time', column: 10 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
+const DT: ProgramField = { kind: 'time', slot: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
 
 function status({ session }: AppBench): string {
   return session.link.state.value.status;
@@ -170,7 +170,7 @@ describe('when the first read does not come to its end', () => {
     await run(bench.session.connect());
     await idle();
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
-    expect(bench.editor.working.value?.timers[10]).toBe(18000);
+    expect(bench.editor.working.value?.times[10]).toBe(18000);
   });
 
   it('trying a simulated timer gives the port back', async () => {
@@ -274,7 +274,7 @@ describe('a lost port', () => {
     await idle();
     expect([status(bench), bench.session.busy.value]).toEqual(['on', false]);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
-    expect(bench.editor.baseline.value?.timers[10]).toBe(18000);
+    expect(bench.editor.baseline.value?.times[10]).toBe(18000);
   });
 });
 
@@ -549,7 +549,7 @@ describe('after a reload', () => {
     const [draft] = [...store.drafts.records.values()];
     if (!draft) throw new Error('nothing was kept');
     const { working } = draft;
-    const fewer = { ...working, identity: { ...working.identity, functions: 9 }, timers: working.timers.slice(1) };
+    const fewer = { ...working, identity: { ...working.identity, functions: 9 }, times: working.times.slice(1) };
     const small = { ...fewer, positions: working.positions.map((row) => row.slice(1)) };
     store.drafts.records.set(draft.key, { ...draft, working: small });
     store.drafts.records.set('older', { ...draft, key: 'older', savedAt: 0 });

@@ -54,7 +54,7 @@ describe('a port that another tab holds', () => {
 
   it('is taken over: the other lets go and says so, and this one connects', async () => {
     const { first, second } = await twoTabs();
-    first.editor.type({ kind: 'position', servo: 0, column: 2 }, '7');
+    first.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     const { value: holder } = second.tabs.holder;
     if (!holder) throw new Error('no holder was found');
     const taking = second.tabs.takeOver(holder);
@@ -65,14 +65,14 @@ describe('a port that another tab holds', () => {
       'taken-over',
       null,
     ]);
-    expect(first.editor.textOf({ kind: 'position', servo: 0, column: 2 }), 'what was typed is kept').toBe('7');
+    expect(first.editor.textOf({ kind: 'position', servo: 0, slot: 2 }), 'what was typed is kept').toBe('7');
     expect([status(second), second.session.notice.value, second.tabs.holder.value]).toEqual(['on', null, null]);
-    expect(second.editor.working.value?.timers[10]).toBe(18000);
+    expect(second.editor.working.value?.times[10]).toBe(18000);
   });
 
   it('is not taken over in the middle of a write', async () => {
     const { first, second } = await twoTabs();
-    first.editor.type({ kind: 'position', servo: 0, column: 2 }, '7');
+    first.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     await run(first.write.open());
     first.session.safe.value = true;
     let taking: Promise<unknown> = Promise.resolve();

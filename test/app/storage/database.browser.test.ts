@@ -1,3 +1,4 @@
+import { openDB } from 'idb';
 import { describe, expect, it, onTestFinished } from 'vitest';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
 import { browserStorage, StorageError } from '../../../src/app/storage/index.js';
@@ -48,7 +49,7 @@ describe('the storage of the browser', () => {
     await database.put('ports', PORT);
     const shelf = new Shelf(opened, 'ports', portSchema);
     expect([await shelf.load('a'), await shelf.all()]).toEqual([undefined, [PORT]]);
-    await database.put('unfinished', { key: 'a', kind: 'memories', home: -1 });
+    await database.put('unfinished', { key: 'a', kind: 'memories', original: -1 });
     await database.put('backups', { key: 'a' });
     expect(await new Shelf(opened, 'unfinished', unfinishedSchema).all()).toEqual([]);
     expect(await new Shelf(opened, 'backups', backupSchema).all()).toEqual([]);
@@ -92,5 +93,73 @@ describe('the storage of the browser', () => {
     await browserStorage(own).erase();
     expect(await browserStorage(own).ports.all()).toEqual([]);
     await expect(other.ports.save(PORT)).rejects.toThrow();
+  });
+});
+
+describe('what version 3 has stored', () => {
+  const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 3, memories: 4, servos: 1 };
+  const was = (dt: number) => ({
+    identity: IDENTITY,
+    memory: 0,
+    timers: [1000, 0, 500, dt],
+    positions: [[1, 2, 3, 4]],
+    idleThrottle: null,
+  });
+  const is = (dt: number) => {
+    const { timers, ...rest } = was(dt);
+    return { ...rest, times: timers };
+  };
+
+  it('is read under its new names, nothing of it lost', async () => {
+    const own = `test ${Math.random()}`;
+    onTestFinished(() => void indexedDB.deleteDatabase(own));
+    const old = await openDB(own, 3, {
+      upgrade(database) {
+        for (const store of ['drafts', 'unfinished', 'backups', 'ports', 'aside']) {
+          database.createObjectStore(store, { keyPath: 'key' });
+        }
+      },
+    });
+    const step = { name: { code: 'shift', params: { column: 2, by: 50 } }, state: { working: was(3), texts: {} } };
+    const draft = {
+      key: 'd',
+      baseline: was(1),
+      working: was(2),
+      texts: { 'time:3': '2,3' },
+      history: { past: [step], future: [step], open: null },
+      savedAt: 5,
+      readAt: 4,
+      simulated: false,
+      tab: 1,
+    };
+    const write = {
+      key: 'w',
+      kind: 'write',
+      startedAt: 1,
+      before: was(1),
+      goal: was(2),
+      readAt: 1,
+      seenAt: null,
+      tab: 2,
+    };
+    const walk = { key: 'm', kind: 'memories', startedAt: 1, identity: IDENTITY, home: 2 };
+    const backup = { key: 'b', savedAt: 1, reason: 'write', program: was(7), simulated: true };
+    await old.put('drafts', draft);
+    await old.put('unfinished', write);
+    await old.put('unfinished', walk);
+    await old.put('backups', backup);
+    old.close();
+
+    const { drafts, unfinished, backups, aside } = browserStorage(own);
+    const newStep = { name: { code: 'shift', params: { slot: 2, by: 50 } }, state: { working: is(3), texts: {} } };
+    const history = { past: [newStep], future: [newStep], open: null };
+    expect(await drafts.all()).toEqual([{ ...draft, baseline: is(1), working: is(2), history }]);
+    const { home, ...rest } = walk;
+    expect(await unfinished.all()).toEqual([
+      { ...rest, original: home },
+      { ...write, before: is(1), goal: is(2) },
+    ]);
+    expect(await backups.all()).toEqual([{ ...backup, program: is(7) }]);
+    expect(await aside.all()).toEqual([]);
   });
 });

@@ -30,7 +30,7 @@ const BACKUP = { key: 'a', savedAt: 5, reason: 'write', program: PROGRAM, simula
 const SPOILT: [string, object][] = [
   ...[1e300, -1, 65536, 1.5, Number.NaN, Number.POSITIVE_INFINITY, null, '100'].map((value): [string, object] => [
     `a time of ${value}`,
-    { timers: [1000, 0, value, 18000] },
+    { times: [1000, 0, value, 18000] },
   ]),
   ...[256, -1, 0.5, Number.NaN].map((value): [string, object] => [
     `a position of ${value}`,
@@ -39,7 +39,7 @@ const SPOILT: [string, object][] = [
   ['an idle throttle of 256', { idleThrottle: 256 }],
   ['a memory past the last', { memory: 4 }],
   ['a memory that is none', { memory: -1 }],
-  ['a time too few', { timers: [1000, 0, 100] }],
+  ['a time too few', { times: [1000, 0, 100] }],
   ['a servo too many', { positions: [...PROGRAM.positions, PROGRAM.positions[0]] }],
   ['a class of two letters', { identity: { ...PROGRAM.identity, timerClass: 'QQ' } }],
   ['five digits of firmware', { identity: { ...PROGRAM.identity, firmware: '53600' } }],
@@ -47,7 +47,7 @@ const SPOILT: [string, object][] = [
     'more positions than a frame can hold',
     {
       identity: { ...PROGRAM.identity, functions: 100 },
-      timers: Array(101).fill(0),
+      times: Array(101).fill(0),
       positions: Array(3).fill(Array(101).fill(0)),
     },
   ],
@@ -80,18 +80,18 @@ describe('what a pilot has typed', () => {
   it('is read back, also where no timer could hold it', () => {
     const working = {
       ...PROGRAM,
-      timers: [1000, 0, 99_990_000, 18000],
+      times: [1000, 0, 99_990_000, 18000],
       positions: PROGRAM.positions.map((row) => row.map(() => -999_999)),
     };
     expect(v.is(draftSchema, { ...DRAFT, working })).toBe(true);
   });
 
   it.each([1e300, 1.5, Number.NaN])('cannot be a time of %s', (time) => {
-    expect(v.is(draftSchema, { ...DRAFT, working: { ...PROGRAM, timers: [1000, 0, time, 18000] } })).toBe(false);
+    expect(v.is(draftSchema, { ...DRAFT, working: { ...PROGRAM, times: [1000, 0, time, 18000] } })).toBe(false);
   });
 
   it('is lost with nothing but a history that cannot be', () => {
-    const state = { working: spoil({ timers: [1e300] }), texts: {} };
+    const state = { working: spoil({ times: [1e300] }), texts: {} };
     const past = [{ name: { code: 'type', params: {} }, state }];
     expect(v.parse(draftSchema, { ...DRAFT, history: { past, future: [], open: null } })).toEqual({
       ...DRAFT,

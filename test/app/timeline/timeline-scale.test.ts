@@ -250,7 +250,7 @@ describe('what is in view', () => {
   });
 });
 
-const at = (column: number): ProgramField => ({ kind: 'time', column });
+const at = (slot: number): ProgramField => ({ kind: 'time', slot });
 
 describe('moving a time', () => {
   const q = programOf('Q', [1000, 200, 400, 600, 18000]);
@@ -265,8 +265,8 @@ describe('moving a time', () => {
     ['B', 4, 100],
     ['E', 1, 1],
     ['E', 4, 1],
-  ])('goes on %s, column %i, by %i', (timerClass, column, step) => {
-    expect(timeStep(programOf(timerClass, [1000, 200, 400, 600, 18000]).identity, column)).toBe(step);
+  ])('goes on %s, slot %i, by %i', (timerClass, slot, step) => {
+    expect(timeStep(programOf(timerClass, [1000, 200, 400, 600, 18000]).identity, slot)).toBe(step);
   });
 
   it('stays one step away from its neighbours', () => {
@@ -301,11 +301,11 @@ describe('moving a time', () => {
         fc.nat({ max: 4 }),
         fc.double({ min: -1e6, max: 1e6, noNaN: true }),
         fc.boolean(),
-        (timers, column, to, free) => {
-          const program = programOf('Q', timers);
-          const value = snapped(program, at(column), to, free);
-          const step = timeStep(program.identity, column);
-          const kept = value === timers[column];
+        (times, slot, to, free) => {
+          const program = programOf('Q', times);
+          const value = snapped(program, at(slot), to, free);
+          const step = timeStep(program.identity, slot);
+          const kept = value === times[slot];
           expect([value >= 0, value <= 65535, kept || value % step === 0]).toEqual([true, true, true]);
         },
       ),
@@ -316,7 +316,7 @@ describe('moving a time', () => {
 
 describe('moving a position', () => {
   const program = programOf('Q', [0, 200, 400, 600, 18000], [[0, 10, 200, 130, 5]]);
-  const position = (column: number): ProgramField => ({ kind: 'position', servo: 0, column });
+  const position = (slot: number): ProgramField => ({ kind: 'position', servo: 0, slot });
 
   it('is a whole step from 0 to 130', () => {
     expect([-5, 3.4, 3.5, 130.4, 500].map((to) => snapped(program, position(1), to))).toEqual([0, 3, 4, 130, 130]);
@@ -349,21 +349,21 @@ describe('a flight', () => {
     [17999, 3],
     [18000, 4],
     [70000, 4],
-  ])('at %i has reached column %i', (time, column) => {
-    expect(reachedAt(rising, time)).toEqual({ column, certain: true });
+  ])('at %i has reached slot %i', (time, slot) => {
+    expect(reachedAt(rising, time)).toEqual({ slot, certain: true });
   });
 
   it('is not known where a later function has come and an earlier one has not', () => {
-    expect(reachedAt(falling, 199)).toEqual({ column: 0, certain: true });
-    expect(reachedAt(falling, 300)).toEqual({ column: 0, certain: false });
-    expect(reachedAt(falling, 500)).toEqual({ column: 2, certain: true });
+    expect(reachedAt(falling, 199)).toEqual({ slot: 0, certain: true });
+    expect(reachedAt(falling, 300)).toEqual({ slot: 0, certain: false });
+    expect(reachedAt(falling, 500)).toEqual({ slot: 2, certain: true });
   });
 
   it('tells what happens between two times, each thing once', () => {
     expect(eventsBetween(rising, 200, 400)).toEqual([
       { kind: 'motor-stop', time: 300 },
-      { kind: 'column', column: 2, time: 400 },
-      { kind: 'column', column: 3, time: 400 },
+      { kind: 'slot', slot: 2, time: 400 },
+      { kind: 'slot', slot: 3, time: 400 },
     ]);
     expect(eventsBetween(programOf('B', [300, 200, 400]), 0, 65535)).toHaveLength(2);
   });
@@ -371,6 +371,6 @@ describe('a flight', () => {
   it('ends after the last event', () => {
     expect(endOf(rising)).toBe(18000 + RUN_OUT);
     expect(endOf(programOf('Q', [20000, 200, 18000]))).toBe(20000 + RUN_OUT);
-    expect(endOf(programOf('B', [20000, 200, 18000])), 'column 0 is reserved').toBe(18000 + RUN_OUT);
+    expect(endOf(programOf('B', [20000, 200, 18000])), 'slot 0 is reserved').toBe(18000 + RUN_OUT);
   });
 });

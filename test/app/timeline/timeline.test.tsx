@@ -103,7 +103,7 @@ describe('the handles', () => {
     expect(handle('Function 2, S2').getAttribute('aria-valuenow')).toBe('22');
     expect(screen.getByRole('button', { name: /^S2/ }).getAttribute('aria-pressed')).toBe('true');
     await act(() => {
-      selected.value = { kind: 'position', servo: 2, column: 1 };
+      selected.value = { kind: 'position', servo: 2, slot: 1 };
     });
     expect(handle('Function 2, S3').getAttribute('aria-valuenow')).toBe('32');
   });
@@ -126,7 +126,7 @@ describe('the mouse', () => {
     expect(screen.getByText('Function 2 time', { selector: '.timeline-readout span' })).toBeTruthy();
     await release();
     expect(log).toEqual([log[0], `${log[0]}.`]);
-    expect(current.value.timers[2]).toBe(Number(log[0]?.split(' ')[1]));
+    expect(current.value.times[2]).toBe(Number(log[0]?.split(' ')[1]));
   });
 
   it('stops before the neighbour, unless Alt is held', async () => {
@@ -151,7 +151,7 @@ describe('the mouse', () => {
     const { log, selected } = shown();
     await (await hold('Function 2 time', 0, 0))();
     expect(log).toEqual([]);
-    expect(selected.value).toEqual({ kind: 'time', column: 2 });
+    expect(selected.value).toEqual({ kind: 'time', slot: 2 });
     expect(document.activeElement).toBe(handle('Function 2 time'));
     expect(handle('DT time').getAttribute('tabindex'), 'from here Tab goes on among the handles').toBe('0');
   });
@@ -235,7 +235,7 @@ describe('fingers', () => {
     const { log } = shown(
       programOf(
         'B',
-        Array.from({ length: 41 }, (_, column) => column * 100),
+        Array.from({ length: 41 }, (_, slot) => slot * 100),
       ),
     );
     const { clientX, clientY } = placeOf(handle('Function 20, S1'));
@@ -399,12 +399,12 @@ describe('reading', () => {
     const place = placeOf(handle('Function 2 time'));
     await act(() => void fireEvent.pointerMove(picture(), { ...mouse, ...place }));
     await drawn();
-    expect(told.at(-1)).toEqual({ kind: 'time', column: 2 });
+    expect(told.at(-1)).toEqual({ kind: 'time', slot: 2 });
     await act(() => void fireEvent.pointerLeave(picture(), { ...mouse, ...place }));
     expect(told.at(-1)).toBeNull();
     await act(() => void fireEvent.pointerMove(picture(), { ...mouse, ...placeOf(handle('Function 2, S1')) }));
     await drawn();
-    expect(told.at(-1)).toEqual({ kind: 'position', servo: 0, column: 2 });
+    expect(told.at(-1)).toEqual({ kind: 'position', servo: 0, slot: 2 });
     const release = await hold('Function 2 time', 12, 0);
     expect(told.at(-1), 'the focus says what is in hand').toBeNull();
     await release();
@@ -462,7 +462,7 @@ describe('reading', () => {
 });
 
 describe('hard programs', () => {
-  const column = (count: number, of: (at: number) => number): number[] =>
+  const slot = (count: number, of: (at: number) => number): number[] =>
     Array.from({ length: count }, (_, at) => of(at));
   it.each<[string, TimerProgram]>([
     ['only DT', programOf('Q', [0, 18000])],
@@ -471,7 +471,7 @@ describe('hard programs', () => {
       'the most functions',
       programOf(
         'B',
-        column(126, (at) => at * 37),
+        slot(126, (at) => at * 37),
       ),
     ],
     [
@@ -479,7 +479,7 @@ describe('hard programs', () => {
       programOf(
         'B',
         [0, 18000],
-        column(126, (servo) => servo).map((servo) => [servo, 130 - servo]),
+        slot(126, (servo) => servo).map((servo) => [servo, 130 - servo]),
       ),
     ],
     ['times that no wire carries', programOf('Q', [999999, 700000, 5, 18000])],

@@ -29,7 +29,7 @@ async function cut(): Promise<AppBench> {
   bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
   await write();
   bench.timer.core.onAnswer = undefined;
-  expect(bench.timer.core.content.timers[10]).toBe(36_000);
+  expect(bench.timer.core.content.times[10]).toBe(36_000);
   return bench;
 }
 
@@ -98,7 +98,7 @@ describe('after a write whose answer never came', () => {
     const after = await loadedAgain(bench);
     await press('Connect and read');
     expect(band()).toBeNull();
-    expect(after.editor.baseline.value?.timers[10]).toBe(36_000);
+    expect(after.editor.baseline.value?.times[10]).toBe(36_000);
   });
 
   it('it stays when what is read is not explained, and the pilot says which timer that is', async () => {
@@ -209,7 +209,7 @@ describe('the dialog of a write', () => {
       'This device could not keep a copy of what the timer holds now.',
     );
     await press('Write without a copy');
-    expect(bench.timer.core.content.timers[10]).toBe(36_000);
+    expect(bench.timer.core.content.times[10]).toBe(36_000);
     expect(screen.getByRole('alert').textContent).toMatch(/M1 verified .* DT 6:00 min · .* · 1 change$/);
   });
 });

@@ -3,10 +3,10 @@ import type { ValueReport, WriteReport } from '../../../src/client/index.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 
-const DT: ProgramField = { kind: 'time', column: 10 };
-const STOP: ProgramField = { kind: 'time', column: 0 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
-const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+const DT: ProgramField = { kind: 'time', slot: 10 };
+const STOP: ProgramField = { kind: 'time', slot: 0 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
+const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
 
 /** The pilot has edited a time and two positions, has opened the dialog and ticked the safety. */
 async function reviewed(): Promise<AppBench> {
@@ -32,7 +32,7 @@ describe('a write', () => {
     expect(bench.write.held, 'a verified one may be left').toBe(false);
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
-    expect(bench.timer.core.content.timers[10]).toBe(24000);
+    expect(bench.timer.core.content.times[10]).toBe(24000);
     expect([bench.editor.dirty.value, bench.editor.textOf(S1)]).toEqual([false, '7']);
     bench.write.dismiss();
     expect(bench.write.current.value).toBeNull();
@@ -516,18 +516,18 @@ describe('what a write leaves unknown', () => {
     await run(bench.write.start());
     bench.timer.core.onAnswer = undefined;
     const { knowledge } = bench.session;
-    expect(knowledge.uncertain.value).toMatchObject([{ memory: 0, before: { timers: expect.anything() } }]);
+    expect(knowledge.uncertain.value).toMatchObject([{ memory: 0, before: { times: expect.anything() } }]);
     bench.write.dismiss();
     bench.editor.revertAll();
     await run(bench.session.disconnect());
     const after = await reloaded(bench);
     expect(after.session.knowledge.uncertain.value).toHaveLength(1);
-    expect(bench.timer.core.content.timers[10]).toBe(24000);
+    expect(bench.timer.core.content.times[10]).toBe(24000);
     await run(after.session.connect());
     expect(after.session.knowledge.uncertain.value).toEqual([]);
     expect(after.session.knowledge.of(0)).toMatchObject({
       state: 'read',
-      program: { timers: after.timer.core.content.timers },
+      program: { times: after.timer.core.content.times },
     });
   });
 

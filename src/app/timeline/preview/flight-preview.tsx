@@ -2,7 +2,7 @@ import { computed, effect, useSignal } from '@preact/signals';
 import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
 import { formatTime } from '../../editing/units.js';
-import { columnLabel, messages } from '../../messages/index.js';
+import { messages, slotLabel } from '../../messages/index.js';
 import { endOf, eventsBetween, type FlightEvent, motorStopOf, reachedAt } from './flight.js';
 import { LinkageChoice } from './linkage-choice.js';
 import { ModelSketch } from './model-sketch.js';
@@ -64,11 +64,11 @@ interface PlayedProps {
 /** The sketch, drawn anew when something happens and not at each frame. */
 function Model({ program, player, linkages }: PlayedProps & { readonly linkages: Linkages }) {
   const { preview, servoName } = messages.value;
-  const reached = useMemo(() => computed(() => reachedAt(program, player.time.value).column), [program, player]);
+  const reached = useMemo(() => computed(() => reachedAt(program, player.time.value).slot), [program, player]);
   const motor = useMemo(() => computed(() => player.time.value < (motorStopOf(program) ?? 0)), [program, player]);
-  const column = reached.value;
+  const slot = reached.value;
   const deflections = Object.fromEntries(
-    SURFACES.map((surface) => [surface, deflection(program, column, linkages[surface])]),
+    SURFACES.map((surface) => [surface, deflection(program, slot, linkages[surface])]),
   ) as Record<Surface, number | null>;
   return (
     <>
@@ -82,7 +82,7 @@ function Model({ program, player, linkages }: PlayedProps & { readonly linkages:
       <ul class="preview-surfaces">
         {SURFACES.map((surface) => {
           const { servo } = linkages[surface];
-          const position = servo === null ? undefined : program.positions[servo]?.[column];
+          const position = servo === null ? undefined : program.positions[servo]?.[slot];
           const name = preview.surfaces[surface];
           return (
             <li key={surface}>
@@ -127,7 +127,7 @@ function lastText(program: TimerProgram, time: number): string {
 }
 
 function eventName({ identity }: TimerProgram, event: FlightEvent): string {
-  return event.kind === 'column' ? columnLabel(identity, event.column) : messages.value.program.motorStop;
+  return event.kind === 'slot' ? slotLabel(identity, event.slot) : messages.value.program.motorStop;
 }
 
 /** A tick for each thing that happens while it is played, a deeper one for DT; silent until it is switched on. */
@@ -142,7 +142,7 @@ function Sound({ program, player }: PlayedProps) {
       const events = on.value && player.playing.peek() ? eventsBetween(program, before, time) : [];
       before = time;
       if (events.length === 0) return;
-      sound.tick(events.some((event) => event.kind === 'column' && event.column === program.identity.functions));
+      sound.tick(events.some((event) => event.kind === 'slot' && event.slot === program.identity.functions));
     });
   }, [program, player]);
   return (

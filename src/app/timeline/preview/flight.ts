@@ -2,46 +2,46 @@ import type { ProgramField, TimerProgram } from '../../../program/index.js';
 import { drawable, RUN_OUT } from '../scale.js';
 
 /**
- * How a column of a program is run through: its positions are `held` until the next one, or `passed` over because the next one
+ * How a slot of a program is run through: its positions are `held` until the next one, or `passed` over because the next one
  * has the same time, or the next one lies `back` before it; what the timer does then is not known.
  */
 export type Passing = 'held' | 'passed' | 'back';
 
-/** One column of a program on its way, in the order of the numbers. Times are hundredths of a second from launch. */
+/** One slot of a program on its way, in the order of the numbers. Times are hundredths of a second from launch. */
 export interface Stage {
-  readonly column: number;
+  readonly slot: number;
   readonly from: number;
-  /** The time of the next column; null after DT, which is the last. */
+  /** The time of the next slot; null after DT, which is the last. */
   readonly until: number | null;
   readonly passing: Passing;
 }
 
-/** Start, the functions and DT. Start is at launch: the time of column 0 means something else. */
-export function stagesOf({ timers }: TimerProgram): Stage[] {
-  return timers.map((time, column) => {
-    const from = column === 0 ? 0 : drawable(time);
-    const next = timers[column + 1];
+/** Start, the functions and DT. Start is at launch: the time of slot 0 means something else. */
+export function stagesOf({ times }: TimerProgram): Stage[] {
+  return times.map((time, slot) => {
+    const from = slot === 0 ? 0 : drawable(time);
+    const next = times[slot + 1];
     const until = next === undefined ? null : drawable(next);
     const passing = until === null || until > from ? 'held' : until === from ? 'passed' : 'back';
-    return { column, from, until, passing };
+    return { slot, from, until, passing };
   });
 }
 
 /** When the motor stops, in hundredths of a second; null where a program does not say: on any class but Q. */
-export function motorStopOf({ identity, timers }: TimerProgram): number | null {
-  return identity.timerClass === 'Q' ? (timers[0] ?? null) : null;
+export function motorStopOf({ identity, times }: TimerProgram): number | null {
+  return identity.timerClass === 'Q' ? (times[0] ?? null) : null;
 }
 
 /** The time at which a field has its place in the flight: the positions of the start have theirs at launch. */
-export function timeOf({ timers }: TimerProgram, field: ProgramField): number {
-  if (field.kind === 'idleThrottle' || (field.kind === 'position' && field.column === 0)) return 0;
-  return timers[field.column] ?? 0;
+export function timeOf({ times }: TimerProgram, field: ProgramField): number {
+  if (field.kind === 'idleThrottle' || (field.kind === 'position' && field.slot === 0)) return 0;
+  return times[field.slot] ?? 0;
 }
 
 /** Every time at which something happens, launch not among them. */
 export function marksOf(program: TimerProgram): number[] {
   const stop = motorStopOf(program);
-  return (stop === null ? program.timers.slice(1) : program.timers).map(drawable);
+  return (stop === null ? program.times.slice(1) : program.times).map(drawable);
 }
 
 /** The time at which there is nothing more to show: a few seconds after the last event. */
@@ -49,30 +49,30 @@ export function endOf(program: TimerProgram): number {
   return Math.max(0, ...marksOf(program)) + RUN_OUT;
 }
 
-/** Which column a flight has reached. */
+/** Which slot a flight has reached. */
 export interface Reached {
-  readonly column: number;
-  /** False where times fall and one of the later columns has come before this one is over: what the timer does is not known. */
+  readonly slot: number;
+  /** False where times fall and one of the later slots has come before this one is over: what the timer does is not known. */
   readonly certain: boolean;
 }
 
-/** The last column that has come, together with all before it, at a time from launch. */
-export function reachedAt({ timers }: TimerProgram, time: number): Reached {
-  const missing = timers.findIndex((at, column) => column > 0 && at > time);
-  if (missing < 0) return { column: timers.length - 1, certain: true };
-  return { column: missing - 1, certain: timers.every((at, column) => column <= missing || at > time) };
+/** The last slot that has come, together with all before it, at a time from launch. */
+export function reachedAt({ times }: TimerProgram, time: number): Reached {
+  const missing = times.findIndex((at, slot) => slot > 0 && at > time);
+  if (missing < 0) return { slot: times.length - 1, certain: true };
+  return { slot: missing - 1, certain: times.every((at, slot) => slot <= missing || at > time) };
 }
 
 /** Something that happens at a time of a flight. */
 export type FlightEvent =
-  | { readonly kind: 'column'; readonly column: number; readonly time: number }
+  | { readonly kind: 'slot'; readonly slot: number; readonly time: number }
   | { readonly kind: 'motor-stop'; readonly time: number };
 
 /** What happens after one time and up to another, in the order in which it does. */
 export function eventsBetween(program: TimerProgram, after: number, upTo: number): FlightEvent[] {
   const stop = motorStopOf(program);
   const events: FlightEvent[] = [
-    ...program.timers.slice(1).map((time, i): FlightEvent => ({ kind: 'column', column: i + 1, time })),
+    ...program.times.slice(1).map((time, i): FlightEvent => ({ kind: 'slot', slot: i + 1, time })),
     ...(stop === null ? [] : [{ kind: 'motor-stop' as const, time: stop }]),
   ];
   return events.filter(({ time }) => time > after && time <= upTo).sort((a, b) => a.time - b.time);

@@ -169,7 +169,7 @@ describe('a surface', () => {
     ],
   );
   const by = (servo: number | null, reversed = false) =>
-    [0, 1, 2].map((column) => deflection(program, column, { servo, reversed }));
+    [0, 1, 2].map((slot) => deflection(program, slot, { servo, reversed }));
 
   it('is turned from one end to the other, and the other way round when reversed', () => {
     expect(by(0)).toEqual([-1, 0, 1]);

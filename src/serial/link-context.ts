@@ -7,7 +7,7 @@ import type { SerialSettings } from './settings.js';
 import type { SerialLike } from './types.js';
 
 /** What is common to all stays at a port, from the pilot's wish to connect to the end of it. */
-export interface Trip {
+export interface LinkContext {
   readonly clock: Clock;
   readonly serial: SerialLike | undefined;
   readonly settings: SerialSettings;

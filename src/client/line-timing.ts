@@ -1,17 +1,17 @@
-import { LATEST_REPLY, type Pace } from './patience.js';
+import { LATEST_REPLY, type LineTiming } from './retry-policy.js';
 
 /** Room for a timer that does not always take equally long. */
 const ROOM = 1.5;
 
 /** The speed of the line, and how slow the timer was found to be: a reply that came late makes later requests wait longer. */
-export class LinePace implements Pace {
+export class LearnedTiming implements LineTiming {
   readonly baudRate: number;
   /** Told when the timer turns out to be slower than thought. */
   onSlower: (() => void) | undefined;
   #margin: number;
   #delay: number | null = null;
 
-  constructor({ baudRate, margin }: Pace) {
+  constructor({ baudRate, margin }: LineTiming) {
     this.baudRate = baudRate;
     this.#margin = margin;
   }

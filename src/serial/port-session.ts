@@ -1,16 +1,16 @@
 import { TimerError, tell } from '../client/index.js';
 import { sameKind } from '../program/index.js';
 import { ConnectionError } from './errors.js';
-import { clearest, Ear } from './heard.js';
+import type { LinkContext } from './link-context.js';
 import type { LinkState, TimerConnection } from './link-state.js';
 import type { LinkEvent } from './link-table.js';
 import { pause } from './pause.js';
 import { PortOpener } from './port-opener.js';
 import type { KnownPort } from './ports.js';
 import { type Found, Probe } from './probe.js';
+import { clearest, RateListener } from './rate-listener.js';
 import { ReturnWatch } from './return-watch.js';
 import { quietRate, type Rates, ratesToTry } from './settings.js';
-import type { Trip } from './trip.js';
 
 /** Milliseconds between two tries to open a port that refuses, and until it is given up. */
 const OPEN_EVERY = 1000;
@@ -19,7 +19,7 @@ const OPEN_FOR = 15_000;
 const ASK_EVERY = 1000;
 
 /** Why a visit ended. The port is closed. */
-export type VisitEnd =
+export type PortSessionEnd =
   | { readonly why: 'stopped' }
   | { readonly why: 'failed'; readonly error: ConnectionError }
   | {
@@ -33,30 +33,30 @@ export type VisitEnd =
     };
 
 /** One stay at a port that is plugged in, from opening it until it is lost or left: `opening`, `searching`, `waiting`, `on`. */
-export class Visit {
-  readonly #trip: Trip;
+export class PortSession {
+  readonly #context: LinkContext;
   readonly #known: KnownPort;
   readonly #opener: PortOpener;
   readonly #over = new AbortController();
-  #end: VisitEnd = { why: 'stopped' };
+  #end: PortSessionEnd = { why: 'stopped' };
   #openedAt: number | null = null;
   /** Asks at the rate at which the port is open; null while a timer has been found, or the port is closed. */
   #probe: Probe | null = null;
   /** What was heard at each rate. */
-  readonly #ears = new Map<number, Ear>();
+  readonly #listeners = new Map<number, RateListener>();
   /** The connection while it is on, and the way on from there. */
   #on: { readonly connection: TimerConnection; readonly leave: (to: 'search' | 'wait') => void } | null = null;
 
-  constructor(trip: Trip, known: KnownPort) {
-    this.#trip = trip;
+  constructor(context: LinkContext, known: KnownPort) {
+    this.#context = context;
     this.#known = known;
-    this.#opener = new PortOpener(known.port, trip.clock);
+    this.#opener = new PortOpener(known.port, context.clock);
   }
 
   /** @param event what led here. */
-  async run(event: 'open' | 'returned'): Promise<VisitEnd> {
+  async run(event: 'open' | 'returned'): Promise<PortSessionEnd> {
     const { port } = this.#known;
-    const { stop } = this.#trip;
+    const { stop } = this.#context;
     const onStop = (): void => this.#over.abort();
     const onDisconnect = (): void => this.#lose(undefined, true);
     stop.addEventListener('abort', onStop);
@@ -111,13 +111,13 @@ export class Visit {
   }
 
   get #rates(): Rates {
-    const { settings, knownRate } = this.#trip;
+    const { settings, knownRate } = this.#context;
     return ratesToTry(settings, this.#known.kind === 'bluetooth', knownRate);
   }
 
   /** Opens the port, again and again while it is there and refuses. @throws ConnectionError `busy` in the end, or `bad-settings`. */
   async #open(event: 'open' | 'returned' | 'refused'): Promise<void> {
-    const { clock, settings } = this.#trip;
+    const { clock, settings } = this.#context;
     const [baudRate] = this.#rates;
     let refusals = 0;
     let until: number | null = null;
@@ -142,7 +142,7 @@ export class Visit {
     }
     if (!this.#opener.settings) return;
     this.#openedAt ??= clock.now();
-    this.#trip.wasOpen = true;
+    this.#context.wasOpen = true;
     this.#tell('opened', this.#searching(0));
   }
 
@@ -174,7 +174,7 @@ export class Visit {
 
   /** Asks quietly until something answers. */
   async #wait(): Promise<Found | 'refused'> {
-    const { clock } = this.#trip;
+    const { clock } = this.#context;
     const rates = this.#rates;
     for (let asked = 0; !this.#isOver; asked++) {
       const begin = clock.now();
@@ -192,9 +192,9 @@ export class Visit {
   /** Lets the pilot work with the timer until it is asked again what it is. */
   async #stayWith({ client, identity, settings }: Found): Promise<'search' | 'wait'> {
     const { port, info, kind, key } = this.#known;
-    this.#trip.knownRate = settings.baudRate;
-    this.#ears.clear();
-    const quirks = tell(this.#trip.assumed, identity, key);
+    this.#context.knownRate = settings.baudRate;
+    this.#listeners.clear();
+    const quirks = tell(this.#context.assumed, identity, key);
     if (quirks) client.assume(quirks);
     const connection = { client, identity, settings, info, kind, portKey: key };
     const left = new Promise<'search' | 'wait'>((leave) => {
@@ -205,7 +205,7 @@ export class Visit {
     this.#tell('answered', { status: 'on', port, connection });
     const next = await left;
     this.#on = null;
-    this.#trip.margin = client.margin;
+    this.#context.margin = client.margin;
     await client.close();
     return next;
   }
@@ -214,7 +214,9 @@ export class Visit {
   async #ask(): Promise<Found | null> {
     const { settings, port } = this.#opener;
     if (this.#isOver || !settings) return null;
-    this.#probe ??= new Probe(port, settings, this.#trip, this.#earAt(settings.baudRate), (error) => this.#lose(error));
+    this.#probe ??= new Probe(port, settings, this.#context, this.#listenerAt(settings.baudRate), (error) =>
+      this.#lose(error),
+    );
     const found = await this.#probe.ask(this.#over.signal);
     if (found) this.#probe = null;
     return found;
@@ -225,10 +227,10 @@ export class Visit {
     this.#probe = null;
   }
 
-  #earAt(baudRate: number): Ear {
-    const ear = this.#ears.get(baudRate) ?? new Ear(baudRate);
-    this.#ears.set(baudRate, ear);
-    return ear;
+  #listenerAt(baudRate: number): RateListener {
+    const listener = this.#listeners.get(baudRate) ?? new RateListener(baudRate);
+    this.#listeners.set(baudRate, listener);
+    return listener;
   }
 
   /** @returns whether the port is open at this rate. */
@@ -236,7 +238,7 @@ export class Visit {
     if (this.#isOver) return false;
     if (this.#opener.settings?.baudRate !== baudRate) await this.#endProbe();
     try {
-      await this.#opener.open({ ...this.#trip.settings, baudRate });
+      await this.#opener.open({ ...this.#context.settings, baudRate });
       return true;
     } catch (error) {
       if (!(error instanceof ConnectionError)) throw error;
@@ -247,7 +249,7 @@ export class Visit {
   /** The port is gone, or its stream has failed. */
   #lose(cause?: unknown, unplugged = this.#known.port.connected === false): void {
     if (this.#isOver) return;
-    const { clock, serial, wasOpen } = this.#trip;
+    const { clock, serial, wasOpen } = this.#context;
     const { port, info } = this.#known;
     if (!wasOpen) {
       const error = new ConnectionError('unplugged', 'the port is not plugged in', cause);
@@ -258,17 +260,17 @@ export class Visit {
     const lasted = clock.now() - (this.#openedAt ?? clock.now());
     this.#finish({ why: 'lost', error, unplugged, watch: new ReturnWatch(port, serial, clock), lasted });
     // Told at once, so that it is known before any request that was under way fails.
-    this.#trip.tell('lost', { status: 'away', port, info, error, unplugged });
+    this.#context.tell('lost', { status: 'away', port, info, error, unplugged });
   }
 
-  #finish(end: VisitEnd): void {
+  #finish(end: PortSessionEnd): void {
     if (this.#isOver) return;
     this.#end = end;
     this.#over.abort();
   }
 
   #tell(event: LinkEvent, state: LinkState): void {
-    if (!this.#isOver) this.#trip.tell(event, state);
+    if (!this.#isOver) this.#context.tell(event, state);
   }
 
   #opening(refusals: number, until: number | null): LinkState {
@@ -282,7 +284,7 @@ export class Visit {
   }
 
   #waiting(baudRate: number, asked: number): LinkState {
-    const heard = clearest([...this.#ears.values()].map((ear) => ear.heard));
+    const heard = clearest([...this.#listeners.values()].map((listener) => listener.heard));
     return { status: 'waiting', port: this.#known.port, baudRate, asked, heard };
   }
 }

@@ -1,11 +1,11 @@
 import { fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
-import { helpFor, type PortInfo, type StepCode, udevRule } from '../../../src/app/connect/trouble.js';
-import { connectionSaid, TroubleHelp } from '../../../src/app/connect/trouble-help.js';
+import { helpFor, type StepCode, udevRule } from '../../../src/app/connect/connection-help.js';
+import { ConnectionHelp, connectionSaid } from '../../../src/app/connect/connection-help-view.js';
 import { en } from '../../../src/app/messages/en.js';
 import { CopyText } from '../../../src/app/ui/copy-text.js';
-import type { ConnectionErrorCode } from '../../../src/serial/index.js';
+import type { ConnectionErrorCode, PortInfo } from '../../../src/serial/index.js';
 
 const FTDI: PortInfo = { usbVendorId: 0x0403, usbProductId: 0x6001 };
 const SPP: PortInfo = { bluetoothServiceClassId: '00001101-0000-1000-8000-00805f9b34fb' };
@@ -173,7 +173,7 @@ describe('the sentence', () => {
 
 describe('the help under a notice', () => {
   it('shows the steps for this system, and folds up those of the others', () => {
-    render(<TroubleHelp code="busy" platform={on('linux')} info={FTDI} />);
+    render(<ConnectionHelp code="busy" platform={on('linux')} info={FTDI} />);
     const folds = screen.getAllByRole('group').map((fold) => fold.querySelector('summary')?.textContent);
     expect(folds).toEqual(['What to do', 'On Windows', 'On macOS', 'On ChromeOS', 'On Android']);
     const [mine, windows] = screen.getAllByRole('list', { hidden: true });
@@ -183,12 +183,12 @@ describe('the help under a notice', () => {
   });
 
   it('is not there where the sentence says all', () => {
-    const { container } = render(<TroubleHelp code="unsupported" platform={on('ios', 'safari')} info={null} />);
+    const { container } = render(<ConnectionHelp code="unsupported" platform={on('ios', 'safari')} info={null} />);
     expect(container.textContent).toBe('');
   });
 
   it('brings the head of the page into sight when it is opened there', () => {
-    const help = <TroubleHelp code="busy" platform={on('windows')} info={FTDI} />;
+    const help = <ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />;
     const { container } = render(<header class="top">{help}</header>);
     const scrolled: unknown[] = [];
     const spy = vi.spyOn(HTMLElement.prototype, 'scrollIntoView').mockImplementation(function (this: HTMLElement) {
@@ -205,16 +205,16 @@ describe('the help under a notice', () => {
 
   it('is folded up again when the trouble is another one', () => {
     const fold = (): HTMLDetailsElement => screen.getAllByRole<HTMLDetailsElement>('group')[0] as HTMLDetailsElement;
-    const { rerender } = render(<TroubleHelp code="busy" platform={on('windows')} info={FTDI} />);
+    const { rerender } = render(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />);
     fold().open = true;
-    rerender(<TroubleHelp code="busy" platform={on('windows')} info={FTDI} />);
+    rerender(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />);
     expect(fold().open).toBe(true);
-    rerender(<TroubleHelp code="no-answer" platform={on('windows')} info={FTDI} />);
+    rerender(<ConnectionHelp code="no-answer" platform={on('windows')} info={FTDI} />);
     expect(fold().open).toBe(false);
   });
 
   it('gives the address of this very page', () => {
-    render(<TroubleHelp code="policy" platform={on('windows')} info={null} />);
+    render(<ConnectionHelp code="policy" platform={on('windows')} info={null} />);
     expect(screen.getByText(location.href)).toBeTruthy();
   });
 });

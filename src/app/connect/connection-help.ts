@@ -1,8 +1,5 @@
-import type { ConnectionErrorCode, SerialPortLike } from '../../serial/index.js';
+import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
-
-/** What a port says of itself. */
-export type PortInfo = ReturnType<SerialPortLike['getInfo']>;
 
 /** Where the trouble is. */
 export interface Situation {

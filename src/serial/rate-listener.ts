@@ -24,7 +24,7 @@ const READABLE = 0.9;
 const FORGET_AFTER = 8;
 
 /** Listens at one rate to what comes in the place of a timer's answer. */
-export class Ear {
+export class RateListener {
   readonly #baudRate: number;
   #sample = new Uint8Array(0);
   /** Bytes that belong to no frame, those of them that can be read, errors of the line, and what came back of what was sent. */

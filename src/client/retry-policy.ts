@@ -5,7 +5,7 @@ import { type CommandName, exchangeSize, frameSize, type Identity, MAX_DATA } fr
 // most follows from this file alone. The protocol page explains the numbers under "Rules for a client".
 
 /** The speed of the line, and how slow a timer may be. */
-export interface Pace {
+export interface LineTiming {
   /** Bits a second. */
   readonly baudRate: number;
   /** Milliseconds beyond the time of the bytes that a reply may take. */
@@ -53,43 +53,43 @@ export const LOST_TO_DAMAGE = 45_000;
 export const KEPT_FOR_THE_END = 15_000;
 
 /** Milliseconds that so many bytes and the timer's thinking may take before the request counts as unanswered. */
-export function replyTime(bytes: number, { baudRate, margin }: Pace): number {
+export function replyTime(bytes: number, { baudRate, margin }: LineTiming): number {
   return wireTime(bytes, baudRate) + margin;
 }
 
 /** Milliseconds for which a wait goes on at most while bytes are still coming: one longest frame. */
-export function overtime({ baudRate }: Pace): number {
+export function overtime({ baudRate }: LineTiming): number {
   return wireTime(LONGEST_FRAME, baudRate) + SILENCE;
 }
 
 /** Milliseconds that one exchange takes at most: its own answer does not come, and something else does until the end. */
-export function longestExchange(name: CommandName, identity: Identity | null, pace: Pace): number {
+export function longestExchange(name: CommandName, identity: Identity | null, timing: LineTiming): number {
   const { request, reply } = identity ? exchangeSize(name, identity) : { request: LONGEST_FRAME, reply: LONGEST_FRAME };
-  return replyTime(request + reply, pace) + overtime(pace) + SILENCE;
+  return replyTime(request + reply, timing) + overtime(timing) + SILENCE;
 }
 
 /** Milliseconds that making sure of one's own replies takes at most: draining, then a fence or the wait until nothing older can come. */
-export function longestFence(pace: Pace): number {
-  return DRAIN + SILENCE + Math.max(LATEST_REPLY, replyTime(2 * LONGEST_FRAME, pace) + overtime(pace) + SILENCE);
+export function longestFence(timing: LineTiming): number {
+  return DRAIN + SILENCE + Math.max(LATEST_REPLY, replyTime(2 * LONGEST_FRAME, timing) + overtime(timing) + SILENCE);
 }
 
 /**
  * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may have to be read twice,
  * and what was written be put right and read back again.
  */
-function timeFor(names: readonly CommandName[], identity: Identity | null, pace: Pace): number {
-  return names.reduce((sum, name) => sum + 2 * longestExchange(name, identity, pace), 0);
+function timeFor(names: readonly CommandName[], identity: Identity | null, timing: LineTiming): number {
+  return names.reduce((sum, name) => sum + 2 * longestExchange(name, identity, timing), 0);
 }
 
 /**
  * Milliseconds after which a job of these exchanges has ended, with success or with an error, whatever the line does. It is a true bound
  * because nothing is begun for which there is no time left: see Budget.
  */
-export function longestJob(names: readonly CommandName[], identity: Identity | null, pace: Pace): number {
-  return timeFor(names, identity, pace) + LOST_TO_DAMAGE;
+export function longestJob(names: readonly CommandName[], identity: Identity | null, timing: LineTiming): number {
+  return timeFor(names, identity, timing) + LOST_TO_DAMAGE;
 }
 
 /** Milliseconds of a job that must be left for these exchanges, which come last. */
-export function timeForTheEnd(names: readonly CommandName[], identity: Identity | null, pace: Pace): number {
-  return timeFor(names, identity, pace) + KEPT_FOR_THE_END;
+export function timeForTheEnd(names: readonly CommandName[], identity: Identity | null, timing: LineTiming): number {
+  return timeFor(names, identity, timing) + KEPT_FOR_THE_END;
 }

@@ -1,8 +1,8 @@
-import type { ConnectionErrorCode } from '../../serial/index.js';
+import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { messages, type Said } from '../messages/index.js';
 import { CopyText } from '../ui/copy-text.js';
-import { helpFor, type PortInfo, type Step } from './trouble.js';
+import { helpFor, type Step } from './connection-help.js';
 
 interface TroubleHelpProps {
   readonly code: ConnectionErrorCode;
@@ -14,7 +14,7 @@ interface TroubleHelpProps {
 }
 
 /** What to do, step by step, folded up under the notice: for this system first, for the others folded up once more. */
-export function TroubleHelp({ code, platform, info, address = location.href }: TroubleHelpProps) {
+export function ConnectionHelp({ code, platform, info, address = location.href }: TroubleHelpProps) {
   const { title, on, systems } = messages.value.help;
   const { here, elsewhere } = helpFor(code, { platform, info, address });
   if (here.length === 0) return null;

@@ -2,9 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
 
-const DT: ProgramField = { kind: 'time', column: 10 };
-const S1: ProgramField = { kind: 'position', servo: 0, column: 2 };
-const S3: ProgramField = { kind: 'position', servo: 2, column: 4 };
+const DT: ProgramField = { kind: 'time', slot: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
+const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
 
 type Name = 'GETSWVER' | 'SETTIMERS' | 'SETSERVO';
 
@@ -22,8 +22,8 @@ function sets({ timer }: AppBench): string[] {
 
 /** What the three values are that the pilot has edited. */
 function held({ timer }: AppBench) {
-  const { timers, positions } = timer.core.content;
-  return [timers[10], positions[0]?.[2], positions[2]?.[4]];
+  const { times, positions } = timer.core.content;
+  return [times[10], positions[0]?.[2], positions[2]?.[4]];
 }
 
 const BEFORE = [18000, 35, 55];
@@ -119,7 +119,7 @@ describe('a write of which a part arrived', () => {
     expect(offer(bench)).toBeNull();
     expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
     expect(bench.session.backups.list.value[0]).toMatchObject({ reason: 'write', program: { memory: 0 } });
-    expect(bench.session.backups.list.value[0]?.program.timers[10]).toBe(18000);
+    expect(bench.session.backups.list.value[0]?.program.times[10]).toBe(18000);
   });
 
   it.each<[how: string, meet: (bench: AppBench) => Promise<void>]>([
@@ -190,7 +190,7 @@ describe('another end of a write', () => {
     const bench = await interrupted('SETTIMERS', strange);
     expect(offer(bench)).toMatchObject({
       kind: 'write',
-      part: { extent: 'foreign', foreign: [{ field: { kind: 'position', servo: 1, column: 5 }, to: 77 }] },
+      part: { extent: 'foreign', foreign: [{ field: { kind: 'position', servo: 1, slot: 5 }, to: 77 }] },
     });
     bench.session.recovery.setAside();
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
@@ -220,7 +220,7 @@ describe('another end of a write', () => {
     expect([offer(bench), bench.store.unfinished.records.size, bench.write.current.value]).toEqual([null, 0, null]);
     expect(bench.editor.changes.value.map(({ field, to }) => [field, to])).toEqual([
       [S1, 7],
-      [{ kind: 'position', servo: 1, column: 5 }, 65],
+      [{ kind: 'position', servo: 1, slot: 5 }, 65],
       [S3, 8],
     ]);
     expect(sets(bench)).toEqual(['SETTIMERS']);
@@ -276,7 +276,7 @@ describe('after a reload in the middle of a write', () => {
     await finishDialog(after);
     expect(held(after)).toEqual(way === 'finish' ? GOAL : BEFORE);
     expect(after.store.unfinished.records.size).toBe(0);
-    expect(after.session.backups.list.value.map(({ program }) => program.timers[10])).toEqual([24000, 18000]);
+    expect(after.session.backups.list.value.map(({ program }) => program.times[10])).toEqual([24000, 18000]);
   });
 });
 
@@ -307,8 +307,8 @@ describe('before the first byte of a write', () => {
       { kind: 'write', before: { memory: 0 }, goal: { memory: 0 } },
       { reason: 'write', simulated: false, program: { memory: 0 } },
     ]);
-    const [unfinished, backup] = kept as [{ before: unknown; goal: { timers: number[] } }, { program: unknown }];
-    expect(unfinished.goal.timers[10]).toBe(24000);
+    const [unfinished, backup] = kept as [{ before: unknown; goal: { times: number[] } }, { program: unknown }];
+    expect(unfinished.goal.times[10]).toBe(24000);
     expect(backup.program).toEqual(unfinished.before);
   });
 

@@ -1,6 +1,6 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Arrangement } from './arrangement.js';
-import { Edit, limitsOf, type OnEdit, stepped } from './drag.js';
+import { DragEdit, limitsOf, type OnEdit, stepped } from './drag.js';
 import { marksOf } from './preview/flight.js';
 import type { Scale } from './scale.js';
 import type { TimelineModel } from './view-model.js';
@@ -28,7 +28,7 @@ export function valueByKey(program: TimerProgram, field: ProgramField, event: Ke
 /** Keys at a handle. While one is held it is one movement, which ends when it is let go. */
 export class HandleKeys {
   readonly #model: TimelineModel;
-  #edit: Edit | null = null;
+  #edit: DragEdit | null = null;
 
   constructor(model: TimelineModel) {
     this.#model = model;
@@ -46,7 +46,7 @@ export class HandleKeys {
     if (value === null) return;
     take(event);
     this.#model.asked.value = null;
-    this.#edit ??= new Edit(program, field, onEdit);
+    this.#edit ??= new DragEdit(program, field, onEdit);
     if (value !== valueAt(program, field)) this.#edit.move(value);
   }
 
@@ -103,7 +103,7 @@ function actionOf(
       return ask(Math.max(...marks));
     case 'Enter':
       return () => {
-        model.wanted.value = { kind: 'time', column: 1 };
+        model.wanted.value = { kind: 'time', slot: 1 };
       };
     case 'Escape':
       return now === null ? null : ask(null);

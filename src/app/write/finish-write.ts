@@ -3,7 +3,7 @@ import type { Session } from '../session/session.js';
 import type { WriteFlow } from './write-flow.js';
 
 /** The ways on from an interrupted write. Each shows the difference first, like any other write. */
-export class Recover {
+export class FinishWrite {
   readonly #session: Session;
   readonly #write: WriteFlow;
 
@@ -43,7 +43,7 @@ export class Recover {
     const { baseline } = this.#session.editor;
     if (offer?.kind !== 'write' || !baseline.value) return null;
     const program = offer.record[end];
-    const { timers, positions, idleThrottle } = program;
-    return { ...baseline.value, timers, positions, idleThrottle: idleThrottle ?? baseline.value.idleThrottle };
+    const { times, positions, idleThrottle } = program;
+    return { ...baseline.value, times, positions, idleThrottle: idleThrottle ?? baseline.value.idleThrottle };
   }
 }

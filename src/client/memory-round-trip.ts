@@ -2,13 +2,13 @@ import type { TimerProgram } from '../program/index.js';
 import { type CommandName, encodeRequest, type Identity } from '../protocol/index.js';
 import { askMemory } from './current-memory.js';
 import { TimerError, type TimerErrorCode, throwIfAborted } from './errors.js';
-import type { Job } from './job.js';
+import type { ClientJob } from './job.js';
 import { bytesOf, type Progress } from './progress.js';
 import { readContent } from './read-program.js';
 
 /** The exchanges of {@link select}. */
 export const SELECT: readonly CommandName[] = ['GETSWVER', 'SETMEMORY', 'GETSWVER', 'GETMEMORY', 'GETMEMORY'];
-/** The exchanges of {@link Tour.begin}. */
+/** The exchanges of {@link MemoryRoundTrip.begin}. */
 const BEGIN: readonly CommandName[] = ['GETSWVER', 'GETMEMORY', 'GETMEMORY'];
 
 /**
@@ -16,7 +16,7 @@ const BEGIN: readonly CommandName[] = ['GETSWVER', 'GETMEMORY', 'GETMEMORY'];
  * flies next, so one answer is not enough.
  * @throws TimerError `other-timer`, `other-memory`, or as Exchange; CodecError when the timer has no such memory.
  */
-export async function select(job: Job, memory: number): Promise<void> {
+export async function select(job: ClientJob, memory: number): Promise<void> {
   requireIndex(memory, job.identity);
   await job.exchange.requireIdentity(job.signal);
   await makeCurrent(job, memory);
@@ -28,7 +28,7 @@ export function requireIndex(memory: number, identity: Identity): void {
 }
 
 /** @returns false when the timer does not say which memory is current. */
-async function makeCurrent(job: Job, memory: number): Promise<boolean> {
+async function makeCurrent(job: ClientJob, memory: number): Promise<boolean> {
   const { exchange, signal } = job;
   await exchange.ask({ name: 'SETMEMORY', memory }, signal);
   await exchange.requireIdentity(signal);
@@ -39,22 +39,27 @@ async function makeCurrent(job: Job, memory: number): Promise<boolean> {
 }
 
 /** A way through several memories that begins and ends at the one that is current. Its progress is that of the whole way. */
-export class Tour {
+export class MemoryRoundTrip {
   /** The memory that was current before, counted from 0. */
-  readonly home: number;
-  readonly #job: Job;
-  #onHome: ((home: number) => unknown) | undefined;
+  readonly original: number;
+  readonly #job: ClientJob;
+  #onOriginal: ((original: number) => unknown) | undefined;
   readonly #total: number;
   /** The memory that was last selected; null when that is not certain. */
   #at: number | null;
   /** Bytes of the parts of the way that are done. */
   #done: number;
 
-  private constructor(home: number, job: Job, total: number, onHome: ((home: number) => unknown) | undefined) {
-    this.home = home;
-    this.#at = home;
+  private constructor(
+    original: number,
+    job: ClientJob,
+    total: number,
+    onOriginal: ((original: number) => unknown) | undefined,
+  ) {
+    this.original = original;
+    this.#at = original;
     this.#job = job;
-    this.#onHome = onHome;
+    this.#onOriginal = onOriginal;
     this.#total = total;
     this.#done = bytesOf(BEGIN, job.identity);
   }
@@ -63,24 +68,24 @@ export class Tour {
    * Asks which memory is current.
    * @param plan all that will be asked between here and the way back.
    * @param numbered whether the caller has named memories by their numbers.
-   * @param onHome told of that memory before the first other one is selected.
+   * @param onOriginal told of that memory before the first other one is selected.
    * @throws TimerError `memory-unknown`, also when the answer shows that the numbers were wrong; `other-timer`; as Exchange.
    */
   static async begin(
-    job: Job,
+    job: ClientJob,
     plan: readonly CommandName[],
     numbered: boolean,
-    onHome?: (home: number) => unknown,
-  ): Promise<Tour> {
+    onOriginal?: (original: number) => unknown,
+  ): Promise<MemoryRoundTrip> {
     const all: CommandName[] = [...BEGIN, ...plan, ...SELECT];
     job.exchange.begin(all);
     await job.exchange.requireIdentity(job.signal);
-    const { memory: home, renumbered } = await askMemory(job, { twice: true });
-    if (home === null) throw new TimerError('memory-unknown', 'the timer does not say which memory is current');
+    const { memory: original, renumbered } = await askMemory(job, { twice: true });
+    if (original === null) throw new TimerError('memory-unknown', 'the timer does not say which memory is current');
     if (renumbered && numbered) {
       throw new TimerError('memory-unknown', 'the timer counts its memories otherwise than was assumed');
     }
-    return new Tour(home, job, bytesOf(all, job.identity), onHome);
+    return new MemoryRoundTrip(original, job, bytesOf(all, job.identity), onOriginal);
   }
 
   /**
@@ -97,7 +102,7 @@ export class Tour {
       // Something else has selected one.
       if (codeOf(error) === 'other-memory') this.#at = null;
     }
-    await this.#goHome(failure?.error);
+    await this.#goBack(failure?.error);
     if (failure) throw failure.error;
   }
 
@@ -113,7 +118,7 @@ export class Tour {
   }
 
   /** Does one part of the way. Its own stages are reported as parts of the whole. */
-  async part<T>(memory: number, plan: readonly CommandName[], work: (job: Job) => Promise<T>): Promise<T> {
+  async part<T>(memory: number, plan: readonly CommandName[], work: (job: ClientJob) => Promise<T>): Promise<T> {
     const { identity, onProgress } = this.#job;
     const size = bytesOf(plan, identity);
     const begin = this.#done;
@@ -131,10 +136,10 @@ export class Tour {
     return result;
   }
 
-  async #select(job: Job, memory: number): Promise<void> {
-    const tell = this.#onHome;
-    this.#onHome = undefined;
-    if (tell) await job.exchange.budget.waitFor(() => tell(this.home));
+  async #select(job: ClientJob, memory: number): Promise<void> {
+    const tell = this.#onOriginal;
+    this.#onOriginal = undefined;
+    if (tell) await job.exchange.budget.waitFor(() => tell(this.original));
     await job.exchange.requireIdentity(job.signal);
     throwIfAborted(job.signal);
     const before = this.#at;
@@ -152,18 +157,18 @@ export class Tour {
     }
   }
 
-  async #goHome(cause: unknown): Promise<void> {
-    if (this.#at === this.home) return;
+  async #goBack(cause: unknown): Promise<void> {
+    if (this.#at === this.original) return;
     let failure: unknown;
     try {
       // Nothing is sent to a timer that is not the one that was left. Whoever asked to stop asked for this too.
       if (this.#job.exchange.usable && codeOf(cause) !== 'other-timer') {
-        return await this.#select({ ...this.#job, signal: undefined }, this.home);
+        return await this.#select({ ...this.#job, signal: undefined }, this.original);
       }
     } catch (error) {
       failure = error;
     }
-    const details = { expected: this.home, found: this.#at };
+    const details = { expected: this.original, found: this.#at };
     const request = isSelectUnanswered(cause) || isSelectUnanswered(failure) ? { request: 'SETMEMORY' as const } : {};
     throw new TimerError(
       'memory-left',

@@ -3,8 +3,8 @@ import { type PartOfWrite, partWritten, type TimerProgram } from '../../program/
 import type { Identity } from '../../protocol/index.js';
 import type { UnfinishedWalk, UnfinishedWrite } from '../storage/index.js';
 import type { Backups } from './backups.js';
-import { kindKey, programKey } from './keys.js';
 import { isSimulated, type Knowledge } from './knowledge.js';
+import { kindKey, programKey } from './record-keys.js';
 import type { UnfinishedRecords } from './unfinished.js';
 
 /** What an earlier job left behind on a timer of this kind, by a fresh read. */
@@ -30,7 +30,7 @@ interface Met {
  * What can be done about a job that was cut off. Nothing identifies a timer, so whoever meets one of the same kind is told what a fresh
  * read explains, and decides. What is not known of a timer is no matter of an offer: that is told by {@link Knowledge}.
  */
-export class Recovery {
+export class InterruptedJobs {
   /** Derived from the records and from what was read last. */
   readonly offer: ReadonlySignal<Offer | null>;
   /** The last reading of the timer at hand; null before there is one. */
@@ -66,13 +66,13 @@ export class Recovery {
   }
 
   /** Notes which memory is current before a walk through them begins; as {@link begin}. */
-  async leave(identity: Identity, home: number, simulated: boolean): Promise<boolean> {
+  async leave(identity: Identity, original: number, simulated: boolean): Promise<boolean> {
     const key = kindKey(identity, simulated);
-    return await this.#records.save({ kind: 'memories', key, startedAt: Date.now(), identity, home });
+    return await this.#records.save({ kind: 'memories', key, startedAt: Date.now(), identity, original });
   }
 
   /** The memory that was current before the walk is current again. */
-  async cameHome(identity: Identity, simulated: boolean): Promise<void> {
+  async wasRestored(identity: Identity, simulated: boolean): Promise<void> {
     await this.#records.remove(kindKey(identity, simulated));
   }
 
@@ -80,7 +80,7 @@ export class Recovery {
   look(read: TimerProgram, simulated: boolean): void {
     this.#met.value = { read, simulated };
     const walk = this.#walkOf(read.identity, simulated);
-    if (walk && walk.home === read.memory) void this.#records.remove(walk.key);
+    if (walk && walk.original === read.memory) void this.#records.remove(walk.key);
   }
 
   /** This is another timer than the one of the interrupted job: said no more while it is connected, and kept for the right one. */
@@ -113,7 +113,7 @@ export class Recovery {
 
   #offerFor({ read, simulated }: Met): Offer | null {
     const walk = this.#walkOf(read.identity, simulated);
-    if (walk && walk.home !== read.memory && !this.#notNow.value.has(walk.key)) {
+    if (walk && walk.original !== read.memory && !this.#notNow.value.has(walk.key)) {
       return { kind: 'memories', record: walk, current: read.memory };
     }
     const kind = `${kindKey(read.identity, simulated)}/`;

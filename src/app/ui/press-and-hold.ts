@@ -4,7 +4,7 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 export const HOLD = 1200;
 
 /** Something that happens only when a button is pressed and held: once for each hold, however long that lasts. */
-export class Hold {
+export class PressAndHold {
   readonly #holding = signal(false);
   readonly #done: () => void;
   #timer: ReturnType<typeof setTimeout> | undefined;

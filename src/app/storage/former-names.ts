@@ -1,0 +1,25 @@
+interface Stored {
+  readonly [name: string]: unknown;
+  readonly kind?: unknown;
+  readonly column?: unknown;
+}
+
+/**
+ * A stored record as it is called now. Until version 4 of the storage a program had `timers`, the name of a step gave a `column`, and a
+ * walk through the memories a `home`. What is no record of ours is left as it is: the schemas judge it.
+ */
+export function withPresentNames(stored: unknown): unknown {
+  if (Array.isArray(stored)) return stored.map(withPresentNames);
+  if (typeof stored !== 'object' || stored === null) return stored;
+  const record = stored as Stored;
+  return Object.fromEntries(
+    Object.entries(record).map(([name, value]) => [presentName(name, record), withPresentNames(value)]),
+  );
+}
+
+function presentName(name: string, record: Stored): string {
+  if (name === 'timers' && 'positions' in record) return 'times';
+  if (name === 'home' && record.kind === 'memories') return 'original';
+  // Only the parameters of a step have one: a number, beside what else its name says.
+  return name === 'column' && typeof record.column === 'number' ? 'slot' : name;
+}
