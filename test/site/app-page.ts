@@ -224,7 +224,10 @@ export class AppPage {
     return this.page.evaluate(`(${act.toString()})(window.workbench)`) as Promise<T>;
   }
 
-  /** Waits until what was typed has come to rest in the storage: the page keeps it when it has nothing else to do. */
+  /**
+   * Waits until what was typed has come to rest in the storage: the page keeps it when it has nothing else to do. What is being written
+   * is written before each look, and what waits behind it before the next.
+   */
   async kept(): Promise<void> {
     let before = '';
     await expect
@@ -261,12 +264,22 @@ export class AppPage {
       const database = await new Promise<IDBDatabase>((resolve) => {
         opening.onsuccess = () => resolve(opening.result);
       });
-      const reading = database.transaction('drafts').objectStore('drafts').getAll();
+      // It could write, so it has to wait for whoever does.
+      const reading = database.transaction('drafts', 'readwrite').objectStore('drafts').getAll();
       const drafts = await new Promise<unknown[]>((resolve) => {
         reading.onsuccess = () => resolve(reading.result);
       });
       database.close();
       return JSON.stringify(drafts);
+    });
+  }
+
+  /** Waits until a tab that was opened, or loaded again, has its number: what others have left it has looked at by then. */
+  async hasNumber(): Promise<void> {
+    await this.page.waitForFunction(async () => {
+      const { held = [] } = await navigator.locks.query();
+      const number = sessionStorage.getItem('sidus-timer/tab');
+      return held.some(({ name }) => name === `sidus-timer/tab/${number}`);
     });
   }
 

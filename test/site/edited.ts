@@ -1,9 +1,6 @@
 import { AppPage } from './app-page.js';
 import type { WorkbenchOptions } from './workbench.js';
 
-/** Milliseconds for what takes several readings, or the 15 s for which a port is tried again. */
-export const LONG = 60_000;
-
 /** A pilot who has connected, and has edited a time and a position. */
 export async function edited(bench: WorkbenchOptions = { granted: true }): Promise<AppPage> {
   const app = await AppPage.open({ bench });

@@ -21,7 +21,7 @@ test('the field with the focus, and the end of a range, are never behind what st
   await app.field('Function 5, S2').click();
   for (const key of [...Array(5).fill('ArrowDown'), ...Array(10).fill('ArrowUp')]) {
     await app.page.keyboard.press(key);
-    expect(await seen('td input:focus'), key).toEqual(['seen']);
+    await expect.poll(() => seen('td input:focus'), { message: key }).toEqual(['seen']);
   }
   for (let row = 1; row <= 10; row++) {
     await app.page.keyboard.press('Shift+ArrowDown');
@@ -45,7 +45,7 @@ test('what is beside the table moves down when there is a notice to read', async
       return (side?.getBoundingClientRect().top ?? 0) >= (head?.getBoundingClientRect().bottom ?? 0);
     });
   await expect.poll(() => app.page.evaluate(() => scrollY)).toBeGreaterThan(200);
-  expect(await edges()).toBe(true);
+  await expect.poll(edges).toBe(true);
 });
 
 test('nothing stands over the edge of the smallest phone: five memories, and three ways to connect', async () => {

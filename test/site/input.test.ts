@@ -27,7 +27,9 @@ describe('what no timer can hold is refused at the field', () => {
     expect(await app.reasons()).toContain(`${field}: ${reason}`);
     await app.button('Write…').click();
     const cause = app.field(field === 'DT time' ? 'DT' : field);
-    expect(await cause.evaluate((input) => input === document.activeElement), 'Write leads to it').toBe(true);
+    await expect
+      .poll(() => cause.evaluate((input) => input === document.activeElement), { message: 'Write leads to it' })
+      .toBe(true);
     await expect.poll(() => cause.evaluate(isInSight), { message: 'in sight' }).toBe(true);
     expect(await app.sent(), 'nothing was sent').toEqual(sent);
 
@@ -68,7 +70,10 @@ describe('what was typed is kept', () => {
     await app.write();
     await app.result('Verified.');
     await app.close();
+    await app.kept();
     await app.reload();
+    await app.hasNumber();
+    await app.kept();
     expect(await app.text('Your edits are back.').count(), 'nothing is left to bring back').toBe(0);
   });
 

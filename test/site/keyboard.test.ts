@@ -10,7 +10,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await app.hasRead();
   const trail = new Trail(app);
   const fill = async (field: string, text: string): Promise<void> => {
-    expect(await keys.focused()).toBe(field);
+    await expect.poll(() => keys.focused()).toBe(field);
     await trail.note();
     await keys.type(text);
   };
@@ -58,7 +58,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await app.dialog.waitFor({ state: 'hidden' });
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
-}, 120_000);
+});
 
 test('the focus stays while the timer is read, and comes back from the dialog', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
@@ -66,13 +66,13 @@ test('the focus stays while the timer is read, and comes back from the dialog', 
   await app.connect();
   await keys.enter(/^Read again$/);
   await app.isReady();
-  expect(await keys.focused()).toBe('Read again');
+  await expect.poll(() => keys.focused()).toBe('Read again');
   await app.field('Function 2, S1').fill('7');
   await keys.enter(/^Write…$/);
   await app.dialog.waitFor();
   await keys.press('Escape');
   await app.dialog.waitFor({ state: 'hidden' });
-  expect(await keys.focused()).toBe('Write…');
+  await expect.poll(() => keys.focused()).toBe('Write…');
   await keys.press('Enter');
   await app.dialog.waitFor();
   await keys.tabTo(/^The propeller is off/);
@@ -81,5 +81,5 @@ test('the focus stays while the timer is read, and comes back from the dialog', 
   await app.result('Verified.');
   await keys.enter(/^Close$/);
   await app.dialog.waitFor({ state: 'hidden' });
-  expect(await keys.focused()).toBe('Write…');
+  await expect.poll(() => keys.focused()).toBe('Write…');
 });

@@ -1,6 +1,5 @@
 import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-import { LONG } from './edited.js';
 import { isWellMade } from './well-made.js';
 
 const sizes = { phone: { width: 390, height: 844 }, desktop: { width: 1280, height: 800 } } as const;
@@ -154,7 +153,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.button('Read all…').click();
       const dialog = app.page.getByRole('dialog');
       await dialog.getByRole('button', { name: 'Back up' }).click();
-      await dialog.getByText('were read and kept').waitFor({ timeout: LONG });
+      await dialog.getByText('were read and kept').waitFor();
       await dialog.getByRole('button', { name: 'Close' }).click();
       await dialog.waitFor({ state: 'hidden' });
       await isWellMade(app, 'memories side by side');
@@ -226,7 +225,7 @@ describe('nothing is cut off or covered', () => {
   test('at 320 px, while a disturbed line is read', async () => {
     const app = await AppPage.open({ viewport: { width: 320, height: 800 }, bench: { damage: 0.1 } });
     await app.button('Connect').click();
-    await app.text(/^Line disturbed/).waitFor({ timeout: LONG });
+    await app.text(/^Line disturbed/).waitFor();
     await app.expectNoSidewaysScrolling();
   });
 });

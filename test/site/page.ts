@@ -12,8 +12,8 @@ declare module 'vitest' {
   }
 }
 
-/** Milliseconds for what takes a moment: a busy machine may have many things to do in between. */
-const PATIENCE = 30_000;
+/** Milliseconds after which something hangs: a slow and busy machine may take its time for what takes a moment. */
+const PATIENCE = 120_000;
 
 let browser: Browser;
 beforeAll(async () => {

@@ -147,7 +147,7 @@ test.for(faults)('with %s the page is drawn and works', async ([, breakIt, said]
   await page.addInitScript(breakIt);
   await page.goto(inject('site'));
   await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).waitFor();
-  if (said) await page.getByRole('status').filter({ hasText: said }).waitFor({ timeout: 10_000 });
+  if (said) await page.getByRole('status').filter({ hasText: said }).waitFor();
   await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).click();
   const field = page.getByRole('textbox', { name: 'DT time' });
   await field.fill('4:00');

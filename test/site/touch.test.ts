@@ -63,7 +63,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await app.dialog.waitFor({ state: 'hidden' });
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   expect(await app.bench(({ content }) => content)).toEqual(SHIFTED);
-}, 120_000);
+});
 
 describe('a finger on the table', () => {
   interface Hand {

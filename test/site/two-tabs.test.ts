@@ -14,7 +14,7 @@ test.each(Object.entries(timers))(
     await first.type('Function 2, S1', '7');
     await first.kept();
     const second = await first.sibling();
-    await second.page.getByRole('banner').waitFor();
+    await second.hasNumber();
     expect(await second.text('Your edits are back.').count(), 'they are those of the first').toBe(0);
     await timer.reach(second);
     expect(await second.valueOf('Function 2, S1')).toBe('35');

@@ -29,7 +29,7 @@ describe('through a serial port', () => {
 
     await app.button('Disconnect').click();
     await app.button('Connect').waitFor();
-    expect(await app.bench(({ opened }) => opened)).toBeNull();
+    await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
   });
 
   test('the port of the last visit is opened without the chooser', async () => {
@@ -228,9 +228,12 @@ describe('an impatient pilot', () => {
 
   test('presses Escape again and again while it writes: the result is shown all the same', async () => {
     const app = await edited();
+    // A timer that sleeps makes the writing last long enough for a hand.
+    await app.bench((bench) => bench.sleepAt('SETTIMERS'));
     await app.write();
     await expect.poll(() => app.bench(({ sets }) => sets.length)).toBeGreaterThan(0);
     for (let i = 0; i < 4; i++) await app.page.keyboard.press('Escape');
+    await app.bench((bench) => bench.press());
     await app.isReady();
     await app.page.waitForFunction(() => document.querySelector('dialog [role=alert]'));
     expect(await app.dialog.isVisible(), 'the dialog is open').toBe(true);
@@ -245,6 +248,7 @@ describe('an impatient pilot', () => {
       asked++;
       void dialog.accept();
     });
+    await app.bench((bench) => bench.sleepAt('SETTIMERS'));
     await app.write();
     await app.dialog.getByRole('button', { name: 'Stop' }).waitFor();
     await app.reload();
