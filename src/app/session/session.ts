@@ -458,9 +458,12 @@ export class Session {
     const otherKind =
       before !== null && kindKey(before.identity, this.simulated.value) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
-    const draft = same ? undefined : await this.#drafts.of(read, simulated, this.#inherits);
+    // Together: a storage that does not answer is waited for once.
+    const [draft] = await Promise.all([
+      same ? undefined : this.#drafts.of(read, simulated, this.#inherits),
+      this.knowledge.refresh(),
+    ]);
     this.#inherits = false;
-    await this.knowledge.refresh();
     stillOn();
     const returning = this.#returning;
     this.#returning = false;

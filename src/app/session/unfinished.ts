@@ -62,16 +62,18 @@ export class UnfinishedRecords {
 
   async #load(): Promise<void> {
     let seen: number;
+    let tab: number;
     let stored: Unfinished[];
     do {
       seen = this.#changes;
+      tab = this.#tab.value;
       const all = await this.#keeper.all().catch(() => null);
       // What was known before is not forgotten because the storage fails.
       if (!all) return;
       const elsewhere = await Promise.all(all.map((record) => this.#isElsewhere(record)));
       stored = all.filter((_, index) => !elsewhere[index]);
-      // What was changed meanwhile is not in what was loaded.
-    } while (seen !== this.#changes);
+      // What was changed meanwhile is not in what was loaded; and by another number other records are this tab's own.
+    } while (seen !== this.#changes || tab !== this.#tab.value);
     this.#stored = stored;
     this.#publish();
   }
