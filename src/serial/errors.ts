@@ -10,7 +10,6 @@
  *   has failed: the browser does not tell which.
  * - `bad-settings`: the port does not take these settings, such as a rate that the adapter does not know.
  * - `unplugged`: the port is gone.
- * - `no-answer`: the port opened, and nothing on it answered as a timer does.
  * - `bad-reply`: something answered, and what it said of itself cannot be; `bytes` is what it said.
  * - `lost`: an open port was unplugged or its stream failed.
  */
@@ -23,7 +22,6 @@ export type ConnectionErrorCode =
   | 'busy'
   | 'bad-settings'
   | 'unplugged'
-  | 'no-answer'
   | 'bad-reply'
   | 'lost';
 

@@ -1,5 +1,4 @@
 export { availability, choosePort, rememberedPorts, type Surroundings } from './choose.js';
-export { type ConnectOptions, connect, type DirectConnection } from './connection.js';
 export { ConnectionError, type ConnectionErrorCode } from './errors.js';
 export { type RememberedPort, TimerLink, type TimerLinkOptions } from './link.js';
 export type { LinkState, TimerConnection } from './link-state.js';

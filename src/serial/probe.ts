@@ -74,7 +74,7 @@ export class Probe {
 }
 
 /** Something has answered what no timer can be: with what it said of itself. */
-export function impossible(error: TimerError): ConnectionError {
+function impossible(error: TimerError): ConnectionError {
   const { details } = (error.cause ?? {}) as Partial<CodecError>;
   return new ConnectionError('bad-reply', 'the answer cannot be right', error, details?.bytes);
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { type LinkState, type SerialLike, TimerLink } from '../../src/serial/index.js';
-import { B536 } from '../protocol/vectors.js';
+import { B536, CAPTURED_POSITIONS } from '../protocol/vectors.js';
 import { failure } from './bench.js';
 import { connectionOf, type LinkBench, linkBench, on, portOf, way } from './link-bench.js';
 
@@ -360,12 +360,33 @@ describe('a stream that fails with its plug in', () => {
 });
 
 describe('a line that is disturbed', () => {
-  it.each(['framing', 'parity', 'break', 'overrun', 'system'] as const)('stays on through a %s error', async (kind) => {
-    const { clock, link, port, states } = await on();
-    port.device.error(kind);
-    await clock.advance(100);
-    await clock.run(link.recheck());
-    expect(states).toEqual([]);
-    expect(connectionOf(link).client.identity).toEqual(B536);
+  const positions = [CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS];
+
+  describe.each(['framing', 'parity', 'break', 'overrun', 'system'] as const)('by a %s error', (kind) => {
+    it('stays on', async () => {
+      const { clock, link, port, states } = await on();
+      port.device.error(kind);
+      await clock.advance(100);
+      await clock.run(link.recheck());
+      expect(states).toEqual([]);
+      expect(connectionOf(link).client.identity).toEqual(B536);
+    });
+
+    it('reads to the end through it', async () => {
+      const { clock, link, port, adapter } = await on({ plug: { timing: true } });
+      const { client } = connectionOf(link);
+      adapter.after(60, () => port.device.error(kind));
+      expect(await clock.run(client.readProgram())).toMatchObject({ positions });
+      expect(client.damageSeen).toBe(true);
+    });
+  });
+
+  it('reads to the end when bytes are lost, changed or doubled', async () => {
+    for (const damage of [[], [0x55], [0x45, 0x45]]) {
+      const toPage = (byte: number, index: number) => (index === 70 ? damage : [byte]);
+      const { clock, link } = await on({ plug: { timing: true, fault: { toPage } } });
+      const program = await clock.run(connectionOf(link).client.readProgram());
+      expect(program.positions, JSON.stringify(damage)).toEqual(positions);
+    }
   });
 });

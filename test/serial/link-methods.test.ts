@@ -185,6 +185,22 @@ describe('stop()', () => {
     expect(link.state.status).toBe('off');
   });
 
+  it('closes a port that never takes the bytes it is given', async () => {
+    const { clock, link, port, states } = linkBench();
+    const stuck = new WritableStream<Uint8Array>({ write: () => new Promise(() => {}) });
+    const close = port.close.bind(port);
+    Object.defineProperty(port, 'writable', { value: stuck });
+    port.close = async () => {
+      // As the standard has it.
+      if (stuck.locked) throw new TypeError('Cannot close the port while its writable is locked.');
+      await close();
+    };
+    await clock.run(link.connect(port));
+    expect(way(states)).toBe('opening > searching > waiting');
+    await clock.run(link.stop());
+    expect(port.device.opened).toBeNull();
+  });
+
   it('may be called from within the telling of any state', async () => {
     for (const at of ['opening', 'searching', 'waiting', 'on', 'away'] as const) {
       const { clock, port, adapter, timer } = linkBench();

@@ -2,10 +2,10 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { messages, type Said } from '../messages/index.js';
 import { CopyText } from '../ui/copy-text.js';
-import { helpFor, type Step } from './connection-help.js';
+import { type HelpCode, helpFor, type Step } from './connection-help.js';
 
 interface TroubleHelpProps {
-  readonly code: ConnectionErrorCode;
+  readonly code: HelpCode;
   readonly platform: Platform;
   /** What the port says of itself that the trouble is about; null when none was chosen. */
   readonly info: PortInfo | null;

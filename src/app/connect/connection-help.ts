@@ -1,6 +1,9 @@
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
 
+/** What there is help for: a connection that failed, or waiting for a timer that does not answer. */
+export type HelpCode = ConnectionErrorCode | 'waiting';
+
 /** Where the trouble is. */
 export interface Situation {
   readonly platform: Platform;
@@ -99,7 +102,7 @@ const SNAPS: Partial<Readonly<Record<Browser, readonly StepCode[]>>> = {
   firefox: ['firefox-snap'],
 };
 
-const PLANS: Readonly<Record<ConnectionErrorCode, (situation: Situation) => Plan>> = {
+const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
   unsupported: ({ platform: { browser, mobile } }) =>
     browser === 'brave' && !mobile ? { first: ['brave-flag', 'brave-relaunch'] } : {},
   insecure: () => ({ first: ['https', 'this-computer'] }),
@@ -145,7 +148,7 @@ const PLANS: Readonly<Record<ConnectionErrorCode, (situation: Situation) => Plan
   'bad-settings': () => ({ first: ['rate', 'usual-settings'] }),
   unplugged: ({ info }) =>
     isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { linux: ['brltty'], chromeos: ['linux-container'] } },
-  'no-answer': () => ({ first: ['wake', 'near', 'battery', 'other-port', 'rate'] }),
+  waiting: () => ({ first: ['wake', 'near', 'battery', 'other-port', 'rate'] }),
   'bad-reply': () => ({ first: ['near', 'other-port', 'rate', 'report'] }),
   lost: ({ info }) =>
     isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { windows: ['usb-power'], linux: ['brltty'] } },
@@ -165,7 +168,7 @@ export interface Help {
 }
 
 /** What to do about a trouble. Empty where its sentence says all. */
-export function helpFor(code: ConnectionErrorCode, situation: Situation): Help {
+export function helpFor(code: HelpCode, situation: Situation): Help {
   const { first = [], systems = {}, last = [] } = PLANS[code](situation);
   const { system } = situation.platform;
   const steps = (codes: readonly StepCode[]): readonly Step[] =>

@@ -43,10 +43,6 @@ export const connection: Record<ConnectionErrorCode, Said> = {
     title: 'The adapter is not plugged in.',
     advice: 'Plug it in, then click Connect again.',
   },
-  'no-answer': {
-    title: 'The timer did not answer.',
-    advice: 'Press its switch briefly, hold the infra-red head closer than 20 cm, and click Connect again.',
-  },
   'bad-reply': {
     title: 'Something answered, but not as a timer does.',
     advice: 'Choose another port, or move the infra-red head closer and click Connect again.',

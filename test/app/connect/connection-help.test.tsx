@@ -1,25 +1,25 @@
 import { fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
-import { helpFor, type StepCode, udevRule } from '../../../src/app/connect/connection-help.js';
+import { type HelpCode, helpFor, type StepCode, udevRule } from '../../../src/app/connect/connection-help.js';
 import { ConnectionHelp, connectionSaid } from '../../../src/app/connect/connection-help-view.js';
 import { en } from '../../../src/app/messages/en.js';
 import { CopyText } from '../../../src/app/ui/copy-text.js';
-import type { ConnectionErrorCode, PortInfo } from '../../../src/serial/index.js';
+import type { PortInfo } from '../../../src/serial/index.js';
 
 const FTDI: PortInfo = { usbVendorId: 0x0403, usbProductId: 0x6001 };
 const SPP: PortInfo = { bluetoothServiceClassId: '00001101-0000-1000-8000-00805f9b34fb' };
 const ADDRESS = 'https://timers.example/set/';
 const SYSTEMS = Object.keys(en.help.systems) as System[];
 const BROWSERS: readonly Browser[] = ['chrome', 'edge', 'opera', 'brave', 'firefox', 'safari', 'other'];
-const CODES = Object.keys(en.connection) as ConnectionErrorCode[];
+const CODES = [...Object.keys(en.connection), 'waiting'] as HelpCode[];
 
 function on(system: System, browser: Browser = 'chrome', version: number | null = 138): Platform {
   return { system, browser, version, mobile: system === 'android' || system === 'ios' };
 }
 
 /** The codes of the steps for this system, and what there is to copy. */
-function steps(code: ConnectionErrorCode, platform: Platform, info: PortInfo | null = null, address = ADDRESS) {
+function steps(code: HelpCode, platform: Platform, info: PortInfo | null = null, address = ADDRESS) {
   const { here } = helpFor(code, { platform, info, address });
   return { codes: here.map((step) => step.code), copy: here.flatMap((step) => step.copy) };
 }
@@ -79,7 +79,7 @@ describe('what to do', () => {
     expect([...used].sort()).toEqual(Object.keys(en.help.steps).sort());
   });
 
-  it.each<[ConnectionErrorCode, Platform, PortInfo | null, readonly StepCode[]]>([
+  it.each<[HelpCode, Platform, PortInfo | null, readonly StepCode[]]>([
     ['busy', on('windows'), FTDI, ['close-tabs', 'programs-windows', 'replug']],
     ['busy', on('mac'), FTDI, ['close-tabs', 'programs-mac', 'holder-mac', 'replug']],
     [
@@ -116,7 +116,7 @@ describe('what to do', () => {
     ['unplugged', on('linux'), SPP, ['bluetooth-one', 'bluetooth-again']],
     ['lost', on('windows'), FTDI, ['cable', 'usb-power']],
     ['lost', on('windows'), SPP, ['bluetooth-one', 'bluetooth-again']],
-    ['no-answer', on('windows'), FTDI, ['wake', 'near', 'battery', 'other-port', 'rate']],
+    ['waiting', on('windows'), FTDI, ['wake', 'near', 'battery', 'other-port', 'rate']],
     ['not-allowed', on('android'), null, ['ask-again', 'site-permission-mobile']],
     ['unsupported', on('windows', 'brave'), null, ['brave-flag', 'brave-relaunch']],
     ['unsupported', on('android', 'brave'), null, []],
@@ -209,7 +209,7 @@ describe('the help under a notice', () => {
     fold().open = true;
     rerender(<ConnectionHelp code="busy" platform={on('windows')} info={FTDI} />);
     expect(fold().open).toBe(true);
-    rerender(<ConnectionHelp code="no-answer" platform={on('windows')} info={FTDI} />);
+    rerender(<ConnectionHelp code="waiting" platform={on('windows')} info={FTDI} />);
     expect(fold().open).toBe(false);
   });
 
