@@ -11,27 +11,33 @@ import { ProgramPage } from './shell/program-page.js';
 import { RecoveryPanel } from './write/recovery-panel.js';
 import { WriteDialog } from './write/write-dialog.js';
 
-export function App({ models }: { models: AppModels }) {
-  const { session } = models;
+/** The whole page: hands to each of its parts the models that this part needs. */
+export function App({ models }: { readonly models: AppModels }) {
+  const { session, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
+  const { keeping, aside, update, tabs } = models;
   const hasProgram = session.editor.identity.value !== null;
   return (
     <Models.Provider value={models}>
-      <Header />
+      <Header {...{ session, memories, leaving, keeping, aside, update, tabs, platform }} />
       <main>
-        <RecoveryPanel />
-        {hasProgram ? <ProgramPage /> : <StartScreen />}
-        <LinePanel />
+        <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
+        {hasProgram ? (
+          <ProgramPage {...{ session, write, memories, bench, follow }} />
+        ) : (
+          <StartScreen session={session} platform={platform} />
+        )}
+        <LinePanel session={session} />
       </main>
       <footer class="foot">
-        <ThemeChoice />
-        <button type="button" class="quiet" onClick={() => void models.erase.open()}>
+        <ThemeChoice theme={theme} />
+        <button type="button" class="quiet" onClick={() => void erase.open()}>
           {messages.value.erase.open}
         </button>
       </footer>
-      <WriteDialog />
-      <MemoriesDialog />
-      <LeaveDialog />
-      <EraseDialog />
+      <WriteDialog session={session} write={write} />
+      <MemoriesDialog session={session} memories={memories} />
+      <LeaveDialog session={session} leaving={leaving} />
+      <EraseDialog session={session} erase={erase} />
     </Models.Provider>
   );
 }

@@ -26,7 +26,7 @@ export interface AppModels {
   readonly aside: SetAside;
   readonly erase: Erase;
   readonly write: WriteFlow;
-  readonly recover: FinishWrite;
+  readonly finishWrite: FinishWrite;
   readonly memories: Memories;
   readonly leaving: Leaving;
   readonly bench: Bench;
@@ -93,7 +93,7 @@ export function createModels({
     follow: new Follow(session, bench, isElsewhere),
     theme: new Theme(),
     preferences: new Preferences(session.editor),
-    recover: new FinishWrite(session, write),
+    finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),
     tabs: new Tabs(session, isWriting, channel),
     platform,

@@ -2,15 +2,22 @@ import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { type Identity, slotCount } from '../../protocol/index.js';
 import { messages, slotLabel } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { HoldButton } from '../ui/hold-button.js';
 import { SafetyCheck } from '../write/safety-check.js';
+import type { Bench } from './bench.js';
 import { doneText } from './bench-text.js';
+import type { Follow } from './follow.js';
 import { FollowSwitch } from './follow-panel.js';
 
+interface BenchPanelProps {
+  readonly session: Session;
+  readonly bench: Bench;
+  readonly follow: Follow;
+}
+
 /** The timer on the bench: servos to a function, servos that follow, the motor. Nothing of it goes out before the pilot has said that it is safe. */
-export function BenchPanel() {
-  const { session } = useModels();
+export function BenchPanel({ session, bench, follow }: BenchPanelProps) {
   const { bench: words } = messages.value;
   const open = useSignal(false);
   const identity = session.editor.identity.value;
@@ -23,31 +30,36 @@ export function BenchPanel() {
       }}
     >
       <summary>{words.title}</summary>
-      {open.value && <Controls identity={identity} />}
+      {open.value && <Controls session={session} bench={bench} follow={follow} identity={identity} />}
     </details>
   );
 }
 
-function Controls({ identity }: { identity: Identity }) {
-  const { session } = useModels();
+interface ControlsProps {
+  readonly session: Session;
+  readonly bench: Bench;
+  readonly follow: Follow;
+  readonly identity: Identity;
+}
+
+function Controls({ session, bench, follow, identity }: ControlsProps) {
   const { bench: words } = messages.value;
   const connected = session.connection.value !== null;
   return (
     <>
       <p class="hint">{connected ? words.lead : words.notConnected}</p>
-      {connected && <SafetyCheck />}
-      <Said identity={identity} />
-      {connected && <Slots identity={identity} />}
-      {connected && <FollowSwitch identity={identity} />}
-      {connected && identity.timerClass === 'Q' && <Motor />}
-      {connected && <Experimental />}
+      {connected && <SafetyCheck session={session} />}
+      <Said bench={bench} identity={identity} />
+      {connected && <Slots bench={bench} identity={identity} />}
+      {connected && <FollowSwitch bench={bench} follow={follow} identity={identity} />}
+      {connected && identity.timerClass === 'Q' && <Motor bench={bench} />}
+      {connected && <Experimental bench={bench} />}
     </>
   );
 }
 
 /** What was done last, said when it is done. */
-function Said({ identity }: { identity: Identity }) {
-  const { bench } = useModels();
+function Said({ bench, identity }: { readonly bench: Bench; readonly identity: Identity }) {
   const { value } = bench.done;
   return (
     <p class={`bench-said ${value && !value.certain ? 'bad-text' : ''}`} role="status">
@@ -57,8 +69,7 @@ function Said({ identity }: { identity: Identity }) {
 }
 
 /** Start to DT, and steps from one to the next. */
-function Slots({ identity }: { identity: Identity }) {
-  const { bench } = useModels();
+function Slots({ bench, identity }: { readonly bench: Bench; readonly identity: Identity }) {
   const { bench: words } = messages.value;
   const ready = bench.ready.value;
   const at = bench.stand.at.value;
@@ -104,8 +115,7 @@ function Slots({ identity }: { identity: Identity }) {
   );
 }
 
-function Motor() {
-  const { bench } = useModels();
+function Motor({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const id = useId();
   return (
@@ -126,8 +136,7 @@ function Motor() {
 }
 
 /** What is not documented, asked for twice. */
-function Experimental() {
-  const { bench } = useModels();
+function Experimental({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const asked = useSignal(false);
   return (

@@ -2,12 +2,20 @@ import type { ComponentChildren } from 'preact';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
+import type { WriteFlow } from '../write/write-flow.js';
+import type { Bench } from './bench.js';
 import { doneText, standText } from './bench-text.js';
+import type { Follow } from './follow.js';
+
+interface FollowSwitchProps {
+  readonly bench: Bench;
+  readonly follow: Follow;
+  readonly identity: Identity;
+}
 
 /** The switches, and what becomes of what was tried. */
-export function FollowSwitch({ identity }: { readonly identity: Identity }) {
-  const { bench, follow } = useModels();
+export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   const { bench: words } = messages.value;
   const on = follow.on.value;
   const tried = follow.trials.tried.value;
@@ -73,9 +81,15 @@ function Switch({ on, disabled = false, onClick, children }: SwitchProps) {
   );
 }
 
+interface FollowNoteProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly bench: Bench;
+  readonly follow: Follow;
+}
+
 /** Where fields are edited it has to be in sight that they move the servos, how that ended, and that a choice is open. */
-export function FollowNote() {
-  const { session, bench, follow } = useModels();
+export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
   const { bench: words } = messages.value;
   const identity = session.editor.identity.value;
   const { length } = follow.trials.tried.value;
@@ -96,22 +110,27 @@ export function FollowNote() {
   }
   return (
     <>
-      <EndNote identity={identity} />
+      <EndNote bench={bench} follow={follow} identity={identity} />
       {length > 0 && (
         <div class="follow-note">
           <strong>
             {words.tried(length)} {words.decide}
           </strong>
-          <Decide />
+          <Decide session={session} write={write} follow={follow} />
         </div>
       )}
     </>
   );
 }
 
+interface EndNoteProps {
+  readonly bench: Bench;
+  readonly follow: Follow;
+  readonly identity: Identity;
+}
+
 /** Why the servos no longer follow, and what is known since. */
-function EndNote({ identity }: { readonly identity: Identity }) {
-  const { bench, follow } = useModels();
+function EndNote({ bench, follow, identity }: EndNoteProps) {
   const { bench: words, dismiss } = messages.value;
   const ended = follow.ended.value;
   const done = bench.done.value;
@@ -129,8 +148,13 @@ function EndNote({ identity }: { readonly identity: Identity }) {
   );
 }
 
-function Decide() {
-  const { session, follow, write } = useModels();
+interface DecideProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly follow: Follow;
+}
+
+function Decide({ session, write, follow }: DecideProps) {
   const { bench: words } = messages.value;
   return (
     <div class="buttons">

@@ -1,18 +1,26 @@
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { useSteady } from '../ui/use-steady.js';
+import type { Bench } from './bench.js';
 import { slotInSentence, standText } from './bench-text.js';
+import type { Follow } from './follow.js';
+
+interface ServosHereProps {
+  readonly bench: Bench;
+  readonly follow: Follow;
+  readonly slot: number;
+}
 
 /** While the servos follow: the mark of the function where they stand, as far as that is known. */
-export function ServosHere({ slot }: { readonly slot: number }) {
-  const { bench, follow } = useModels();
+export function ServosHere({ bench, follow, slot }: ServosHereProps) {
   const here = useSteady(() => follow.on.value && bench.stand.at.value === slot, [bench, follow, slot]);
   return here ? <span class="servos-here">{messages.value.bench.here}</span> : null;
 }
 
 interface ServosOfferProps {
+  readonly bench: Bench;
+  readonly follow: Follow;
   readonly identity: Identity;
   readonly slot: number;
   /** How many slots the table has. */
@@ -20,8 +28,7 @@ interface ServosOfferProps {
 }
 
 /** Under a function of which positions wait for the servos: the way to bring them there. */
-export function ServosOffer({ identity, slot, width }: ServosOfferProps) {
-  const { bench, follow } = useModels();
+export function ServosOffer({ bench, follow, identity, slot, width }: ServosOfferProps) {
   const { bench: words } = messages.value;
   const waits = useSteady(() => follow.awaited.value.has(slot), [follow, slot]);
   if (!waits) return null;

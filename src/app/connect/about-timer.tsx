@@ -1,15 +1,14 @@
 import type { AssumedQuirks } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { messages, portKeyName, portName, timerName } from '../messages/index.js';
-import { useModels } from '../models.js';
 import type { Assumed } from '../session/link.js';
 import { identityOfKind, kindKey } from '../session/record-keys.js';
+import type { Session } from '../session/session.js';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 
 /** What is known of the timer at hand, and what is taken for true of those at the ports that are known; in every state of the wire. */
-export function AboutTimer() {
-  const { session } = useModels();
+export function AboutTimer({ session }: { readonly session: Session }) {
   const { aboutTimer: about } = messages.value;
   const { link } = session;
   const connection = link.connection.value;
@@ -19,22 +18,26 @@ export function AboutTimer() {
   return (
     <details class="about-timer">
       <summary>{about.title}</summary>
-      {connection ? <AtHand connection={connection} /> : <p class="hint">{about.notConnected}</p>}
+      {connection ? <AtHand session={session} connection={connection} /> : <p class="hint">{about.notConnected}</p>}
       {(others.length > 0 || !connection) && <h2>{about.others}</h2>}
       {others.length === 0 && !connection && <p>{about.nothingAssumed}</p>}
       {others.map((assumed) => (
-        <Remembered key={`${assumed.portKey} ${assumed.kind}`} assumed={assumed} />
+        <Remembered key={`${assumed.portKey} ${assumed.kind}`} session={session} assumed={assumed} />
       ))}
     </details>
   );
 }
 
+interface AtHandProps {
+  readonly session: Session;
+  readonly connection: TimerConnection;
+}
+
 /** What it is, how it is reached, and what it does in its own way. */
-function AtHand({ connection }: { connection: TimerConnection }) {
-  const { session, write } = useModels();
+function AtHand({ session, connection }: AtHandProps) {
   const { aboutTimer: about, header } = messages.value;
   // What a job or a write has found out is told when it ends.
-  const busy = session.busy.value || write.current.value?.step === 'running';
+  const busy = session.busy.value;
   const { client, identity, settings, portKey } = connection;
   const { functions, memories, servos } = identity;
   const errors = [...client.lineErrors].map(([kind, count]) => about.count(about.lineErrorNames[kind], count));
@@ -98,8 +101,7 @@ function AtHand({ connection }: { connection: TimerConnection }) {
 }
 
 /** What was found out about a kind of timer at a port earlier. */
-function Remembered({ assumed }: { assumed: Assumed }) {
-  const { session } = useModels();
+function Remembered({ session, assumed }: { readonly session: Session; readonly assumed: Assumed }) {
   const { aboutTimer: about, header } = messages.value;
   const identity = identityOfKind(assumed.kind);
   const timer = identity ? `${timerName(identity)}, ${header.firmware(identity.firmware)}` : assumed.kind;

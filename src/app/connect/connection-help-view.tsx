@@ -39,7 +39,7 @@ export function connectionSaid(code: ConnectionErrorCode, platform: Platform): S
   return reason ? help.unsupported[reason] : connection[code];
 }
 
-function Steps({ steps }: { steps: readonly Step[] }) {
+function Steps({ steps }: { readonly steps: readonly Step[] }) {
   const { help } = messages.value;
   return (
     <ol>

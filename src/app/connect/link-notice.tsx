@@ -1,6 +1,6 @@
 import type { Heard } from '../../serial/index.js';
 import { messages, readable, type Said } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 
@@ -8,11 +8,9 @@ import { ProgressLine } from '../ui/progress-line.js';
 const LINE = 40;
 
 /** What is under way until a timer answers: said while it lasts, with the way to stop it. */
-export function LinkNotice() {
-  const { session, leaving } = useModels();
+export function LinkNotice({ session, onStop: stop }: { readonly session: Session; readonly onStop: () => void }) {
   const { link } = messages.value;
   const state = session.link.state.value;
-  const stop = (): void => void leaving.disconnect();
   switch (state.status) {
     case 'opening':
       return state.refusals === 0 ? (

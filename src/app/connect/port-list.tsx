@@ -1,11 +1,11 @@
 import type { KnownPort, SerialSettings } from '../../serial/index.js';
 import { DEFAULT_SETTINGS, RATES } from '../../serial/index.js';
 import { messages, portName } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Link } from '../session/link.js';
+import type { Session } from '../session/session.js';
 
 /** The adapters that were allowed before and are plugged in, the one used last first. */
-export function PortList() {
-  const { session } = useModels();
+export function PortList({ session }: { readonly session: Session }) {
   const { ports: words } = messages.value;
   const { link } = session;
   const ports = link.ports.value;
@@ -15,15 +15,14 @@ export function PortList() {
       <h2>{words.title}</h2>
       <ul>
         {ports.map((port, index) => (
-          <PortRow key={`${port.key} ${index}`} port={port} />
+          <PortRow key={`${port.key} ${index}`} session={session} port={port} />
         ))}
       </ul>
     </section>
   );
 }
 
-function PortRow({ port }: { port: KnownPort }) {
-  const { session } = useModels();
+function PortRow({ session, port }: { readonly session: Session; readonly port: KnownPort }) {
   const { ports: words, link } = messages.value;
   const rate = session.link.recordOf(port.key)?.foundRate;
   const name = portName(port);
@@ -53,13 +52,11 @@ function PortRow({ port }: { port: KnownPort }) {
 }
 
 /** How the next port is opened: for adapters that need something special. */
-export function SerialSettingsForm() {
-  const { session } = useModels();
+export function SerialSettingsForm({ link }: { readonly link: Link }) {
   const { ports: words } = messages.value;
-  const { link } = session;
   const settings = link.settings.value ?? DEFAULT_SETTINGS;
   const set = (part: Partial<SerialSettings>): void => {
-    link.settings.value = { ...settings, ...part };
+    link.setSettings({ ...settings, ...part });
   };
   const rate = String(settings.baudRate);
   return (
@@ -95,7 +92,7 @@ export function SerialSettingsForm() {
         <Signal label={words.rts} value={settings.rts} onChoose={(rts) => set({ rts })} />
       </div>
       {link.settings.value && (
-        <button type="button" class="quiet" onClick={() => (link.settings.value = null)}>
+        <button type="button" class="quiet" onClick={() => link.setSettings(null)}>
           {words.reset}
         </button>
       )}

@@ -1,14 +1,19 @@
+import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { AboutTimer } from './about-timer.js';
 import { ConnectButtons } from './connect-buttons.js';
 import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
 import { PortList, SerialSettingsForm } from './port-list.js';
 
+interface StartScreenProps {
+  readonly session: Session;
+  readonly platform: Platform;
+}
+
 /** Before anything was read: Connect, or try a simulated timer. */
-export function StartScreen() {
-  const { session, platform } = useModels();
+export function StartScreen({ session, platform }: StartScreenProps) {
   const { start, classNames } = messages.value;
   const { unavailable } = session.link;
   return (
@@ -22,13 +27,13 @@ export function StartScreen() {
         </div>
       ) : (
         <div class="start-connect">
-          <ConnectButtons large />
+          <ConnectButtons session={session} large />
           <p class="hint">{start.connectHint}</p>
         </div>
       )}
-      {!unavailable && <PortList />}
-      {!unavailable && <SerialSettingsForm />}
-      <AboutTimer />
+      {!unavailable && <PortList session={session} />}
+      {!unavailable && <SerialSettingsForm link={session.link} />}
+      <AboutTimer session={session} />
       <section class="start-simulated">
         <h2>{start.simulatedTitle}</h2>
         <p>{start.simulatedLead}</p>

@@ -1,10 +1,9 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { CopyButton } from '../ui/copy-button.js';
 import { gatherFacts, reportText } from './report.js';
 
 /** Copies what a maintainer needs to know. */
-export function CopyReport() {
-  const { session } = useModels();
+export function CopyReport({ session }: { readonly session: Session }) {
   return <CopyButton label={messages.value.report.copy} text={() => reportText(gatherFacts(session))} />;
 }

@@ -1,7 +1,7 @@
 import { useRef } from 'preact/hooks';
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { CopyButton } from '../ui/copy-button.js';
 import { CopyReport } from './copy-report.js';
 import type { LineFilter, LineView } from './line-view.js';
@@ -9,7 +9,7 @@ import { captureText } from './recording.js';
 import { captureNotes } from './report.js';
 
 /** What can be done with the log: stop and go, empty, copy, save, load; what is shown of it. */
-export function LineTools({ view }: { view: LineView }) {
+export function LineTools({ session, view }: { readonly session: Session; readonly view: LineView }) {
   const { line } = messages.value;
   const used = !view.unused.value;
   const live = used && view.recording.value === null;
@@ -35,7 +35,7 @@ export function LineTools({ view }: { view: LineView }) {
           </button>
         )}
         <LoadButton view={view} />
-        <CopyReport />
+        <CopyReport session={session} />
       </div>
       {used && <LineChoice view={view} />}
       <p class="line-came" role="status">
@@ -45,16 +45,13 @@ export function LineTools({ view }: { view: LineView }) {
   );
 }
 
-function LineChoice({ view }: { view: LineView }) {
+function LineChoice({ view }: { readonly view: LineView }) {
   const { line } = messages.value;
   return (
     <div class="line-choice">
       <label>
         <span>{line.filter}</span>
-        <select
-          value={view.filter.value}
-          onChange={(event) => (view.filter.value = event.currentTarget.value as LineFilter)}
-        >
+        <select value={view.filter.value} onChange={(event) => view.setFilter(event.currentTarget.value as LineFilter)}>
           {Object.entries(line.filters).map(([filter, name]) => (
             <option key={filter} value={filter}>
               {name}
@@ -70,17 +67,16 @@ function LineChoice({ view }: { view: LineView }) {
           spellcheck={false}
           placeholder={line.searchHint}
           value={view.search.value}
-          onInput={(event) => (view.search.value = event.currentTarget.value)}
+          onInput={(event) => view.setSearch(event.currentTarget.value)}
         />
       </label>
-      {view.recording.value === null && <Counts />}
+      {view.recording.value === null && <Counts view={view} />}
     </div>
   );
 }
 
-function Counts() {
-  const { session } = useModels();
-  const { out, in: incoming, damaged, errors } = session.log.counts.value;
+function Counts({ view }: { readonly view: LineView }) {
+  const { out, in: incoming, damaged, errors } = view.counts.value;
   return <p class="hint">{messages.value.line.counts(out, incoming, damaged, errors)}</p>;
 }
 

@@ -11,9 +11,9 @@ const MOST_SHOWN = 500;
 
 /** What of the line is looked at: live, standing still, or a recording; all of it or what is searched for. */
 export class LineView {
-  readonly filter = signal<LineFilter>('all', { name: 'filter' });
+  readonly filter: ReadonlySignal<LineFilter>;
   /** What names, meanings or bytes must contain. */
-  readonly search = signal('', { name: 'search' });
+  readonly search: ReadonlySignal<string>;
   readonly recording: ReadonlySignal<Recording | null>;
   /** Why the file that was given last is no recording. */
   readonly fault: ReadonlySignal<RecordingError | null>;
@@ -28,22 +28,37 @@ export class LineView {
   );
   /** Those of them that are asked for, oldest first. */
   readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() => {
-    const isAskedFor = test(this.filter.value, this.search.value);
+    const isAskedFor = test(this.#filter.value, this.#search.value);
     return this.all.value.filter(isAskedFor);
   });
   /** Those of them that there is room for, newest first. */
   readonly shown: ReadonlySignal<readonly LineRecord[]> = computed(() => this.found.value.slice(-MOST_SHOWN).reverse());
   /** There is nothing to look at yet: nothing was ever on the line, and no recording was loaded. */
   readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
+  /** How much was on the line since the log is kept. */
+  readonly counts: LineLog['counts'];
   readonly #log: LineLog;
+  readonly #filter = signal<LineFilter>('all', { name: 'filter' });
+  readonly #search = signal('', { name: 'search' });
   readonly #recording = signal<Recording | null>(null, { name: 'recording' });
   readonly #fault = signal<RecordingError | null>(null, { name: 'fault' });
   readonly #still = signal<{ readonly entries: readonly LineRecord[]; readonly newest: number } | null>(null);
 
   constructor(log: LineLog) {
     this.#log = log;
+    this.filter = this.#filter;
+    this.search = this.#search;
+    this.counts = log.counts;
     this.recording = this.#recording;
     this.fault = this.#fault;
+  }
+
+  setFilter(filter: LineFilter): void {
+    this.#filter.value = filter;
+  }
+
+  setSearch(text: string): void {
+    this.#search.value = text;
   }
 
   /** Lets the picture stand still while the log goes on. */

@@ -1,10 +1,9 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import type { LineView } from './line-view.js';
 
 /** What is looked at when it is not the line, and what can be done with it; or why a file is no recording. */
-export function RecordingBar({ view }: { view: LineView }) {
-  const { session } = useModels();
+export function RecordingBar({ session, view }: { readonly session: Session; readonly view: LineView }) {
   const { line, dismiss } = messages.value;
   const recording = view.recording.value;
   const fault = view.fault.value;

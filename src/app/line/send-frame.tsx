@@ -2,20 +2,18 @@ import { useEffect, useRef } from 'preact/hooks';
 import { COMMAND_NAMES, COMMANDS, type CommandName, type Frame } from '../../protocol/index.js';
 import { describeFrame, frameName, hexOf, letterOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import type { FrameForm } from './frame-form.js';
 
 /** The choice that is no command. */
 const OTHER = 'other';
 
 /** A frame of the pilot's own, for finding out what a timer does. */
-export function SendFrame({ form }: { form: FrameForm }) {
-  const { session } = useModels();
+export function SendFrame({ form, connected }: { readonly form: FrameForm; readonly connected: boolean }) {
   const { send } = messages.value.line;
   return (
     <details class="send-frame">
       <summary>{send.title}</summary>
-      {session.connection.value ? <Form form={form} /> : <p class="hint">{send.notConnected}</p>}
+      {connected ? <Form form={form} /> : <p class="hint">{send.notConnected}</p>}
     </details>
   );
 }

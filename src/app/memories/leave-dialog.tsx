@@ -1,30 +1,29 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { UncertainNote } from '../write/uncertain-band.js';
+import type { Leaving } from './leaving.js';
 import { nextFlightText } from './next-flight-line.js';
 
 /** Says once more which memory will fly when it is not the one of the time of connect, before the connection ends. */
-export function LeaveDialog() {
-  const { leaving } = useModels();
+export function LeaveDialog({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
   const question = leaving.question.value;
   return (
     <Modal
       open={question !== null}
       title={messages.value.nextFlight.leaving.title}
       titleId="leave-title"
-      head={<UncertainNote />}
+      head={<UncertainNote session={session} />}
       held={question?.goingBack === true}
       onEscape={() => leaving.stay()}
     >
-      <Question />
+      <Question session={session} leaving={leaving} />
     </Modal>
   );
 }
 
-function Question() {
-  const { leaving, session } = useModels();
+function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
   const { nextFlight: words, memoryName, program, write } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;

@@ -1,7 +1,7 @@
 import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { useModels } from '../models.js';
 import { openValues } from '../session/knowledge.js';
+import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
@@ -9,6 +9,7 @@ import { MoveServosCheck } from '../write/move-servos-check.js';
 import { SafetyCheck } from '../write/safety-check.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import { ValueTable } from '../write/value-table.js';
+import type { Memories } from './memories.js';
 import {
   isGood,
   type MemoriesOutcome,
@@ -23,8 +24,7 @@ import { nextFlightText } from './next-flight-line.js';
 const SHOWN = 4;
 
 /** A job over several memories: what it is, how far it has come, what became of it. */
-export function MemoriesDialog() {
-  const { memories } = useModels();
+export function MemoriesDialog({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const current = memories.current.value;
   const { plans } = messages.value.memories;
   return (
@@ -32,22 +32,27 @@ export function MemoriesDialog() {
       open={current !== null}
       title={current ? plans[current.plan.kind].title : ''}
       titleId="memories-title"
-      head={<UncertainNote />}
+      head={<UncertainNote session={session} />}
       held={memories.held}
       onEscape={() => memories.escape()}
     >
-      {current?.step === 'review' && <Review current={current} />}
-      {current?.step === 'running' && <Running current={current} />}
-      {current?.step === 'unkept' && <Unkept />}
-      {current?.step === 'done' && <Result current={current} />}
+      {current?.step === 'review' && <Review session={session} memories={memories} current={current} />}
+      {current?.step === 'running' && <Running memories={memories} current={current} />}
+      {current?.step === 'unkept' && <Unkept memories={memories} />}
+      {current?.step === 'done' && <Result session={session} memories={memories} current={current} />}
     </Modal>
   );
 }
 
 type StepOf<Step extends MemoriesStep['step']> = Extract<MemoriesStep, { step: Step }>;
 
-function Review({ current: { plan, changes } }: { current: StepOf<'review'> }) {
-  const { session, memories } = useModels();
+interface ReviewProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly current: StepOf<'review'>;
+}
+
+function Review({ session, memories, current: { plan, changes } }: ReviewProps) {
   const { memories: words, write } = messages.value;
   // Reading changes nothing: only a write asks whether the model is held.
   const ready = plan.kind === 'back-up' || session.safe.value;
@@ -58,8 +63,8 @@ function Review({ current: { plan, changes } }: { current: StepOf<'review'> }) {
       {changes.map((change) => (
         <Difference key={change.memory} change={change} folded={changes.length > 1} />
       ))}
-      {movesServos && <MoveServosCheck />}
-      {plan.kind !== 'back-up' && <SafetyCheck />}
+      {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
+      {plan.kind !== 'back-up' && <SafetyCheck session={session} />}
       <div class="buttons">
         <button type="button" class="primary" disabled={!ready} onClick={() => void memories.start()}>
           {words.start[plan.kind]}
@@ -116,8 +121,7 @@ function lead(plan: Plan): string {
   return words.plans.restore.lead(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
 }
 
-function Running({ current }: { current: StepOf<'running'> }) {
-  const { memories } = useModels();
+function Running({ memories, current }: { readonly memories: Memories; readonly current: StepOf<'running'> }) {
   const { memories: words, write, memoryName } = messages.value;
   const { progress, stopping } = current;
   const memory = progress?.memory ?? null;
@@ -136,8 +140,7 @@ function Running({ current }: { current: StepOf<'running'> }) {
 }
 
 /** Nothing has been written into this memory, and nothing is before the pilot has answered. */
-function Unkept() {
-  const { memories } = useModels();
+function Unkept({ memories }: { readonly memories: Memories }) {
   const { write } = messages.value;
   return (
     <>
@@ -156,8 +159,13 @@ function Unkept() {
   );
 }
 
-function Result({ current }: { current: StepOf<'done'> }) {
-  const { memories, session } = useModels();
+interface ResultProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly current: StepOf<'done'>;
+}
+
+function Result({ session, memories, current }: ResultProps) {
   const { memories: words, write } = messages.value;
   const { plan, outcome, kept } = current;
   const { ends, saved, unkept, stopped } = outcome;
@@ -173,7 +181,7 @@ function Result({ current }: { current: StepOf<'done'> }) {
         {unkept && <NoticeText said={write.move.unkept} />}
         {!kept && <p>{words.notKept}</p>}
       </div>
-      {plan.kind !== 'back-up' && <Current />}
+      {plan.kind !== 'back-up' && <Current session={session} />}
       <div class="buttons">
         {again && (
           <button
@@ -194,8 +202,7 @@ function Result({ current }: { current: StepOf<'done'> }) {
 }
 
 /** Which memory flies next after all this, as soon as that is known. */
-function Current() {
-  const { session } = useModels();
+function Current({ session }: { readonly session: Session }) {
   const { nextFlight, memoryName } = messages.value;
   const { memoryOpen, connection, busy, editor } = session;
   const memory = editor.baseline.value?.memory ?? null;

@@ -1,14 +1,14 @@
 import { useSignal } from '@preact/signals';
 import { differences, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { clockText, figureText, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { type Known, possibleValues } from '../session/knowledge.js';
+import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { ValueTable } from '../write/value-table.js';
+import type { Memories } from './memories.js';
 
 /** All memories of the timer as small pictures, once they were read: to pick one, to copy it, to compare two. */
-export function MemoriesOverview() {
-  const { session, memories } = useModels();
+export function MemoriesOverview({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { overview: words } = messages.value;
   const baseline = session.editor.baseline.value;
   const ready = session.connection.value !== null && !session.busy.value;
@@ -30,6 +30,7 @@ export function MemoriesOverview() {
         <ul class="overview-list">
           {contents.map(({ memory, known }) => (
             <Memory
+              memories={memories}
               key={memory}
               {...{ memory, known, ready }}
               isCurrent={!session.memoryOpen.value && memory === baseline.memory}
@@ -37,7 +38,7 @@ export function MemoriesOverview() {
           ))}
         </ul>
       )}
-      {contents.length > 1 && <Pair contents={contents} ready={ready} />}
+      {contents.length > 1 && <Pair memories={memories} contents={contents} ready={ready} />}
     </details>
   );
 }
@@ -49,12 +50,12 @@ interface Content {
 }
 
 interface MemoryProps extends Content {
+  readonly memories: Memories;
   readonly isCurrent: boolean;
   readonly ready: boolean;
 }
 
-function Memory({ memory, known, isCurrent, ready }: MemoryProps) {
-  const { memories } = useModels();
+function Memory({ memories, memory, known, isCurrent, ready }: MemoryProps) {
   const { overview: words, nextFlight, look, memoryName } = messages.value;
   const program = lastRead(known);
   const dt: ProgramField = { kind: 'time', slot: program.identity.functions };
@@ -86,13 +87,13 @@ function lastRead(known: Content['known']): TimerProgram {
 }
 
 interface PairProps {
+  readonly memories: Memories;
   readonly contents: readonly Content[];
   readonly ready: boolean;
 }
 
 /** Two memories: what differs, and the one into the other. */
-function Pair({ contents, ready }: PairProps) {
-  const { memories } = useModels();
+function Pair({ memories, contents, ready }: PairProps) {
   const { overview: words, memories: all, memoryName } = messages.value;
   const from = useSignal(contents[0]?.memory ?? 0);
   const to = useSignal(contents[1]?.memory ?? 1);

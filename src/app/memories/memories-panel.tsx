@@ -1,11 +1,11 @@
 import { sameLayout } from '../../program/index.js';
 import { dateText, messages, timerName } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import type { Backup } from '../storage/index.js';
+import type { Memories } from './memories.js';
 
 /** What can be done with all memories, and the backups that are kept. */
-export function MemoriesPanel() {
-  const { session, memories } = useModels();
+export function MemoriesPanel({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { memories: words, memoryName } = messages.value;
   const baseline = session.editor.baseline.value;
   const ready = session.connection.value !== null && !session.busy.value;
@@ -32,9 +32,15 @@ export function MemoriesPanel() {
   );
 }
 
+interface BackupsPanelProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  /** The servos follow what is edited: a backup that is shown would be stored at once. */
+  readonly following: boolean;
+}
+
 /** What was kept of timers, newest first; memories that were backed up together stand together. */
-export function BackupsPanel() {
-  const { session } = useModels();
+export function BackupsPanel({ session, memories, following }: BackupsPanelProps) {
   const { backups: words } = messages.value;
   const sets = together(session.backups.list.value);
   return (
@@ -45,7 +51,7 @@ export function BackupsPanel() {
       ) : (
         <ul>
           {sets.map((set) => (
-            <BackupRow key={set[0]?.key} set={set} />
+            <BackupRow key={set[0]?.key} session={session} memories={memories} set={set} following={following} />
           ))}
         </ul>
       )}
@@ -53,16 +59,18 @@ export function BackupsPanel() {
   );
 }
 
-function BackupRow({ set }: { set: readonly Backup[] }) {
-  const { session, memories, follow } = useModels();
+interface BackupRowProps extends BackupsPanelProps {
+  readonly set: readonly Backup[];
+}
+
+function BackupRow({ session, memories, set, following }: BackupRowProps) {
   const { backups: words, memories: all, memoryName, recovery } = messages.value;
   const [first] = set;
   if (!first) return null;
   const { identity, memory } = first.program;
   const working = session.editor.working.value;
   const fits = working !== null && sameLayout(working.identity, identity);
-  // What is shown would be stored at once.
-  const canShow = fits && !follow.on.value;
+  const canShow = fits && !following;
   const isSet = first.reason === 'memories';
   const name = memory === null ? recovery.unknownMemory : memoryName(memory);
   return (

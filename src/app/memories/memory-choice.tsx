@@ -1,12 +1,12 @@
 import { useComputed } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
+import type { Memories } from './memories.js';
 import { NextFlightLine } from './next-flight-line.js';
 
 /** Which memory flies next, in words, and which one is shown. To choose one only shows it: nothing is sent. */
-export function MemoryChoice() {
-  const { session, memories } = useModels();
+export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, memoryName, nextFlight } = messages.value;
   const { editor, job, memoryOpen, connection, busy } = session;
   const name = useId();
@@ -44,7 +44,7 @@ export function MemoryChoice() {
       </div>
       {memory === null && <p class="hint">{program.memoryUnknown}</p>}
       {isOpen && !session.nextFlight.word.value && <p class="bad-text">{program.memoryOpen}</p>}
-      <NextFlightLine />
+      <NextFlightLine session={session} memories={memories} />
     </fieldset>
   );
 }

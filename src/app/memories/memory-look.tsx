@@ -1,14 +1,20 @@
 import type { TimerProgram } from '../../program/index.js';
 import { clockText, figureText, messages, slotLabel } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { useModels } from '../models.js';
-import { type Known, openValues } from '../session/knowledge.js';
+import { type Knowledge, type Known, openValues } from '../session/knowledge.js';
+import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { ValueTable } from '../write/value-table.js';
+import type { Memories } from './memories.js';
+
+interface MemoryLookProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly memory: number;
+}
 
 /** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
-export function MemoryLook({ memory }: { readonly memory: number }) {
-  const { session, memories } = useModels();
+export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const { look: words, memoryName } = messages.value;
   const { editor, memoryOpen, connection, busy } = session;
   const name = memoryName(memory);
@@ -67,10 +73,9 @@ export function MemoryLook({ memory }: { readonly memory: number }) {
 }
 
 /** What was last read of a memory over time, with nothing to take hold of. */
-export function MemoryPicture({ memory }: { readonly memory: number }) {
-  const { session } = useModels();
+export function MemoryPicture({ knowledge, memory }: { readonly knowledge: Knowledge; readonly memory: number }) {
   const { look: words, memoryName } = messages.value;
-  const known = session.knowledge.of(memory);
+  const known = knowledge.of(memory);
   if (known.state === 'unread') return null;
   const title = words.picture(memoryName(memory));
   if (known.state === 'read') return <Timeline program={known.program} title={title} />;

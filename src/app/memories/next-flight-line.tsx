@@ -1,10 +1,10 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import type { NextFlightWord } from '../session/next-flight.js';
+import type { Session } from '../session/session.js';
+import type { Memories } from './memories.js';
 
 /** Says that another memory flies next than at connect, or that it is not known which; with the way back. */
-export function NextFlightLine() {
-  const { session, memories } = useModels();
+export function NextFlightLine({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { nextFlight: words, memoryName } = messages.value;
   const word = session.nextFlight.word.value;
   const isConnected = session.connection.value !== null;

@@ -18,6 +18,7 @@ const TOLD = 8;
 
 /** What a paste would do, before it does it. */
 export function PasteDialog({ pasting }: { readonly pasting: Signal<Pasting | null> }) {
+  const { session } = useModels();
   const { pasting: words } = messages.value.edits;
   const { value } = pasting;
   const close = (): void => {
@@ -28,7 +29,7 @@ export function PasteDialog({ pasting }: { readonly pasting: Signal<Pasting | nu
       open={value !== null}
       title={words.title}
       titleId="paste-title"
-      head={<UncertainNote />}
+      head={<UncertainNote session={session} />}
       held={false}
       onEscape={close}
     >

@@ -142,7 +142,7 @@ interface ProgramRowProps {
 }
 
 function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowProps) {
-  const { session } = useModels();
+  const { session, bench, follow } = useModels();
   const { editor } = session;
   const { about, program, edits, servoName } = messages.value;
   const positions = useMemo(
@@ -177,7 +177,7 @@ function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowPro
       <tr class={slotKind(identity, slot)} data-slot={slot}>
         <th scope="row">
           {name}
-          <ServosHere slot={slot} />
+          <ServosHere bench={bench} follow={follow} slot={slot} />
           {changed && (
             <button
               type="button"
@@ -212,7 +212,7 @@ function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowPro
           </td>
         </tr>
       )}
-      <ServosOffer identity={identity} slot={slot} width={servos.length + 3} />
+      <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={servos.length + 3} />
     </>
   );
 }

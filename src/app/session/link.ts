@@ -103,6 +103,11 @@ export class Link {
     }
   }
 
+  /** How the next port is opened; null: each as it was used last. */
+  setSettings(settings: SerialSettings | null): void {
+    this.settings.value = settings;
+  }
+
   /** Looks again which ports are plugged in; those used last come first. */
   async refresh(): Promise<void> {
     if (!this.#options.surroundings.serial) return;

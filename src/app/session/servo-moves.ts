@@ -32,6 +32,11 @@ export class ServoMoves {
     this.allowed.value = false;
   }
 
+  /** The pilot lets the write that is shown move the servos, or takes that back. */
+  allow(isAllowed: boolean): void {
+    this.allowed.value = isAllowed;
+  }
+
   /**
    * A write begins.
    * @returns whether this one may move the servos.

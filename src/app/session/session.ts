@@ -377,6 +377,16 @@ export class Session {
     this.notice.value = { kind: 'note', code };
   }
 
+  /** The pilot has seen what was said. */
+  dismissNotice(): void {
+    this.notice.value = null;
+  }
+
+  /** The pilot says that the propeller is off or the model held, and the timer not armed; or takes that back. */
+  setSafe(isSafe: boolean): void {
+    this.safe.value = isSafe;
+  }
+
   /** Under what the work on a program of the timer on the screen is kept. */
   workKey(program: TimerProgram): string {
     return workKey(program, this.simulated.value, this.#options.tab.value);

@@ -1,13 +1,12 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { SHELVES } from '../storage/index.js';
 import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-band.js';
-import type { Counts } from './erase.js';
+import type { Counts, Erase } from './erase.js';
 
 /** What would be deleted from this device, asked once. */
-export function EraseDialog() {
-  const { erase } = useModels();
+export function EraseDialog({ session, erase }: { readonly session: Session; readonly erase: Erase }) {
   const { erase: words, write } = messages.value;
   const current = erase.current.value;
   return (
@@ -15,11 +14,11 @@ export function EraseDialog() {
       open={current !== null}
       title={words.title}
       titleId="erase-title"
-      head={<UncertainNote />}
+      head={<UncertainNote session={session} />}
       held={current?.step === 'running'}
       onEscape={() => erase.dismiss()}
     >
-      {current?.step === 'review' && <Review counts={current.counts} />}
+      {current?.step === 'review' && <Review session={session} erase={erase} counts={current.counts} />}
       {current?.step === 'running' && <p role="status">{words.running}</p>}
       {current?.step === 'failed' && (
         <>
@@ -37,8 +36,15 @@ export function EraseDialog() {
   );
 }
 
-function Review({ counts }: { counts: Counts }) {
-  const { erase, session } = useModels();
+function Review({
+  session,
+  erase,
+  counts,
+}: {
+  readonly session: Session;
+  readonly erase: Erase;
+  readonly counts: Counts;
+}) {
   const { erase: words, write } = messages.value;
   return (
     <>

@@ -1,10 +1,9 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Theme } from './theme.js';
 import { THEMES } from './theme.js';
 
 /** How the page looks, one tap each: whoever stands in the sun cannot read a menu. */
-export function ThemeChoice() {
-  const { theme } = useModels();
+export function ThemeChoice({ theme }: { readonly theme: Theme }) {
   const { title, names } = messages.value.theme;
   return (
     <fieldset class="theme">

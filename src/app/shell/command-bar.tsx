@@ -1,15 +1,24 @@
 import { useRef } from 'preact/hooks';
+import type { Bench } from '../bench/bench.js';
+import type { Follow } from '../bench/follow.js';
 import { FollowNote } from '../bench/follow-panel.js';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { UndoButtons } from '../program/undo-buttons.js';
 import { BlockedNote, WriteButton } from '../program/write-button.js';
+import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
+import type { WriteFlow } from '../write/write-flow.js';
 import { KnownLine } from './known-line.js';
 
+interface CommandBarProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly bench: Bench;
+  readonly follow: Follow;
+}
+
 /** How the program stands to the timer, and the way to it and back. */
-export function CommandBar() {
-  const { session } = useModels();
+export function CommandBar({ session, write, bench, follow }: CommandBarProps) {
   const { program } = messages.value;
   const { editor } = session;
   const connected = session.connection.value !== null;
@@ -17,11 +26,11 @@ export function CommandBar() {
   useHeight(bar, '--actions');
   return (
     <section class="actions" ref={bar}>
-      <KnownLine />
+      <KnownLine session={session} follow={follow} />
       {session.link.state.value.status === 'off' && !session.link.unavailable && (
         <p class="hint">{program.notConnected}</p>
       )}
-      <FollowNote />
+      <FollowNote session={session} write={write} bench={bench} follow={follow} />
       <BlockedNote />
       <UndoButtons />
       <div class="buttons">

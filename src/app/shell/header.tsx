@@ -1,16 +1,34 @@
 import { useRef } from 'preact/hooks';
+import type { Platform } from '../browser/platform.js';
 import { ConnectButtons } from '../connect/connect-buttons.js';
 import { LinkNotice } from '../connect/link-notice.js';
+import type { Leaving } from '../memories/leaving.js';
+import type { Memories } from '../memories/memories.js';
 import { messages, timerName } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Keeping } from '../session/keeping.js';
+import type { Link } from '../session/link.js';
+import type { Session } from '../session/session.js';
+import type { SetAside } from '../session/set-aside.js';
+import type { Tabs } from '../session/tabs.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { UncertainBand } from '../write/uncertain-band.js';
 import { NoticeBar } from './notice-bar.js';
+import type { UpdateOffer } from './update-offer.js';
+
+interface HeaderProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly leaving: Leaving;
+  readonly keeping: Keeping;
+  readonly aside: SetAside;
+  readonly update: UpdateOffer;
+  readonly tabs: Tabs;
+  readonly platform: Platform;
+}
 
 /** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
-export function Header() {
-  const { session, leaving } = useModels();
+export function Header({ session, memories, leaving, keeping, aside, update, tabs, platform }: HeaderProps) {
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const top = useRef<HTMLElement>(null);
@@ -22,9 +40,9 @@ export function Header() {
           <img src="./favicon.svg" alt="" width="32" height="32" />
           <span>{name}</span>
         </p>
-        <LinkState />
+        <LinkState link={session.link} />
         <div class="top-actions">
-          {status === 'off' && session.editor.working.value && <ConnectButtons />}
+          {status === 'off' && session.editor.working.value && <ConnectButtons session={session} />}
           {status === 'on' && (
             <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
               {header.disconnect}
@@ -32,16 +50,15 @@ export function Header() {
           )}
         </div>
       </div>
-      <UncertainBand />
-      <LinkNotice />
-      <JobProgress />
-      <NoticeBar />
+      <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
+      <LinkNotice session={session} onStop={() => void leaving.disconnect()} />
+      <JobProgress session={session} memories={memories} />
+      <NoticeBar session={session} keeping={keeping} aside={aside} update={update} tabs={tabs} platform={platform} />
     </header>
   );
 }
 
-function JobProgress() {
-  const { session, memories } = useModels();
+function JobProgress({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, look, memoryName } = messages.value;
   const job = session.job.value;
   // A write and a job over several memories have a dialog of their own, and what is done on the bench is said there.
@@ -56,20 +73,19 @@ function JobProgress() {
   );
 }
 
-function LinkState() {
-  const { session } = useModels();
-  const { header, link } = messages.value;
-  const state = session.link.state.value;
+function LinkState({ link }: { readonly link: Link }) {
+  const { header, link: words } = messages.value;
+  const state = link.state.value;
   if (state.status === 'on') {
     const { identity } = state.connection;
     return (
       <p class="link-state on">
         <strong>{timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
-        {session.link.simulated.value && <span class="badge">{header.simulated}</span>}
+        {link.simulated.value && <span class="badge">{header.simulated}</span>}
       </p>
     );
   }
   const busy = state.status === 'off' ? '' : 'busy';
   const status = state.status === 'away' && !state.unplugged ? 'brokenOff' : state.status;
-  return <p class={`link-state ${busy}`}>{link.status[status]}</p>;
+  return <p class={`link-state ${busy}`}>{words.status[status]}</p>;
 }

@@ -1,10 +1,11 @@
 import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Backups } from '../session/backups.js';
+import type { Keeping } from '../session/keeping.js';
+import type { SetAside } from '../session/set-aside.js';
 
 /** What this browser does not keep, as long as that is so; nothing when all is well. */
-export function KeepingNotice() {
-  const { keeping } = useModels();
+export function KeepingNotice({ keeping }: { readonly keeping: Keeping }) {
   const { keeping: words, dismiss } = messages.value;
   const storage = keeping.storage.value;
   const lacks = keeping.lacks.value;
@@ -23,8 +24,7 @@ export function KeepingNotice() {
 }
 
 /** What was found in the storage and cannot be read. */
-export function AsideNotice() {
-  const { aside } = useModels();
+export function AsideNotice({ aside }: { readonly aside: SetAside }) {
   const { aside: words, dismiss } = messages.value;
   if (!aside.isNew.value) return null;
   return (
@@ -43,17 +43,16 @@ export function AsideNotice() {
 }
 
 /** Backups that were deleted a moment ago can be put back. */
-export function RemovedNotice() {
-  const { session } = useModels();
+export function RemovedNotice({ backups }: { readonly backups: Backups }) {
   const { removed: words } = messages.value;
-  const { length } = session.backups.removed.value;
+  const { length } = backups.removed.value;
   if (length === 0) return null;
   return (
     <div class="notice">
       <p>
         <strong>{words.title(length)}</strong>
       </p>
-      <button type="button" onClick={() => session.backups.undoRemove()}>
+      <button type="button" onClick={() => backups.undoRemove()}>
         {words.undo}
       </button>
     </div>

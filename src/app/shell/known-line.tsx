@@ -1,10 +1,10 @@
 import { useComputed } from '@preact/signals';
+import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 
 /** How the program on the screen stands to the timer: what differs, or that it is as it was read, and when. */
-export function KnownLine() {
-  const { session, follow } = useModels();
+export function KnownLine({ session, follow }: { readonly session: Session; readonly follow: Follow }) {
   const { program, bench, knowledge: words, memoryName } = messages.value;
   const { editor } = session;
   const count = useComputed(() => editor.changes.value.length).value;

@@ -3,10 +3,14 @@ import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.
 import { OtherTabNotice } from '../connect/other-tab-notice.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Keeping } from '../session/keeping.js';
 import type { Notice } from '../session/notice.js';
+import type { Session } from '../session/session.js';
+import type { SetAside } from '../session/set-aside.js';
+import type { Tabs } from '../session/tabs.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
+import type { UpdateOffer } from './update-offer.js';
 
 const CALM: ReadonlySet<Notice['code']> = new Set([
   'nothing-chosen',
@@ -19,9 +23,17 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
   'taken-over',
 ]);
 
+interface NoticeBarProps {
+  readonly session: Session;
+  readonly keeping: Keeping;
+  readonly aside: SetAside;
+  readonly update: UpdateOffer;
+  readonly tabs: Tabs;
+  readonly platform: Platform;
+}
+
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
-export function NoticeBar() {
-  const { session, update, tabs, platform } = useModels();
+export function NoticeBar({ session, keeping, aside, update, tabs, platform }: NoticeBarProps) {
   const { dismiss, link, update: words } = messages.value;
   const notice = session.notice.value;
   const take = update.take.value;
@@ -38,10 +50,10 @@ export function NoticeBar() {
           </button>
         </div>
       )}
-      <KeepingNotice />
-      <AsideNotice />
-      <RemovedNotice />
-      {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice />}
+      <KeepingNotice keeping={keeping} />
+      <AsideNotice aside={aside} />
+      <RemovedNotice backups={session.backups} />
+      {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
       {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
@@ -58,7 +70,7 @@ export function NoticeBar() {
               {link.trySelectBare}
             </button>
           )}
-          <button type="button" class="quiet" onClick={() => (session.notice.value = null)}>
+          <button type="button" class="quiet" onClick={() => session.dismissNotice()}>
             {dismiss}
           </button>
           {notice.kind === 'connection' && <ConnectionHelp code={notice.code} platform={platform} info={notice.port} />}
@@ -69,8 +81,7 @@ export function NoticeBar() {
 }
 
 /** What no reading can decide: how the timer writes its times. */
-function ByteOrderChoice() {
-  const { session } = useModels();
+function ByteOrderChoice({ session }: { readonly session: Session }) {
   const { byteOrder } = messages.value;
   return (
     <div class="notice bad">

@@ -2,25 +2,36 @@ import { useComputed, useSignal } from '@preact/signals';
 import { useCallback } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import type { Bench } from '../bench/bench.js';
 import { BenchPanel } from '../bench/bench-panel.js';
+import type { Follow } from '../bench/follow.js';
 import { AboutTimer } from '../connect/about-timer.js';
+import type { Memories } from '../memories/memories.js';
 import { MemoriesOverview } from '../memories/memories-overview.js';
 import { BackupsPanel, MemoriesPanel } from '../memories/memories-panel.js';
 import { MemoryChoice } from '../memories/memory-choice.js';
 import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
 import { messages, timerName } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { ChecksPanel } from '../program/checks-panel.js';
 import { LargeFigures } from '../program/large-figures.js';
 import { DtPresets } from '../program/presets.js';
 import { ProgramTable } from '../program/program-table.js';
 import { ShiftTool } from '../program/shift-tool.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
+import type { Session } from '../session/session.js';
+import type { WriteFlow } from '../write/write-flow.js';
 import { CommandBar } from './command-bar.js';
 
+interface ProgramPageProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly memories: Memories;
+  readonly bench: Bench;
+  readonly follow: Follow;
+}
+
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
-export function ProgramPage() {
-  const { session, memories, follow } = useModels();
+export function ProgramPage({ session, write, memories, bench, follow }: ProgramPageProps) {
   const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -42,7 +53,7 @@ export function ProgramPage() {
         {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
-        <MemoryChoice />
+        <MemoryChoice session={session} memories={memories} />
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
             <LargeFigures />
@@ -52,14 +63,14 @@ export function ProgramPage() {
             <ShiftTool />
           </div>
         ) : (
-          <MemoryLook memory={looking} />
+          <MemoryLook session={session} memories={memories} memory={looking} />
         )}
         {/* It moves the servos to the functions of the current memory. */}
-        {(looking === null || follow.on.value) && <BenchPanel />}
-        <MemoriesPanel />
-        <MemoriesOverview />
-        <BackupsPanel />
-        <AboutTimer />
+        {(looking === null || follow.on.value) && <BenchPanel session={session} bench={bench} follow={follow} />}
+        <MemoriesPanel session={session} memories={memories} />
+        <MemoriesOverview session={session} memories={memories} />
+        <BackupsPanel session={session} memories={memories} following={follow.on.value} />
+        <AboutTimer session={session} />
       </div>
       <aside class="program-side" inert={leaving}>
         {looking === null ? (
@@ -68,10 +79,10 @@ export function ProgramPage() {
             <ChecksPanel />
           </>
         ) : (
-          <MemoryPicture memory={looking} />
+          <MemoryPicture knowledge={session.knowledge} memory={looking} />
         )}
       </aside>
-      {looking === null && <CommandBar />}
+      {looking === null && <CommandBar session={session} write={write} bench={bench} follow={follow} />}
     </div>
   );
 }

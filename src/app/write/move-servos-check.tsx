@@ -1,11 +1,9 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { ServoMoves } from '../session/servo-moves.js';
 
 /** Asks whether a write may move the servos. Only of a timer that keeps positions nowhere else. */
-export function MoveServosCheck() {
-  const { session } = useModels();
+export function MoveServosCheck({ servoMoves }: { readonly servoMoves: ServoMoves }) {
   const { move } = messages.value.write;
-  const { servoMoves } = session;
   if (!servoMoves.needed) return null;
   return (
     <div class="notice">
@@ -15,7 +13,7 @@ export function MoveServosCheck() {
           type="checkbox"
           checked={servoMoves.allowed.value}
           aria-describedby="move-servos-hint"
-          onChange={(event) => (servoMoves.allowed.value = event.currentTarget.checked)}
+          onChange={(event) => servoMoves.allow(event.currentTarget.checked)}
         />
         {move.label}
       </label>

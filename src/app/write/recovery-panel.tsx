@@ -1,28 +1,40 @@
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
-import type { Offer } from '../session/interrupted-jobs.js';
+import type { InterruptedJobs, Offer } from '../session/interrupted-jobs.js';
+import type { Session } from '../session/session.js';
+import type { FinishWrite } from './finish-write.js';
 import { ValueTable } from './value-table.js';
+import type { WriteFlow } from './write-flow.js';
+
+interface RecoveryPanelProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly finishWrite: FinishWrite;
+}
 
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
-export function RecoveryPanel() {
-  const { session, write } = useModels();
+export function RecoveryPanel({ session, write, finishWrite }: RecoveryPanelProps) {
   const offer = session.recovery.offer.value;
   // In the middle of something else it waits.
   if (!offer || write.current.value) return null;
   return (
     <section class="recovery notice bad" aria-labelledby="recovery-title">
-      {offer.kind === 'write' && <InterruptedWrite offer={offer} />}
-      {offer.kind === 'elsewhere' && <WriteElsewhere offer={offer} />}
-      {offer.kind === 'memories' && <MemoryLeft offer={offer} />}
+      {offer.kind === 'write' && <InterruptedWrite session={session} finishWrite={finishWrite} offer={offer} />}
+      {offer.kind === 'elsewhere' && <WriteElsewhere session={session} offer={offer} />}
+      {offer.kind === 'memories' && <MemoryLeft session={session} offer={offer} />}
     </section>
   );
 }
 
 type OfferOf<Kind extends Offer['kind']> = Extract<Offer, { kind: Kind }>;
 
-function InterruptedWrite({ offer: { record, part, read } }: { offer: OfferOf<'write'> }) {
-  const { session, recover } = useModels();
+interface InterruptedWriteProps {
+  readonly session: Session;
+  readonly finishWrite: FinishWrite;
+  readonly offer: OfferOf<'write'>;
+}
+
+function InterruptedWrite({ session, finishWrite, offer: { record, part, read } }: InterruptedWriteProps) {
   const { recovery: words } = messages.value;
   const busy = session.busy.value || !session.connection.value;
   const isForeign = part.extent === 'foreign';
@@ -53,17 +65,17 @@ function InterruptedWrite({ offer: { record, part, read } }: { offer: OfferOf<'w
             <button type="button" onClick={() => session.recovery.setAside()}>
               {words.otherTimer}
             </button>
-            <button type="button" disabled={busy} onClick={() => void recover.show()}>
+            <button type="button" disabled={busy} onClick={() => void finishWrite.show()}>
               {words.sameTimer}
             </button>
           </>
         ) : (
           <>
-            <button type="button" class="primary" disabled={busy} onClick={() => void recover.finish()}>
+            <button type="button" class="primary" disabled={busy} onClick={() => void finishWrite.finish()}>
               {words.finish}
             </button>
             {part.extent === 'part' && (
-              <button type="button" disabled={busy} onClick={() => void recover.goBack()}>
+              <button type="button" disabled={busy} onClick={() => void finishWrite.goBack()}>
                 {words.goBack}
               </button>
             )}
@@ -80,8 +92,13 @@ function InterruptedWrite({ offer: { record, part, read } }: { offer: OfferOf<'w
   );
 }
 
-function WriteElsewhere({ offer: { memory } }: { offer: OfferOf<'elsewhere'> }) {
-  const { session } = useModels();
+function WriteElsewhere({
+  session,
+  offer: { memory },
+}: {
+  readonly session: Session;
+  readonly offer: OfferOf<'elsewhere'>;
+}) {
   const { recovery: words, memoryName } = messages.value;
   return (
     <>
@@ -91,14 +108,18 @@ function WriteElsewhere({ offer: { memory } }: { offer: OfferOf<'elsewhere'> }) 
         <button type="button" disabled={session.busy.value} onClick={() => void session.selectMemory(memory)}>
           {words.show(memoryName(memory))}
         </button>
-        <NotNow />
+        <NotNow recovery={session.recovery} />
       </div>
     </>
   );
 }
 
-function MemoryLeft({ offer: { record, current } }: { offer: OfferOf<'memories'> }) {
-  const { session } = useModels();
+interface MemoryLeftProps {
+  readonly session: Session;
+  readonly offer: OfferOf<'memories'>;
+}
+
+function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
   const { recovery: words, memoryName } = messages.value;
   return (
     <>
@@ -113,22 +134,21 @@ function MemoryLeft({ offer: { record, current } }: { offer: OfferOf<'memories'>
         >
           {words.makeCurrent(memoryName(record.original))}
         </button>
-        <NotNow />
+        <NotNow recovery={session.recovery} />
       </div>
     </>
   );
 }
 
 /** It is another timer, for which the offer is not meant; or nothing shall be done about it. */
-function NotNow() {
-  const { session } = useModels();
+function NotNow({ recovery }: { readonly recovery: InterruptedJobs }) {
   const { recovery: words } = messages.value;
   return (
     <>
-      <button type="button" onClick={() => session.recovery.setAside()}>
+      <button type="button" onClick={() => recovery.setAside()}>
         {words.otherTimer}
       </button>
-      <button type="button" class="quiet" onClick={() => void session.recovery.settle()}>
+      <button type="button" class="quiet" onClick={() => void recovery.settle()}>
         {words.leave}
       </button>
     </>

@@ -1,15 +1,14 @@
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 
 /** Said once for each connection, before anything is written or moved. */
-export function SafetyCheck() {
-  const { session } = useModels();
+export function SafetyCheck({ session }: { readonly session: Session }) {
   return (
     <label class="check safety">
       <input
         type="checkbox"
         checked={session.safe.value}
-        onChange={(event) => (session.safe.value = event.currentTarget.checked)}
+        onChange={(event) => session.setSafe(event.currentTarget.checked)}
       />
       {messages.value.write.safety}
     </label>

@@ -3,7 +3,6 @@ import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { dateText, fieldLabel, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
-import { useModels } from '../models.js';
 import { openValues, type Uncertain } from '../session/knowledge.js';
 import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
@@ -11,24 +10,28 @@ import type { Session } from '../session/session.js';
 /** So many values are named where neither DT nor the motor stop is among them. */
 const NAMED = 2;
 
+interface UncertainBandProps {
+  readonly session: Session;
+  /** Reads a memory that is not the current one. */
+  readonly onLook: (memory: number) => void;
+}
+
 /** What is not known of what timers hold, in every view, until a reading explains it. */
-export function UncertainBand() {
-  const { session } = useModels();
+export function UncertainBand({ session, onLook }: UncertainBandProps) {
   const { knowledge: words } = messages.value;
   const all = session.knowledge.uncertain.value;
   if (all.length === 0) return null;
   return (
     <section class="uncertain" aria-live="assertive" aria-label={words.title}>
       {all.map((one) => (
-        <UncertainMemory key={one.key} one={one} />
+        <UncertainMemory key={one.key} session={session} one={one} onLook={onLook} />
       ))}
     </section>
   );
 }
 
 /** The same over a dialog, which covers the page: of the timer at hand alone, or of the one on the screen where none is connected. */
-export function UncertainNote() {
-  const { session } = useModels();
+export function UncertainNote({ session }: { readonly session: Session }) {
   const shown = session.editor.identity.value;
   const isShown = (one: Uncertain): boolean =>
     !session.connection.value &&
@@ -45,8 +48,11 @@ export function UncertainNote() {
   );
 }
 
-function UncertainMemory({ one }: { readonly one: Uncertain }) {
-  const { session } = useModels();
+interface UncertainMemoryProps extends UncertainBandProps {
+  readonly one: Uncertain;
+}
+
+function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words } = messages.value;
   const asking = useSignal(false);
   const connected = session.connection.value?.identity;
@@ -71,7 +77,7 @@ function UncertainMemory({ one }: { readonly one: Uncertain }) {
           </>
         ) : (
           <>
-            <WayToRead one={one} />
+            <WayToRead session={session} one={one} onLook={onLook} />
             <button type="button" class="quiet" onClick={() => (asking.value = true)}>
               {words.forget}
             </button>
@@ -83,15 +89,14 @@ function UncertainMemory({ one }: { readonly one: Uncertain }) {
 }
 
 /** What would make it certain, where that can be done from here. */
-function WayToRead({ one }: { readonly one: Uncertain }) {
-  const { session, memories } = useModels();
+function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words, memoryName } = messages.value;
   const { memory } = one;
   const busy = session.busy.value;
   if (isHere(session, one)) {
     const isCurrent = memory === null || session.editor.working.value?.memory === memory;
     return (
-      <button type="button" disabled={busy} onClick={() => void (isCurrent ? session.read() : memories.look(memory))}>
+      <button type="button" disabled={busy} onClick={() => (isCurrent ? void session.read() : onLook(memory))}>
         {isCurrent ? words.read : words.goTo(memoryName(memory))}
       </button>
     );

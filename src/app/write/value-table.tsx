@@ -58,6 +58,12 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
 }
 
 /** The same in one sentence, to be read aloud or sent to someone. */
-export function DifferenceInWords({ identity, changes }: { identity: Identity; changes: readonly Change[] }) {
+export function DifferenceInWords({
+  identity,
+  changes,
+}: {
+  readonly identity: Identity;
+  readonly changes: readonly Change[];
+}) {
   return <p class="hint">{changes.map((change) => changeText(identity, change)).join('; ')}</p>;
 }

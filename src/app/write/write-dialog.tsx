@@ -1,8 +1,9 @@
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import type { Editor } from '../editing/editor.js';
 import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
@@ -10,11 +11,10 @@ import { MoveServosCheck } from './move-servos-check.js';
 import { SafetyCheck } from './safety-check.js';
 import { UncertainNote } from './uncertain-band.js';
 import { DifferenceInWords, ValueTable } from './value-table.js';
-import type { Shown, WriteStep } from './write-flow.js';
+import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
 
 /** The difference, the write, the result: one dialog from start to end. */
-export function WriteDialog() {
-  const { write, session } = useModels();
+export function WriteDialog({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const current = write.current.value;
   const identity = session.editor.working.value?.identity;
   const { write: words } = messages.value;
@@ -24,7 +24,7 @@ export function WriteDialog() {
       title={words.title}
       head={
         <>
-          <UncertainNote />
+          <UncertainNote session={session} />
           {current?.step === 'review' && <KeyFigures shown={current.shown} />}
         </>
       }
@@ -34,13 +34,13 @@ export function WriteDialog() {
     >
       {current && identity && (
         <>
-          {current.step === 'review' && <Review review={current} />}
+          {current.step === 'review' && <Review session={session} write={write} review={current} />}
           {current.step === 'running' && (
-            <Running stage={current.progress ? words.stages[current.progress.stage] : words.title} />
+            <Running write={write} stage={current.progress ? words.stages[current.progress.stage] : words.title} />
           )}
-          {current.step === 'unkept' && <Unkept />}
-          {current.step === 'done' && <Result identity={identity} done={current} />}
-          {current.step === 'refused' && <Refused />}
+          {current.step === 'unkept' && <Unkept write={write} />}
+          {current.step === 'done' && <Result session={session} write={write} identity={identity} done={current} />}
+          {current.step === 'refused' && <Refused write={write} />}
         </>
       )}
     </Modal>
@@ -70,8 +70,13 @@ function KeyFigures({ shown: { baseline, goal } }: { shown: Shown }) {
   );
 }
 
-function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { step: 'review' }> }) {
-  const { write } = useModels();
+interface ReviewProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly review: Extract<WriteStep, { step: 'review' }>;
+}
+
+function Review({ session, write, review: { shown, moved } }: ReviewProps) {
   const { write: words, memoryName, about } = messages.value;
   const { changes } = shown;
   const { identity, memory } = shown.goal;
@@ -83,7 +88,7 @@ function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { ste
           <NoticeText said={words.moved[moved]} />
         </div>
       )}
-      <Conflicts identity={identity} />
+      <Conflicts editor={session.editor} identity={identity} />
       <p>
         {changes.length === 0 ? words.nothing : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
       </p>
@@ -115,14 +120,14 @@ function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { ste
             <input
               type="checkbox"
               checked={write.acknowledged.value}
-              onChange={(event) => (write.acknowledged.value = event.currentTarget.checked)}
+              onChange={(event) => write.acknowledge(event.currentTarget.checked)}
             />
             {words.acknowledge}
           </label>
         </div>
       )}
-      {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck />}
-      <SafetyCheck />
+      {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
+      <SafetyCheck session={session} />
       <div class="buttons">
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
           {words.start(changes.length)}
@@ -136,10 +141,9 @@ function Review({ review: { shown, moved } }: { review: Extract<WriteStep, { ste
 }
 
 /** What the timer held when the edits were made, and holds no more: side by side with what is about to be written. */
-function Conflicts({ identity }: { identity: Identity }) {
-  const { session } = useModels();
+function Conflicts({ editor, identity }: { readonly editor: Editor; readonly identity: Identity }) {
   const { write, notes } = messages.value;
-  const { conflicts, working } = session.editor;
+  const { conflicts, working } = editor;
   const changes = [...conflicts.value.values()];
   if (changes.length === 0 || !working.value) return null;
   const wanted = working.value;
@@ -157,8 +161,7 @@ function Conflicts({ identity }: { identity: Identity }) {
 }
 
 /** Nothing has been sent, and nothing is before the pilot has answered. */
-function Unkept() {
-  const { write } = useModels();
+function Unkept({ write }: { readonly write: WriteFlow }) {
   const { write: words } = messages.value;
   return (
     <>
@@ -177,8 +180,7 @@ function Unkept() {
   );
 }
 
-function Running({ stage }: { stage: string }) {
-  const { write } = useModels();
+function Running({ write, stage }: { readonly write: WriteFlow; readonly stage: string }) {
   const { write: words } = messages.value;
   const current = write.current.value;
   if (current?.step !== 'running') return null;
@@ -196,8 +198,14 @@ function Running({ stage }: { stage: string }) {
 
 type Done = Extract<WriteStep, { step: 'done' }>;
 
-function Result({ identity, done }: { identity: Identity; done: Done }) {
-  const { write, session } = useModels();
+interface ResultProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  readonly identity: Identity;
+  readonly done: Done;
+}
+
+function Result({ session, write, identity, done }: ResultProps) {
   const { report, unkept } = done;
   const { write: words, timer } = messages.value;
   const canWrite = session.connection.value !== null && !session.busy.value && !session.editor.blocked.value;
@@ -253,8 +261,7 @@ function Verdict({ done: { at, shown }, held }: { done: Done; held: TimerProgram
   );
 }
 
-function Refused() {
-  const { write } = useModels();
+function Refused({ write }: { readonly write: WriteFlow }) {
   const { write: words, timer } = messages.value;
   const current = write.current.value;
   if (current?.step !== 'refused') return null;

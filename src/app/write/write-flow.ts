@@ -106,6 +106,11 @@ export class WriteFlow {
     this.#refused(end.error, end.lost);
   }
 
+  /** The pilot has read the serious findings, or takes that back. */
+  acknowledge(isRead: boolean): void {
+    this.acknowledged.value = isRead;
+  }
+
   /** The browser keeps no copy: writes without one, or not at all. */
   answer(goOn: boolean): void {
     if (this.current.value?.step === 'unkept') this.current.value.answer(goOn);

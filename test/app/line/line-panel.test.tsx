@@ -1,7 +1,6 @@
 import { fireEvent, render, screen, waitFor, within } from '@testing-library/preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
-import { type AppModels, Models } from '../../../src/app/models.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, run } from '../bench/bench.js';
 import { damage, lineError } from './line.js';
 
@@ -11,13 +10,7 @@ async function opened(options: BenchOptions = {}): Promise<AppBench> {
 }
 
 async function panelOf(bench: AppBench): Promise<AppBench> {
-  const { session } = bench;
-  render(
-    // The panel knows nothing but the session.
-    <Models.Provider value={{ session } as AppModels}>
-      <LinePanel />
-    </Models.Provider>,
-  );
+  render(<LinePanel session={bench.session} />);
   await unfold('Line');
   return bench;
 }
@@ -114,11 +107,7 @@ describe('the rows', () => {
 
   it('are not drawn while the panel is shut', async () => {
     const { session } = await connectedBench();
-    render(
-      <Models.Provider value={{ session } as AppModels}>
-        <LinePanel />
-      </Models.Provider>,
-    );
+    render(<LinePanel session={session} />);
     expect(screen.queryByRole('table')).toBeNull();
   });
 

@@ -159,7 +159,7 @@ describe('a recording', () => {
     await view.load(new File([HEADING, lines.join('\n')], 'long.txt'));
     expect(view.found.value).toHaveLength(1200);
     expect(view.shown.value).toHaveLength(500);
-    view.search.value = 'm2';
+    view.setSearch('m2');
     expect(view.found.value).toHaveLength(300);
   });
 });

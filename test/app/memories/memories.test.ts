@@ -409,7 +409,7 @@ describe('a plug that is pulled in the middle', () => {
     await idle();
     await run(made.session.selectMemory(1));
     await run(made.session.selectMemory(3));
-    await run(made.recover.show());
+    await run(made.finishWrite.show());
     expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
   });
 

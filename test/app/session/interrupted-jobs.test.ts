@@ -93,7 +93,7 @@ describe('a write of which a part arrived', () => {
 
   it('is finished by a write of what is missing', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(bench.recover.finish());
+    await run(bench.finishWrite.finish());
     expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
     await finishDialog(bench);
     expect(held(bench)).toEqual(GOAL);
@@ -105,7 +105,7 @@ describe('a write of which a part arrived', () => {
 
   it('is put back to what was there before', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(bench.recover.goBack());
+    await run(bench.finishWrite.goBack());
     expect(bench.editor.changes.value).toEqual([{ field: DT, from: 24000, to: 18000 }]);
     await finishDialog(bench);
     expect(held(bench)).toEqual(BEFORE);
@@ -160,7 +160,7 @@ describe('another end of a write', () => {
     const bench = await interrupted('GETSWVER');
     expect(sets(bench)).toEqual([]);
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'nothing', written: [], foreign: [] } });
-    await run(bench.recover.finish());
+    await run(bench.finishWrite.finish());
     await finishDialog(bench);
     expect(held(bench)).toEqual(GOAL);
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
@@ -216,7 +216,7 @@ describe('another end of a write', () => {
 
   it('or it is the same timer: what was to be written is shown as edits, and nothing is written', async () => {
     const bench = await interrupted('SETTIMERS', strange);
-    await run(bench.recover.show());
+    await run(bench.finishWrite.show());
     expect([offer(bench), bench.store.unfinished.records.size, bench.write.current.value]).toEqual([null, 0, null]);
     expect(bench.editor.changes.value.map(({ field, to }) => [field, to])).toEqual([
       [S1, 7],
@@ -272,7 +272,7 @@ describe('after a reload in the middle of a write', () => {
     await run(after.session.connect());
     expect(offer(after)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(after)).toBeUndefined();
-    await run(after.recover[way]());
+    await run(after.finishWrite[way]());
     await finishDialog(after);
     expect(held(after)).toEqual(way === 'finish' ? GOAL : BEFORE);
     expect(after.store.unfinished.records.size).toBe(0);
@@ -324,7 +324,7 @@ describe('before the first byte of a write', () => {
     bench.timer.core.press();
     await idle();
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    await run(bench.recover.goBack());
+    await run(bench.finishWrite.goBack());
     bench.session.safe.value = true;
     const back = bench.write.start();
     await idle();

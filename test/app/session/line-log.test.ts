@@ -167,7 +167,7 @@ describe('the picture of the line', () => {
     ['in', [6, 5, 4, 2]],
     ['damaged', [6, 5]],
   ] as const)('shows one kind: %s', async (filter, expected) => {
-    expect(await shown((view) => (view.filter.value = filter))).toEqual(expected);
+    expect(await shown((view) => view.setFilter(filter))).toEqual(expected);
   });
 
   it.each([
@@ -182,13 +182,13 @@ describe('the picture of the line', () => {
     ['spaces only', '  ', [6, 5, 4, 3, 2, 1]],
     ['nothing that is there', 'xyz', []],
   ])('finds %s', async (_, search, expected) => {
-    expect(await shown((view) => (view.search.value = search))).toEqual(expected);
+    expect(await shown((view) => view.setSearch(search))).toEqual(expected);
   });
 
   it('finds within one kind', async () => {
     const both = (view: LineView): void => {
-      view.filter.value = 'out';
-      view.search.value = 'position';
+      view.setFilter('out');
+      view.setSearch('position');
     };
     expect(await shown(both)).toEqual([3]);
   });

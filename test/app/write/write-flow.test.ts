@@ -365,7 +365,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     bench.adapter.replug();
     await idle();
     expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
-    await run(bench.recover.finish());
+    await run(bench.finishWrite.finish());
     expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
     bench.session.servoMoves.allowed.value = true;
     bench.session.safe.value = true;
