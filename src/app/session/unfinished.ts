@@ -1,7 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { TabNumber } from '../browser/tab-number.js';
 import type { Keeper, Unfinished } from '../storage/index.js';
-import { within } from '../storage/limit.js';
 
 /**
  * The records of jobs that change a timer, from before their first byte until their end was seen: in the browser's storage, which all
@@ -18,31 +17,27 @@ export class UnfinishedRecords {
   readonly #open = new Map<string, Unfinished | null>();
   #changes = 0;
   #loading: Promise<void> | null = null;
-  #late = false;
 
+  /** @param keeper each call of which ends in time, see `limited`. */
   constructor(keeper: Keeper<Unfinished>, tab: TabNumber) {
     this.#keeper = keeper;
     this.#tab = tab;
     this.list = this.#list;
   }
 
-  /** Looks into the storage again: other tabs write there too. Takes 5 s at most, and less once it is known to hang. */
-  async refresh(): Promise<void> {
+  /** Looks into the storage again: other tabs write there too. */
+  refresh(): Promise<void> {
     this.#loading ??= this.#load().finally(() => {
       this.#loading = null;
-      this.#late = false;
     });
-    if (this.#late) return;
-    await within(this.#loading).catch(() => {
-      this.#late = this.#loading !== null;
-    });
+    return this.#loading;
   }
 
   /** Keeps a record; it is in the list at once. @returns false when the browser does not keep it, or not in time. */
   async save(record: Unfinished): Promise<boolean> {
     this.#note(record.key, record);
     try {
-      await within(this.#keeper.save(record));
+      await this.#keeper.save(record);
       this.#confirmed(record.key, record);
       return true;
     } catch {
@@ -54,7 +49,7 @@ export class UnfinishedRecords {
   async remove(key: string): Promise<void> {
     this.#note(key, null);
     // Where nothing is kept there is nothing to remove.
-    await within(this.#keeper.remove(key)).then(
+    await this.#keeper.remove(key).then(
       () => this.#confirmed(key, null),
       () => {},
     );

@@ -3,6 +3,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { Backup } from '../../../src/app/storage/index.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, run } from '../bench/bench.js';
+import { FaultyStore } from '../faults.js';
 import { programOf } from '../programs.js';
 import { press } from '../screen.js';
 
@@ -75,6 +76,21 @@ describe('a backup that is deleted', () => {
     bench.session.backups.remove(some(bench, 'a'));
     await run(bench.session.bringBack());
     expect(listed(bench)).toEqual(['c', 'b']);
+  });
+});
+
+describe('what is kept is looked for again when the storage does again what it did not', () => {
+  it('at most once a second, where it answers one call and fails another', async () => {
+    const store = new FaultyStore();
+    store.fail('drafts.load', 'refuses');
+    const bench = await connectedBench({ store });
+    bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
+    await idle(1000);
+    const looks = vi.spyOn(bench.session.backups, 'load');
+    void bench.session.bringBack();
+    await idle(10_000);
+    expect(looks.mock.calls.length).toBeGreaterThan(0);
+    expect(looks.mock.calls.length).toBeLessThanOrEqual(11);
   });
 });
 

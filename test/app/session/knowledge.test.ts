@@ -3,6 +3,7 @@ import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { type Locks, TabNumber } from '../../../src/app/browser/tab-number.js';
 import { Knowledge, openValues, possibleValues, type TimerAtHand } from '../../../src/app/session/knowledge.js';
 import { UnfinishedRecords } from '../../../src/app/session/unfinished.js';
+import { limited, type Storage } from '../../../src/app/storage/index.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { MemoryStore } from '../bench/bench.js';
 import { programOf } from '../programs.js';
@@ -19,9 +20,13 @@ const STRANGE = withValue(BEFORE, STOP, 4321);
 const Q: TimerAtHand = { identity: BEFORE.identity, simulated: false };
 
 /** A page that has looked into the storage. The same store again stands for a reload or another tab. */
-async function page(store = new MemoryStore(), tab = new TabNumber(null, { load: () => null, save: () => {} })) {
+async function page(
+  store = new MemoryStore(),
+  tab = new TabNumber(null, { load: () => null, save: () => {} }),
+  { unfinished }: Pick<Storage, 'unfinished'> = store,
+) {
   const timer = signal<TimerAtHand | null>(Q);
-  const records = new UnfinishedRecords(store.unfinished, tab);
+  const records = new UnfinishedRecords(unfinished, tab);
   const knowledge = new Knowledge(records, timer, () => tab.value);
   await knowledge.refresh();
   return { knowledge, timer, store };
@@ -143,7 +148,7 @@ describe('a write', () => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     onTestFinished(() => void vi.useRealTimers());
     const store = new MemoryStore();
-    const { knowledge } = await page(store);
+    const { knowledge } = await page(store, undefined, limited(store, { answered: () => {}, failed: () => {} }));
     store.unfinished.save = () => new Promise(() => {});
     store.unfinished.all = () => new Promise(() => {});
     let kept: boolean | null = null;
@@ -157,7 +162,9 @@ describe('a write', () => {
     const refreshed = knowledge.refresh();
     await vi.advanceTimersByTimeAsync(5000);
     await refreshed;
-    await knowledge.refresh();
+    const again = knowledge.refresh();
+    await vi.advanceTimersByTimeAsync(250);
+    await again;
     knowledge.jobOver();
     expect(knowledge.of(0).state).toBe('uncertain');
   });
@@ -325,6 +332,44 @@ describe('another tab', () => {
     second.knowledge.read(GOAL);
     await first.knowledge.refresh();
     expect(first.knowledge.uncertain.value).toEqual([]);
+  });
+});
+
+describe('a look into the storage that takes its time', () => {
+  /** What the storage held before is on its way, and comes when the function is called. */
+  async function slow(keep: (one: Awaited<ReturnType<typeof page>>) => Promise<unknown>) {
+    const one = await page();
+    await keep(one);
+    const { unfinished } = one.store;
+    const all = await unfinished.all();
+    let come = (): void => {};
+    const coming = new Promise<void>((resolve) => {
+      come = resolve;
+    });
+    vi.spyOn(unfinished, 'all').mockImplementationOnce(() => coming.then(() => all));
+    const looking = one.knowledge.refresh();
+    return {
+      ...one,
+      arrive: async () => {
+        come();
+        await looking;
+      },
+    };
+  }
+
+  it('does not lose what was cut off meanwhile', async () => {
+    const { knowledge, arrive } = await slow(async () => {});
+    await knowledge.begin(BEFORE, GOAL);
+    await knowledge.cut(BEFORE, GOAL);
+    await arrive();
+    expect(knowledge.uncertain.value).toHaveLength(1);
+  });
+
+  it('does not bring back what a reading has settled meanwhile', async () => {
+    const { knowledge, arrive } = await slow(({ knowledge }) => knowledge.cut(BEFORE, GOAL));
+    expect(knowledge.read(GOAL)).toBe('completed');
+    await arrive();
+    expect([knowledge.uncertain.value, knowledge.writes.value]).toEqual([[], []]);
   });
 });
 

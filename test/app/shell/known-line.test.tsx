@@ -1,0 +1,23 @@
+import { render, screen } from '@testing-library/preact';
+import { afterEach, expect, it } from 'vitest';
+import { App } from '../../../src/app/app.js';
+import { connectedBench, idle, run } from '../bench/bench.js';
+
+afterEach(() => localStorage.clear());
+
+it('what was tried is “in the timer” only as long as it is certain what that holds', async () => {
+  const app = await connectedBench();
+  app.session.safe.value = true;
+  await run(app.bench.moveTo(4));
+  await run(app.follow.start());
+  render(<App models={app.models} />);
+  app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '70');
+  await idle();
+  expect(screen.getByText('1 tried in the timer')).toBeTruthy();
+  app.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && app.adapter.unplug();
+  app.editor.type({ kind: 'position', servo: 1, slot: 4 }, '75');
+  await idle();
+  expect(app.session.standing.value.sure).toBe('not');
+  expect(app.follow.trials.tried.value, 'there is something that could be said').toHaveLength(1);
+  expect(screen.queryByText(/tried in the timer/)).toBeNull();
+});

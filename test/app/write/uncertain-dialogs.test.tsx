@@ -1,0 +1,48 @@
+import { fireEvent, screen } from '@testing-library/preact';
+import { afterEach, expect, it } from 'vitest';
+import { type TimerProgram, withValue } from '../../../src/program/index.js';
+import { idle } from '../bench/bench.js';
+import { connected, field, fly, press, type } from '../screen.js';
+
+afterEach(() => localStorage.clear());
+
+const SENTENCE = 'It is not known what M2 holds: DT is 3:00 or 6:00. Do not fly before it is read.';
+
+/** Every dialog that can lie over the band, and the way to it. */
+const DIALOGS: readonly [title: string, open: () => Promise<unknown>][] = [
+  [
+    'Write to the timer',
+    async () => {
+      await type('DT time', '4:00');
+      await press('Write…');
+    },
+  ],
+  ['Copy a memory', () => press('Copy M1 to M3…')],
+  [
+    'Paste',
+    async () => {
+      const cell = field('Function 2, S1');
+      cell.focus();
+      const event = new Event('paste', { bubbles: true, cancelable: true });
+      fireEvent(cell, Object.assign(event, { clipboardData: { getData: () => '1\t2\n3\t4' } }));
+      await idle(0);
+    },
+  ],
+  [
+    'Before you disconnect',
+    async () => {
+      await fly('M3');
+      await press('Disconnect');
+    },
+  ],
+  ['Delete everything on this device', () => press('Delete everything on this device…')],
+];
+
+it.each(DIALOGS)('“%s” says what is not known, as the band does that it covers', async (title, open) => {
+  const { session, editor } = await connected();
+  const before = { ...(editor.baseline.value as TimerProgram), memory: 1 };
+  await session.knowledge.cut(before, withValue(before, { kind: 'time', slot: 10 }, 36_000));
+  await open();
+  const dialog = screen.getByRole('dialog', { name: title });
+  expect(dialog.querySelector('.dialog-head .uncertain')?.textContent).toBe(SENTENCE);
+});
