@@ -17,10 +17,10 @@ import { TableSelection } from './field-tools.js';
 import { IntervalField } from './interval-field.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { RangeBar } from './range-bar.js';
-import { useRangePointer } from './range-pointer.js';
+import { useSelectRange } from './select-range.js';
 import { Selection } from './selection.js';
+import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
-import { cellAt, cellOf, onTableKey } from './table-keys.js';
 import { ValueField } from './value-field.js';
 
 /**
@@ -32,7 +32,6 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   const { editor } = session;
   const { program, edits, servoName } = messages.value;
   const selection = useMemo(() => new Selection(), []);
-  const pointer = useRangePointer(selection);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
   const table = useRef<HTMLTableElement>(null);
@@ -40,14 +39,12 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   useHeight(foot, '--range');
   const identity = editor.identity.value;
   const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
-  if (!identity) return null;
-  const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
 
   /** A single cell is filled from the one above it. */
   const fill = (): void => {
     const { working } = editor;
     const range = selection.range.value;
-    if (!range || !working.value) return;
+    if (!identity || !range || !working.value) return;
     const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
     if (from.top < 0) return;
     const edit = fillDown(working.value, from, { unreadable: editor.unreadable.value });
@@ -56,7 +53,15 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
     obstacle.value = found && obstacleText(identity, found);
   };
   const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({ editor, selection, pasting, obstacle });
-  const toBar = (): void => foot.current?.querySelector('button')?.focus();
+  const listeners = useSelectRange({
+    editor,
+    selection,
+    fillDown: fill,
+    toBar: () => foot.current?.querySelector('button')?.focus(),
+    onFocus: () => {
+      obstacle.value = null;
+    },
+  });
   /** Whoever came to the buttons by keys goes back to the cell; a thumb does not want its keyboard. */
   const done = (): void => {
     const { value: cell } = selection.active;
@@ -65,26 +70,15 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
     obstacle.value = null;
     if (byKeys && cell && table.current) cellAt(table.current, cell)?.querySelector('input')?.focus();
   };
+  if (!identity) return null;
+  const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
   return (
     <div class="table-box">
       <table
         ref={table}
         class={selection.picking.value ? 'program-table picking' : 'program-table'}
         aria-describedby="table-keys"
-        onKeyDown={(event) => onTableKey(event, { editor, selection, fillDown: fill, toBar })}
-        onFocusIn={({ target }) => {
-          obstacle.value = null;
-          const cell = cellOf(target);
-          const active = selection.active.value;
-          if (!cell) return;
-          if (selection.picking.value) {
-            // It came in some other way, as by a long press or from a screen reader.
-            selection.extendTo(cell);
-            if (target instanceof HTMLElement) target.blur();
-          } else if (cell.row !== active?.row || cell.column !== active.column) selection.enter(cell);
-        }}
-        onInput={() => selection.collapse()}
-        {...pointer}
+        {...listeners}
         onCopy={copy}
         onCut={cut}
         onPaste={paste}

@@ -1,6 +1,7 @@
 import type { Editor } from '../editing/editor.js';
 import { type GridCell, gridColumns } from '../editing/grid.js';
 import type { Selection } from './selection.js';
+import { cellAt, cellOf } from './table-cells.js';
 
 /** What the keys of the table work on. */
 export interface TableKeys {
@@ -9,18 +10,6 @@ export interface TableKeys {
   readonly fillDown: () => void;
   /** Moves the focus to what can be done to a range. */
   readonly toBar: () => void;
-}
-
-/** Where in the grid something of the table stands; null outside of its cells. */
-export function cellOf(target: EventTarget | null): GridCell | null {
-  const cell = target instanceof Element ? target.closest('td[data-cell]') : null;
-  const row = cell?.closest('tr[data-slot]')?.getAttribute('data-slot');
-  return cell && row ? { row: Number(row), column: Number(cell.getAttribute('data-cell')) } : null;
-}
-
-/** What stands in the table at a place of the grid. */
-export function cellAt(table: Element, { row, column }: GridCell): Element | null {
-  return table.querySelector(`tr[data-slot="${row}"] td[data-cell="${column}"]`);
 }
 
 const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {

@@ -1,0 +1,94 @@
+import type { TargetedDragEvent, TargetedFocusEvent, TargetedMouseEvent, TargetedPointerEvent } from 'preact';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { cellOf, cellUnder, isSameCell } from './table-cells.js';
+import { onTableKey, type TableKeys } from './table-keys.js';
+
+/** What a table listens to, so that cells are selected in it by mouse, by finger and by keys. */
+export interface RangeListeners {
+  readonly onKeyDown: (event: KeyboardEvent) => void;
+  readonly onFocusIn: (event: TargetedFocusEvent<HTMLTableElement>) => void;
+  readonly onInput: () => void;
+  readonly onMouseDown: (event: TargetedMouseEvent<HTMLTableElement>) => void;
+  readonly onPointerDown: (event: TargetedPointerEvent<HTMLTableElement>) => void;
+  readonly onDragStart: (event: TargetedDragEvent<HTMLTableElement>) => void;
+}
+
+interface RangeUser extends TableKeys {
+  /** Is called when the focus comes to anything in the table. */
+  readonly onFocus: () => void;
+}
+
+/**
+ * Cells are selected as in a spreadsheet: from the one that is pressed to the one under the mouse, or to the next one
+ * with Shift, or after “Select range”; by keys with Shift and an arrow. A finger scrolls: it selects with two taps.
+ */
+export function useSelectRange(user: RangeUser): RangeListeners {
+  const latest = useRef(user);
+  latest.current = user;
+  const { listeners, stop } = useMemo(() => selectRange(() => latest.current), []);
+  useEffect(() => stop, [stop]);
+  return listeners;
+}
+
+function selectRange(user: () => RangeUser): { readonly listeners: RangeListeners; readonly stop: () => void } {
+  let dragging = new AbortController();
+
+  /**
+   * The range follows the mouse by where it is and not by what it enters: the text in a field is marked, and a browser
+   * that takes hold of it would carry it to another cell, and tell of nothing on its way.
+   */
+  const follow = (table: HTMLTableElement, pointerId: number): void => {
+    dragging.abort();
+    dragging = new AbortController();
+    const { signal } = dragging;
+    const move = (event: PointerEvent): void => {
+      if (event.pointerId !== pointerId) return;
+      const { selection } = user();
+      // One without a field that has the focus would be a range that no key reaches.
+      const cell = cellOf(document.activeElement) && cellUnder(table, event);
+      if (cell && !isSameCell(cell, selection.corner.value)) selection.extendTo(cell);
+      if (event.type !== 'pointermove' || (event.buttons & 1) === 0) dragging.abort();
+    };
+    const cancel = (event: PointerEvent): void => {
+      if (event.pointerId === pointerId) dragging.abort();
+    };
+    document.addEventListener('pointermove', move, { signal });
+    // The last move may have been where it is let go; a release outside of the window is told of here, too.
+    document.addEventListener('pointerup', move, { signal });
+    document.addEventListener('pointercancel', cancel, { signal });
+  };
+
+  const listeners: RangeListeners = {
+    onKeyDown: (event) => onTableKey(event, user()),
+    onFocusIn: ({ target }) => {
+      const { selection, onFocus } = user();
+      onFocus();
+      const cell = cellOf(target);
+      if (!cell) return;
+      if (selection.picking.value) {
+        // It came in some other way, as by a long press or from a screen reader.
+        selection.extendTo(cell);
+        if (target instanceof HTMLElement) target.blur();
+      } else if (!isSameCell(cell, selection.active.value)) selection.enter(cell);
+    },
+    onInput: () => user().selection.collapse(),
+    // A finger that taps is told of here, too.
+    onMouseDown: (event) => {
+      const { selection } = user();
+      const cell = cellOf(event.target);
+      if (!cell || event.button !== 0) return;
+      const isCorner = event.shiftKey || selection.picking.value;
+      if (!isCorner || !selection.active.value) return selection.enter(cell);
+      event.preventDefault();
+      selection.extendTo(cell);
+    },
+    onPointerDown: (event) => {
+      const { target, pointerType, pointerId, button, defaultPrevented } = event;
+      if (defaultPrevented || pointerType !== 'mouse' || button !== 0 || user().selection.picking.value) return;
+      if (!cellOf(target) || (target instanceof Element && target.closest('button'))) return;
+      follow(event.currentTarget, pointerId);
+    },
+    onDragStart: (event) => event.preventDefault(),
+  };
+  return { listeners, stop: () => dragging.abort() };
+}
