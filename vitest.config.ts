@@ -27,8 +27,9 @@ export default defineConfig({
             'test/{readme,docs}*.test.ts',
           ],
           globalSetup: 'test/tools/pack-folder.js',
-          // Nothing waits here, but properties take their time on a busy machine.
-          testTimeout: 60_000,
+          // Nothing waits here, but properties take their time on a busy machine, and packing does.
+          testTimeout: 120_000,
+          hookTimeout: 600_000,
         },
       },
       {

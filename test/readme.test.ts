@@ -13,7 +13,7 @@ let consumer: Consumer;
 beforeAll(async () => {
   home = await packed();
   consumer = await Consumer.create();
-}, 120_000);
+});
 
 describe('the packed package', () => {
   it('holds what it declares and nothing of the app', () => {

@@ -9,7 +9,7 @@ beforeAll(async () => {
   consumer = await Consumer.create();
   // What Vitest sets would not make a production build.
   vi.stubEnv('NODE_ENV', 'production');
-}, 120_000);
+});
 afterAll(() => vi.unstubAllEnvs());
 
 /** A program of these lines as one minified file, and the modules of which something is in it. */

@@ -34,7 +34,7 @@ beforeAll(async () => {
   modules = readdirSync(lib, { recursive: true, encoding: 'utf8' })
     .filter((path) => path.endsWith('.js'))
     .map((path) => [path.split(sep).join('/'), readFileSync(join(lib, path), 'utf8')]);
-}, 120_000);
+});
 
 /** What a module imports, and which names of Node it uses; a name behind a dot, before a colon or of its own is none. */
 function uses(code: string): { imports: string[]; globals: string[] } {
