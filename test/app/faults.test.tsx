@@ -155,7 +155,7 @@ async function written(store: FaultyStore, end: (typeof ENDS)[number], begin: ()
   begin();
   void bench.write.open();
   await idle(10_000);
-  bench.session.safe.value = true;
+  bench.session.safety.confirm();
   if (end !== 'goes well') {
     bench.timer.core.onAnswer = ({ name }) => {
       if (name !== 'SETTIMERS') return;

@@ -48,7 +48,7 @@ function Controls({ session, bench, follow, identity }: ControlsProps) {
   return (
     <>
       <p class="hint">{connected ? words.lead : words.notConnected}</p>
-      {connected && <SafetyCheck session={session} />}
+      {connected && <SafetyCheck safety={session.safety} />}
       <Said bench={bench} identity={identity} />
       {connected && <Slots bench={bench} identity={identity} />}
       {connected && <FollowSwitch bench={bench} follow={follow} identity={identity} />}

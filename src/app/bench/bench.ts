@@ -27,13 +27,14 @@ export class Bench {
     this.#session = session;
     this.stand = new ServoStand(session);
     this.ready = computed(
-      () => session.connection.value !== null && session.safe.value && !session.busy.value && !isElsewhere(),
+      () =>
+        session.connection.value !== null && session.safety.confirmed.value && !session.busy.value && !isElsewhere(),
     );
     session.connection.subscribe(() => {
       // What may have happened is said until something else is done: the timer may be back before it was read.
       if (this.done.peek()?.certain) this.done.value = null;
     });
-    session.safe.subscribe((safe) => {
+    session.safety.confirmed.subscribe((safe) => {
       // What waits for its turn on the wire does not go out any more.
       const job = session.job.peek();
       if (!safe && job?.kind === 'bench') job.stop.abort();

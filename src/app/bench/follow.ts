@@ -103,7 +103,7 @@ export class Follow {
       editor.changes.value.some(({ field }) => field.kind === 'position' && !this.#touched.value.has(fieldKey(field))),
     );
     session.connection.subscribe(() => void this.#end('lost'));
-    session.safe.subscribe((safe) => void (safe || this.#end('unsafe')));
+    session.safety.confirmed.subscribe((safe) => void (safe || this.#end('unsafe')));
     session.servoMoves.count.subscribe(() => void this.#end('job'));
     effect(() => this.#follow());
     effect(() => {
@@ -250,10 +250,10 @@ export class Follow {
   }
 
   #reasonToEnd(): EndReason | null {
-    const { editor, connection, job, memoryOpen, safe } = this.#session;
+    const { editor, connection, job, memoryOpen, safety } = this.#session;
     const working = editor.working.value;
     if (!connection.value || connection.value !== this.#bound) return 'lost';
-    if (!safe.value) return 'unsafe';
+    if (!safety.confirmed.value) return 'unsafe';
     // While another memory is being selected it is open where a position would be stored.
     if (job.value?.kind === 'select') return 'memory';
     if (job.value && job.value.kind !== 'bench') return 'job';

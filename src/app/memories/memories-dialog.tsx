@@ -55,7 +55,7 @@ interface ReviewProps {
 function Review({ session, memories, current: { plan, changes } }: ReviewProps) {
   const { memories: words, write } = messages.value;
   // Reading changes nothing: only a write asks whether the model is held.
-  const ready = plan.kind === 'back-up' || session.safe.value;
+  const ready = plan.kind === 'back-up' || session.safety.confirmed.value;
   const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
@@ -64,7 +64,7 @@ function Review({ session, memories, current: { plan, changes } }: ReviewProps) 
         <Difference key={change.memory} change={change} folded={changes.length > 1} />
       ))}
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
-      {plan.kind !== 'back-up' && <SafetyCheck session={session} />}
+      {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
       <div class="buttons">
         <button type="button" class="primary" disabled={!ready} onClick={() => void memories.start()}>
           {words.start[plan.kind]}

@@ -37,7 +37,10 @@ export interface Assumed {
 
 /** The wire to a timer: where it stands, the ports that are known, and what is remembered of each. */
 export class Link {
-  readonly state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
+  readonly #state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
+  readonly #ports = signal<readonly KnownPort[]>([], { name: 'ports' });
+  readonly #settings = signal<SerialSettings | null>(null, { name: 'settings' });
+  readonly state: ReadonlySignal<LinkState> = this.#state;
   readonly connection: ReadonlySignal<TimerConnection | null> = computed(() =>
     this.state.value.status === 'on' ? this.state.value.connection : null,
   );
@@ -48,9 +51,9 @@ export class Link {
   /** A timer that does not answer, or its adapter, is waited for: until it is there, or the pilot stops it. */
   readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
   /** The ports that the pilot has allowed before and that are plugged in. */
-  readonly ports = signal<readonly KnownPort[]>([], { name: 'ports' });
+  readonly ports: ReadonlySignal<readonly KnownPort[]> = this.#ports;
   /** What the pilot has set by hand; null: each port as it was used last. */
-  readonly settings = signal<SerialSettings | null>(null, { name: 'settings' });
+  readonly settings: ReadonlySignal<SerialSettings | null> = this.#settings;
   /** Whether the timer at hand is simulated or a recording. */
   readonly simulated: ReadonlySignal<boolean> = computed(() => {
     const state = this.state.value;
@@ -103,22 +106,22 @@ export class Link {
     }
   }
 
-  /** How the next port is opened; null: each as it was used last. */
-  setSettings(settings: SerialSettings | null): void {
-    this.settings.value = settings;
-  }
-
   /** Looks again which ports are plugged in; those used last come first. */
   async refresh(): Promise<void> {
     if (!this.#options.surroundings.serial) return;
     const ports = await within(() => this.#link.ports(), PORTS_LIMIT).catch(() => []);
     const usedAt = ({ key }: KnownPort): number => this.#records.peek().get(key)?.usedAt ?? 0;
-    this.ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
+    this.#ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
   }
 
   /** What is remembered of a port: its last settings, and the rate at which a timer answered. */
   recordOf(key: string): PortRecord | undefined {
     return this.#records.peek().get(key);
+  }
+
+  /** The pilot sets how the next port is opened; null: as it was opened last. */
+  setSettings(settings: SerialSettings | null): void {
+    this.#settings.value = settings;
   }
 
   /** Lets the pilot choose a port in the browser's own dialog. From a click. */
@@ -220,7 +223,7 @@ export class Link {
 
   #follow(state: LinkState): void {
     const before = this.state.value;
-    this.state.value = state;
+    this.#state.value = state;
     this.#options.onState(state, before);
   }
 }

@@ -1,20 +1,22 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { WriteReport } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import type { Safety } from './safety.js';
 
 /** Whether a write may move the servos, for timers that keep positions only where they stand. It is asked anew for each write. */
 export class ServoMoves {
+  readonly #allowed = signal(false, { name: 'moveServos' });
+  readonly #count = signal(0, { name: 'servoMoves' });
   /** The pilot agrees that the servos move to each function before its positions are stored. */
-  readonly allowed = signal(false, { name: 'moveServos' });
+  readonly allowed: ReadonlySignal<boolean> = this.#allowed;
   /** How often something other than the bench may have moved them: where they stand is not known since. */
-  readonly count = signal(0, { name: 'servoMoves' });
+  readonly count: ReadonlySignal<number> = this.#count;
   readonly #connection: ReadonlySignal<TimerConnection | null>;
-  readonly #safe: ReadonlySignal<boolean>;
+  readonly #safety: Safety;
 
-  /** @param safe whether the pilot has said for this connection that it is safe. */
-  constructor(connection: ReadonlySignal<TimerConnection | null>, safe: ReadonlySignal<boolean>) {
+  constructor(connection: ReadonlySignal<TimerConnection | null>, safety: Safety) {
     this.#connection = connection;
-    this.#safe = safe;
+    this.#safety = safety;
   }
 
   /** Whether the timer at hand is taken to need it. */
@@ -24,17 +26,17 @@ export class ServoMoves {
 
   /** Something that is about to go out, as a frame by hand, may move them. */
   mayMove(): void {
-    this.count.value++;
+    this.#count.value++;
   }
 
   /** Another write is about to be shown. */
   ask(): void {
-    this.allowed.value = false;
+    this.#allowed.value = false;
   }
 
-  /** The pilot lets the write that is shown move the servos, or takes that back. */
-  allow(isAllowed: boolean): void {
-    this.allowed.value = isAllowed;
+  /** The pilot agrees, or takes that back. */
+  allow(agrees: boolean): void {
+    this.#allowed.value = agrees;
   }
 
   /**
@@ -42,9 +44,9 @@ export class ServoMoves {
    * @returns whether this one may move the servos.
    */
   take(): boolean {
-    const isAllowed = this.allowed.value && this.needed && this.#safe.value;
+    const isAllowed = this.#allowed.value && this.needed && this.#safety.confirmed.value;
     batch(() => {
-      this.allowed.value = false;
+      this.#allowed.value = false;
       if (isAllowed) this.mayMove();
     });
     return isAllowed;

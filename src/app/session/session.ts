@@ -21,6 +21,7 @@ import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import type { NoteCode, Notice } from './notice.js';
 import { kindKey, programKey, workKey } from './record-keys.js';
+import { Safety } from './safety.js';
 import { ServoMoves } from './servo-moves.js';
 import { SetAside } from './set-aside.js';
 import { type Standing, standingOf } from './standing.js';
@@ -84,8 +85,7 @@ export class Session {
   readonly servoMoves: ServoMoves;
   readonly job = signal<Job | null>(null, { name: 'job' });
   readonly notice = signal<Notice | null>(null, { name: 'notice' });
-  /** Propeller off or model held, timer not armed: asked once for each connection. */
-  readonly safe = signal(false, { name: 'safe' });
+  readonly safety = new Safety();
   /** It is open how this timer writes its times: the pilot has to choose before they are written. */
   readonly byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
   /** None was read since the timer came, or since another one was asked for: the memory on the screen need not be the current one. */
@@ -133,7 +133,7 @@ export class Session {
     this.knowledge = new Knowledge(unfinished, atHand, () => options.tab.value);
     this.standing = standingOf(this.editor, this.knowledge, this.connection);
     this.recovery = new InterruptedJobs(unfinished, this.knowledge, this.backups);
-    this.servoMoves = new ServoMoves(this.connection, this.safe);
+    this.servoMoves = new ServoMoves(this.connection, this.safety);
     this.busy = computed(() => this.job.value !== null || this.link.busy.value || this.#setOut.value);
     this.engaged = computed(() => this.busy.value || this.link.waiting.value);
   }
@@ -335,7 +335,7 @@ export class Session {
     const connection = this.connection.value;
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
     const stop = new AbortController();
-    const wasSafe = this.safe.value;
+    const wasSafe = this.safety.confirmed.value;
     const { strays } = connection.client;
     const begin = (progress: Progress | null): void => {
       this.job.value = { kind, memory, progress, stop };
@@ -343,7 +343,7 @@ export class Session {
     const stillOn = (): void => {
       if (this.connection.value !== connection) throw new TimerError('closed', 'the connection is another by now');
       if (stop.signal.aborted) throw new TimerError('aborted', 'stopped on request');
-      if (wasSafe && !this.safe.value) throw new TimerError('aborted', 'it is no longer safe');
+      if (wasSafe && !this.safety.confirmed.value) throw new TimerError('aborted', 'it is no longer safe');
     };
     this.notice.value = null;
     begin(null);
@@ -380,11 +380,6 @@ export class Session {
   /** The pilot has seen what was said. */
   dismissNotice(): void {
     this.notice.value = null;
-  }
-
-  /** The pilot says that the propeller is off or the model held, and the timer not armed; or takes that back. */
-  setSafe(isSafe: boolean): void {
-    this.safe.value = isSafe;
   }
 
   /** Under what the work on a program of the timer on the screen is kept. */
@@ -448,7 +443,7 @@ export class Session {
   /** A timer has said what it is: reads what it holds. */
   async #arrive(): Promise<void> {
     batch(() => {
-      this.safe.value = false;
+      this.safety.withdraw();
       this.byteOrderOpen.value = false;
       this.memoryOpen.value = true;
       this.knowledge.meet();

@@ -1,14 +1,14 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import type { Safety } from '../session/safety.js';
 
 /** Said once for each connection, before anything is written or moved. */
-export function SafetyCheck({ session }: { readonly session: Session }) {
+export function SafetyCheck({ safety }: { readonly safety: Safety }) {
   return (
     <label class="check safety">
       <input
         type="checkbox"
-        checked={session.safe.value}
-        onChange={(event) => session.setSafe(event.currentTarget.checked)}
+        checked={safety.confirmed.value}
+        onChange={(event) => (event.currentTarget.checked ? safety.confirm() : safety.withdraw())}
       />
       {messages.value.write.safety}
     </label>

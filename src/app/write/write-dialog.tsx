@@ -127,7 +127,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
         </div>
       )}
       {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
-      <SafetyCheck session={session} />
+      <SafetyCheck safety={session.safety} />
       <div class="buttons">
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
           {words.start(changes.length)}

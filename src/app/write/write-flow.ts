@@ -47,14 +47,15 @@ export type WriteStep =
 /** Shows the difference, writes it, and says what became of it. */
 export class WriteFlow {
   readonly current = signal<WriteStep | null>(null, { name: 'write' });
+  readonly #acknowledged = signal(false, { name: 'acknowledged' });
   /** The pilot has read the serious findings. */
-  readonly acknowledged = signal(false, { name: 'acknowledged' });
+  readonly acknowledged: ReadonlySignal<boolean> = this.#acknowledged;
   readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
     this.#session.editor.findings.value.filter(({ severity }) => severity === 'serious'),
   );
   /** Whether the write may begin. */
   readonly ready: ReadonlySignal<boolean> = computed(
-    () => this.#session.safe.value && (this.serious.value.length === 0 || this.acknowledged.value),
+    () => this.#session.safety.confirmed.value && (this.serious.value.length === 0 || this.acknowledged.value),
   );
   readonly #session: Session;
 
@@ -77,6 +78,11 @@ export class WriteFlow {
     // Another memory is current by now: the edits were set aside, and the pilot is told so.
     if (editor.working.value?.memory !== memory) return;
     this.#review(null);
+  }
+
+  /** The pilot has read the serious findings, or takes that back. */
+  acknowledge(read: boolean): void {
+    this.#acknowledged.value = read;
   }
 
   /** Writes what was shown, on the connection where it was shown; shows it once more where anything else is wanted by now. */
@@ -104,11 +110,6 @@ export class WriteFlow {
       return;
     }
     this.#refused(end.error, end.lost);
-  }
-
-  /** The pilot has read the serious findings, or takes that back. */
-  acknowledge(isRead: boolean): void {
-    this.acknowledged.value = isRead;
   }
 
   /** The browser keeps no copy: writes without one, or not at all. */
@@ -152,7 +153,7 @@ export class WriteFlow {
     const baseline = editor.baseline.value;
     const goal = editor.working.value;
     batch(() => {
-      this.acknowledged.value = false;
+      this.#acknowledged.value = false;
       servoMoves.ask();
       const shown = connection &&
         baseline &&

@@ -13,7 +13,7 @@ afterEach(() => localStorage.clear());
 /** A bench whose pilot has said that it is safe. */
 async function safeBench(options: BenchOptions = {}) {
   const app = await connectedBench(options);
-  app.session.safe.value = true;
+  app.session.safety.confirm();
   app.timer.core.answered.length = 0;
   return { ...app, bench: app.models.bench };
 }
@@ -61,7 +61,7 @@ describe('moving to a function', () => {
 
   it('waits for the word that it is safe', async () => {
     const { bench, follow, session, timer } = await safeBench();
-    session.safe.value = false;
+    session.safety.withdraw();
     expect(await bench.moveTo(4)).toBe(false);
     expect(await bench.unlock()).toBe(false);
     expect(await bench.jump()).toBe(false);
@@ -295,7 +295,7 @@ describe('following', () => {
     const app = await followingBench();
     await run(app.session.selectMemory(1));
     expect(app.follow.on.value).toBe(false);
-    app.session.safe.value = true;
+    app.session.safety.confirm();
     await run(app.bench.moveTo(4));
     await run(app.follow.start());
     app.timer.core.sleep();
@@ -306,7 +306,7 @@ describe('following', () => {
 
   it.each<[what: string, done: (app: SafeBench) => unknown]>([
     ['it was called off', ({ follow }) => follow.stop()],
-    ['it was no longer said to be safe', ({ session }) => Object.assign(session.safe, { value: false })],
+    ['it was no longer said to be safe', ({ session }) => session.safety.withdraw()],
   ])('does not begin when %s while the timer was read', async (_, done) => {
     const app = await safeBench();
     const starting = app.follow.start();

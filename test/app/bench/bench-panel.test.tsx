@@ -67,7 +67,7 @@ describe('the bench', () => {
 
   it('moves nothing before the pilot has said that it is safe', async () => {
     const { session, timer } = await opened();
-    session.safe.value = false;
+    session.safety.withdraw();
     await idle(0);
     await press('Function 4');
     await flip();

@@ -152,7 +152,7 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
   } else if (act.do === 'move') void bench.moveTo(act.slot);
   else if (act.do === 'bring') follow.bring(act.slot);
   else if (act.do === 'going') follow.setGoing(act.on);
-  else if (act.do === 'safe') session.safe.value = act.on;
+  else if (act.do === 'safe') act.on ? session.safety.confirm() : session.safety.withdraw();
   else if (act.do === 'deaf') lose(act.answers);
   else if (act.do === 'select') void session.selectMemory(act.memory);
   else if (act.do === 'follow') void follow.start();
@@ -186,7 +186,7 @@ it('every movement on the wire was asked for by a click or by the switch, and wh
     fc.asyncProperty(fc.array(step, { minLength: 5, maxLength: 40 }), setMoves, async (steps, moves) => {
       localStorage.clear();
       const app = await connectedBench({ latency: 20, quirks: { setMoves: moves } });
-      app.session.safe.value = true;
+      app.session.safety.confirm();
       const lose = losing(app);
       const judge = new Judge(app);
       let { value: connection } = app.session.connection;

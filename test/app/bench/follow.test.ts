@@ -14,7 +14,7 @@ afterEach(() => localStorage.clear());
 /** A bench whose pilot has said that it is safe. */
 async function safeBench(options: BenchOptions = {}): Promise<AppBench> {
   const app = await connectedBench(options);
-  app.session.safe.value = true;
+  app.session.safety.confirm();
   app.timer.core.answered.length = 0;
   return app;
 }
@@ -259,7 +259,7 @@ describe('going to the function that is edited', () => {
 describe('following ends', () => {
   const ends: [reason: string, what: string, done: (app: AppBench) => unknown][] = [
     ['hidden', 'the page is out of sight', ({ follow }) => follow.stop('hidden')],
-    ['unsafe', 'the tick is taken away', ({ session }) => (session.safe.value = false)],
+    ['unsafe', 'the tick is taken away', ({ session }) => session.safety.withdraw()],
     ['lost', 'the plug is pulled', ({ adapter }) => adapter.unplug()],
     ['lost', 'it is disconnected', ({ session }) => session.disconnect()],
   ];
@@ -412,7 +412,7 @@ describe('without a backup', () => {
       async ({ session }) => {
         await session.disconnect();
         await session.connect();
-        session.safe.value = true;
+        session.safety.confirm();
       },
     ],
   ])('nothing begins when %s since it was asked', async (_, done) => {

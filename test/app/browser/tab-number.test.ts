@@ -253,7 +253,7 @@ describe.each([
     const benches = [await trying({ store, tab: tabs[0].page() }), await trying({ store, tab: tabs[1].page() })];
     const tried = ({ follow }: AppBench) => follow.trials.tried.value.map(({ to }) => to);
     for (const [i, { session, bench, follow, editor }] of benches.entries()) {
-      session.safe.value = true;
+      session.safety.confirm();
       await run(bench.moveTo(2));
       await run(follow.start());
       editor.type(S1, `${7 + i}`);

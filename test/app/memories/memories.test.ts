@@ -18,7 +18,7 @@ async function bench(options: BenchOptions = {}): Promise<AppBench> {
 }
 
 async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
-  session.safe.value = true;
+  session.safety.confirm();
   await run(memories.open(plan));
   expect(memories.current.value).toMatchObject({ step: 'review', plan });
   await run(memories.start());
@@ -219,7 +219,7 @@ describe('a browser that does not keep everything', () => {
     const made = await bench();
     const before = contents(made);
     made.store.backups.save = full;
-    made.session.safe.value = true;
+    made.session.safety.confirm();
     await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
     const writing = made.memories.start();
     await idle(4000);
@@ -233,7 +233,7 @@ describe('a browser that does not keep everything', () => {
 
   it('that never answers is given five seconds', async () => {
     const made = await bench();
-    made.session.safe.value = true;
+    made.session.safety.confirm();
     await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
     made.store.backups.save = () => new Promise(() => {});
     const writing = made.memories.start();
@@ -269,7 +269,7 @@ describe('what is about to be written', () => {
 
   it('is not written over what has changed since, and that is said', async () => {
     const made = await bench();
-    made.session.safe.value = true;
+    made.session.safety.confirm();
     await run(made.memories.open(COPY));
     made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
     const before = contents(made);
@@ -305,7 +305,7 @@ describe('a copy that fails early ends in words', () => {
 
   it('before the first value goes out', async () => {
     const made = await bench();
-    made.session.safe.value = true;
+    made.session.safety.confirm();
     await run(made.memories.open(COPY));
     made.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && made.timer.core.sleep();
     await run(made.memories.start());
@@ -432,7 +432,7 @@ describe('which memory is current', () => {
     const made = await bench();
     made.editor.type(S1, '7');
     await run(made.write.open());
-    made.session.safe.value = true;
+    made.session.safety.confirm();
     await run(made.write.start());
     made.write.dismiss();
     await run(made.session.read());
@@ -471,11 +471,11 @@ describe('a copy to a timer that keeps positions only where its servos stand', (
     await job(made, copy);
     expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: true } });
     expect(moves()).toBe(0);
-    made.session.servoMoves.allowed.value = true;
+    made.session.servoMoves.allow(true);
     made.memories.dismiss();
     await run(made.memories.open(copy));
     expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
-    made.session.servoMoves.allowed.value = true;
+    made.session.servoMoves.allow(true);
     await run(made.memories.start());
     expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: false } });
     expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);

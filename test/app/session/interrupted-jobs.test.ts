@@ -38,7 +38,7 @@ async function writing(last: Name, isBroken = false): Promise<{ bench: AppBench;
   bench.editor.type(S1, '7');
   bench.editor.type(S3, '8');
   await run(bench.write.open());
-  bench.session.safe.value = true;
+  bench.session.safety.confirm();
   let questions = 0;
   bench.timer.core.onAnswer = ({ name }) => {
     if (name === 'GETSWVER') questions++;
@@ -65,7 +65,7 @@ async function interrupted(last: Name, meanwhile?: (bench: AppBench) => void): P
 
 async function finishDialog(bench: AppBench): Promise<void> {
   expect(bench.write.current.value?.step).toBe('review');
-  bench.session.safe.value = true;
+  bench.session.safety.confirm();
   await run(bench.write.start());
   expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
   await idle();
@@ -170,7 +170,7 @@ describe('another end of a write', () => {
     const bench = await connectedBench();
     bench.editor.type(DT, '4:00');
     await run(bench.write.open());
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
     await run(bench.write.start());
     bench.timer.core.onAnswer = undefined;
@@ -292,7 +292,7 @@ describe('before the first byte of a write', () => {
     }
     bench.editor.type(DT, '4:00');
     await run(bench.write.open());
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     const kept: unknown[] = [];
     bench.timer.core.onAnswer = ({ name }) => {
       if (!name.startsWith('SET')) return;
@@ -325,7 +325,7 @@ describe('before the first byte of a write', () => {
     await idle();
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     await run(bench.finishWrite.goBack());
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     const back = bench.write.start();
     await idle();
     bench.write.answer(true);

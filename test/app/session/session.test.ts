@@ -232,12 +232,12 @@ describe('a lost port', () => {
 
   it('wants the safety again: it may be another timer', async () => {
     const bench = await connectedBench();
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     bench.adapter.unplug();
     await idle();
     bench.adapter.replug();
     await idle();
-    expect(bench.session.safe.value).toBe(false);
+    expect(bench.session.safety.confirmed.value).toBe(false);
   });
 
   it.each([3, 20, 60])('is waited for when it goes %i bytes into a read', async (bytes) => {
@@ -488,7 +488,7 @@ describe('after a reload', () => {
     undone.editor.undo();
 
     bench.editor.type(S1, '8');
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     await run(bench.write.open());
     await run(bench.write.start());
     await idle();
@@ -588,7 +588,7 @@ describe('a job', () => {
   it('may no longer go on once the connection is another, it was stopped, or is no longer safe', async () => {
     const bench = await connectedBench();
     const stillOn = async (change: () => void): Promise<unknown> => {
-      bench.session.safe.value = true;
+      bench.session.safety.confirm();
       let fault: unknown = null;
       await run(
         bench.session.perform('bench', null, async (_, options) => {
@@ -606,7 +606,7 @@ describe('a job', () => {
     };
     expect(await stillOn(() => {})).toBeNull();
     expect(await stillOn(() => bench.session.job.value?.stop.abort())).toMatchObject({ code: 'aborted' });
-    expect(await stillOn(() => (bench.session.safe.value = false))).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => bench.session.safety.withdraw())).toMatchObject({ code: 'aborted' });
     expect(await stillOn(() => bench.adapter.unplug())).toMatchObject({ code: 'closed' });
   });
 });

@@ -74,7 +74,7 @@ describe('a port that another tab holds', () => {
     const { first, second } = await twoTabs();
     first.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     await run(first.write.open());
-    first.session.safe.value = true;
+    first.session.safety.confirm();
     let taking: Promise<unknown> = Promise.resolve();
     first.timer.core.onAnswer = ({ name }) => {
       const { value: holder } = second.tabs.holder;

@@ -7,7 +7,7 @@ afterEach(() => localStorage.clear());
 
 it('what was tried is “in the timer” only as long as it is certain what that holds', async () => {
   const app = await connectedBench();
-  app.session.safe.value = true;
+  app.session.safety.confirm();
   await run(app.bench.moveTo(4));
   await run(app.follow.start());
   render(<App models={app.models} />);

@@ -15,7 +15,7 @@ async function reviewed(): Promise<AppBench> {
   bench.editor.type(S1, '7');
   bench.editor.type(S3, '8');
   await run(bench.write.open());
-  bench.session.safe.value = true;
+  bench.session.safety.confirm();
   return bench;
 }
 
@@ -54,7 +54,7 @@ describe('a write', () => {
     (bench.timer.core.content.positions[0] as number[])[2] = 99;
     await run(bench.write.open());
     expect(bench.editor.conflicts.value.size).toBe(1);
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     await run(bench.write.start());
     bench.editor.type(S1, '8');
     expect([bench.editor.changes.value.length, bench.editor.conflicts.value.size]).toEqual([1, 0]);
@@ -71,7 +71,7 @@ describe('a write', () => {
 
   it('does not begin without the safety', async () => {
     const bench = await reviewed();
-    bench.session.safe.value = false;
+    bench.session.safety.withdraw();
     expect(bench.write.ready.value).toBe(false);
     await run(bench.write.start());
     expect(sets(bench)).toEqual([]);
@@ -96,11 +96,11 @@ describe('a write', () => {
     expect(bench.write.serious.value).toMatchObject([{ code: 'motor-stop-after-dt' }]);
     await run(bench.write.start());
     expect(sets(bench)).toEqual([]);
-    bench.write.acknowledged.value = true;
+    bench.write.acknowledge(true);
     bench.write.dismiss();
     await run(bench.write.open());
     expect(bench.write.ready.value).toBe(false);
-    bench.write.acknowledged.value = true;
+    bench.write.acknowledge(true);
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
   });
@@ -210,7 +210,7 @@ describe('a write', () => {
     expect(bench.editor.changes.value).toHaveLength(3 - written);
     bench.write.dismiss();
     await run(bench.write.open());
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
     expect(bench.session.recovery.offer.value).toBeNull();
@@ -247,7 +247,7 @@ describe('a write', () => {
     const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
     bench.editor.type(S1, '7');
     await run(bench.write.open());
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({
       report: { result: 'differs', values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] },
@@ -265,7 +265,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     bench.editor.type(S1, '7');
     await run(bench.write.open());
     expect(bench.session.servoMoves.needed, 'nothing is known yet').toBe(false);
-    bench.session.safe.value = true;
+    bench.session.safety.confirm();
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ step: 'done', unkept: true });
     return bench;
@@ -287,7 +287,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(bench.models.bench.done.value).not.toBeNull();
     const before = moves(bench);
     await run(bench.write.again());
-    bench.session.servoMoves.allowed.value = true;
+    bench.session.servoMoves.allow(true);
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, unkept: false });
     expect([moves(bench) - before, bench.timer.core.content.positions[0]?.[2]]).toEqual([1, 7]);
@@ -301,7 +301,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   it('moves nothing when it was agreed to and the dialog was left', async () => {
     const bench = await unkept();
     await run(bench.write.again());
-    bench.session.servoMoves.allowed.value = true;
+    bench.session.servoMoves.allow(true);
     bench.write.dismiss();
     await run(bench.write.open());
     await run(bench.write.start());
@@ -311,8 +311,8 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   it('does not begin, and moves nothing, without the safety', async () => {
     const bench = await unkept();
     await run(bench.write.again());
-    bench.session.servoMoves.allowed.value = true;
-    bench.session.safe.value = false;
+    bench.session.servoMoves.allow(true);
+    bench.session.safety.withdraw();
     await run(bench.write.start());
     expect([bench.write.current.value?.step, moves(bench), bench.session.servoMoves.take()]).toEqual([
       'review',
@@ -323,7 +323,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
 
   it('moves nothing when it was agreed to and the timer at hand does not need it', async () => {
     const bench = await reviewed();
-    bench.session.servoMoves.allowed.value = true;
+    bench.session.servoMoves.allow(true);
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     expect([moves(bench), bench.session.servoMoves.allowed.value]).toEqual([0, false]);
@@ -357,7 +357,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     const bench = await unkept();
     bench.editor.type(S3, '8');
     await run(bench.write.again());
-    bench.session.servoMoves.allowed.value = true;
+    bench.session.servoMoves.allow(true);
     bench.timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && bench.adapter.unplug();
     await run(bench.write.start());
     bench.write.dismiss();
@@ -367,8 +367,8 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(bench.session.recovery.offer.value).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     await run(bench.finishWrite.finish());
     expect([bench.session.servoMoves.needed, bench.session.servoMoves.allowed.value]).toEqual([true, false]);
-    bench.session.servoMoves.allowed.value = true;
-    bench.session.safe.value = true;
+    bench.session.servoMoves.allow(true);
+    bench.session.safety.confirm();
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
   });
@@ -407,7 +407,7 @@ describe('what was confirmed is what is written', () => {
   });
 
   it('and no longer when the pilot has stopped it, or taken the safety back, while the storage was waited for', async () => {
-    for (const change of [(b: AppBench) => b.write.dismiss(), (b: AppBench) => (b.session.safe.value = false)]) {
+    for (const change of [(b: AppBench) => b.write.dismiss(), (b: AppBench) => b.session.safety.withdraw()]) {
       const bench = await reviewed();
       const release = heldUp(bench);
       const writing = bench.write.start();
