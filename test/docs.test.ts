@@ -1,6 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import { FIRST } from '../src/app/browser/platform.js';
 import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
@@ -46,6 +47,16 @@ describe('the docs', () => {
     const kept = readdirSync(join(root, 'docs/pictures')).map((file) => file.replace('.webp', ''));
     expect(kept.sort()).toEqual([...inDocs].sort());
     for (const name of inDocs) expect(shown, name).toContain(`docs/pictures/${name}.webp`);
+  });
+
+  it('name the browsers that reach a timer as the page does', () => {
+    const text = readFileSync(join(root, 'docs/using-the-page.md'), 'utf8');
+    const { chrome, opera, firefox, android, androidBluetooth, androidCable } = FIRST;
+    expect(text).toContain(`Chrome and Edge ${chrome} or later, Opera ${opera} or later, Firefox ${firefox} or later`);
+    expect(text).toContain(
+      `Chrome ${android} or later. Chrome ${androidBluetooth} to ${android - 1} over Bluetooth only.`,
+    );
+    expect(text).toContain(`A cable needs Android ${androidCable} `);
   });
 
   it('draw the rooms as they are: node test/tools/rooms.js draws them anew', () => {

@@ -86,20 +86,28 @@ export type UnsupportedReason =
   | 'ios'
   | 'android';
 
-/** The first versions that have Web Serial on a computer. */
-const FIRST: Partial<Readonly<Record<Browser, readonly [number, UnsupportedReason]>>> = {
-  chrome: [89, 'chrome-old'],
-  edge: [89, 'edge-old'],
-  // Opera counts for itself: 75 is Chromium 89. MDN names that one, caniuse 76, so 76 is certain.
-  opera: [76, 'opera-old'],
-  firefox: [151, 'firefox-old'],
-};
+/** The first versions that have Web Serial. Every sentence that names one takes it from here; `docs/using-the-page.md` says the same. */
+export const FIRST = {
+  chrome: 89,
+  edge: 89,
+  // Opera counts for itself: 75 is Chromium 89.
+  opera: 75,
+  firefox: 151,
+  /** Chrome on Android, in full. */
+  android: 148,
+  /** Chrome on Android, over Bluetooth only. */
+  androidBluetooth: 138,
+  /** Android itself, for an adapter on a cable. */
+  androidCable: 17,
+} as const;
+
+const TOO_OLD = { chrome: 'chrome-old', edge: 'edge-old', opera: 'opera-old', firefox: 'firefox-old' } as const;
 
 /** @returns null when the name does not tell: another browser, or one that should have it. */
 export function whyUnsupported({ system, browser, version }: Platform): UnsupportedReason | null {
   if (system === 'ios') return 'ios';
   if (system === 'android') return browser === 'firefox' ? 'firefox-mobile' : 'android';
   if (browser === 'brave' || browser === 'safari') return browser;
-  const [first, reason] = FIRST[browser] ?? [0, null];
-  return version !== null && version < first ? reason : null;
+  if (browser === 'other' || version === null) return null;
+  return version < FIRST[browser] ? TOO_OLD[browser] : null;
 }

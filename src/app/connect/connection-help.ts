@@ -1,5 +1,6 @@
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
+import type { Messages } from '../messages/index.js';
 
 /** What there is help for: a connection that failed, or waiting for a timer that does not answer. */
 export type HelpCode = ConnectionErrorCode | 'waiting';
@@ -14,58 +15,7 @@ export interface Situation {
 }
 
 /** One thing to do. Its sentence stands in messages/, found by this code. */
-export type StepCode =
-  | 'close-tabs'
-  | 'programs-windows'
-  | 'programs-mac'
-  | 'programs-linux'
-  | 'programs-android'
-  | 'holder-mac'
-  | 'holder-linux'
-  | 'modem-manager'
-  | 'group'
-  | 'group-arch'
-  | 'udev-rule'
-  | 'chromium-snap'
-  | 'firefox-snap'
-  | 'linux-container'
-  | 'replug'
-  | 'cable'
-  | 'drivers-windows'
-  | 'pl2303-windows'
-  | 'drivers-mac'
-  | 'accessory-mac'
-  | 'kernel-linux'
-  | 'brltty'
-  | 'android-cable'
-  | 'pair-windows'
-  | 'pair-mac'
-  | 'pair-linux'
-  | 'pair-chromeos'
-  | 'pair-android'
-  | 'firefox-bluetooth'
-  | 'bluetooth-one'
-  | 'bluetooth-again'
-  | 'usb-power'
-  | 'wake'
-  | 'near'
-  | 'battery'
-  | 'other-port'
-  | 'rate'
-  | 'usual-settings'
-  | 'report'
-  | 'ask-again'
-  | 'site-permission'
-  | 'site-permission-firefox'
-  | 'site-permission-mobile'
-  | 'managed'
-  | 'brave-flag'
-  | 'brave-relaunch'
-  | 'https'
-  | 'this-computer'
-  | 'own-tab'
-  | 'policy-header'
-  | 'policy-frame';
+export type StepCode = keyof Messages['help']['steps'];
 
 /** What goes with some steps, to copy. A step whose commands cannot be given here is left out. */
 const COMMANDS: Partial<Readonly<Record<StepCode, (situation: Situation) => readonly string[] | null>>> = {
@@ -148,7 +98,7 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
   'bad-settings': () => ({ first: ['rate', 'usual-settings'] }),
   unplugged: ({ info }) =>
     isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { linux: ['brltty'], chromeos: ['linux-container'] } },
-  waiting: () => ({ first: ['wake', 'near', 'battery', 'other-port', 'rate'] }),
+  waiting: () => ({ first: ['wake', 'near', 'battery', 'other-port-waiting', 'rate-waiting'] }),
   'bad-reply': () => ({ first: ['near', 'other-port', 'rate', 'report'] }),
   lost: ({ info }) =>
     isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { windows: ['usb-power'], linux: ['brltty'] } },

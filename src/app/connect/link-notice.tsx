@@ -1,29 +1,64 @@
-import type { Heard } from '../../serial/index.js';
+import type { Heard, LinkState } from '../../serial/index.js';
+import type { Platform } from '../browser/platform.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
+import { ConnectionHelp } from './connection-help-view.js';
 
 /** Characters of a line of text that are shown. */
 const LINE = 40;
 
+/** So many rates are tried before the page says what to do. */
+const USUAL = 2;
+
+interface LinkNoticeProps {
+  readonly session: Session;
+  readonly platform: Platform;
+  readonly onStop: () => void;
+}
+
 /** What is under way until a timer answers: said while it lasts, with the way to stop it. */
-export function LinkNotice({ session, onStop: stop }: { readonly session: Session; readonly onStop: () => void }) {
-  const { link } = messages.value;
+export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
   const state = session.link.state.value;
+  return (
+    <>
+      <Step session={session} state={state} onStop={onStop} />
+      {isSlow(state) && (
+        <div class="notices">
+          <ConnectionHelp code="waiting" platform={platform} info={state.port.getInfo()} />
+        </div>
+      )}
+    </>
+  );
+}
+
+/** Whether a timer is looked for longer than it takes to find one that is awake, at a rate that many timers use. */
+function isSlow(state: LinkState): state is Extract<LinkState, { status: 'searching' | 'waiting' }> {
+  return state.status === 'waiting' || (state.status === 'searching' && state.step > USUAL);
+}
+
+interface StepProps {
+  readonly session: Session;
+  readonly state: LinkState;
+  readonly onStop: () => void;
+}
+
+function Step({ session, state, onStop }: StepProps) {
+  const { link } = messages.value;
   switch (state.status) {
     case 'opening':
       return state.refusals === 0 ? (
-        <ProgressLine label={link.opening} progress={null} onStop={stop} />
+        <ProgressLine label={link.opening} progress={null} onStop={onStop} />
       ) : (
-        <Waiting said={link.refused} onStop={stop} />
+        <Waiting said={link.refused} onStop={onStop} />
       );
     case 'searching':
       return (
         <ProgressLine
           label={link.searching(state.baudRate)}
           progress={state.steps > 1 ? { done: state.step - 1, total: state.steps } : null}
-          onStop={stop}
+          onStop={onStop}
         />
       );
     case 'waiting':
@@ -32,11 +67,11 @@ export function LinkNotice({ session, onStop: stop }: { readonly session: Sessio
           said={state.heard ? heardSaid(state.heard) : link.waiting}
           detail={state.asked > 0 && link.asked(state.asked)}
           onChoose={state.heard ? () => void session.chooseAnother() : undefined}
-          onStop={stop}
+          onStop={onStop}
         />
       );
     case 'away':
-      return <Waiting said={state.unplugged ? link.away : link.brokenOff} onStop={stop} />;
+      return <Waiting said={state.unplugged ? link.away : link.brokenOff} onStop={onStop} />;
     case 'closing':
       return <ProgressLine label={link.closing} progress={null} />;
     default:

@@ -1,5 +1,5 @@
-import type { System, UnsupportedReason } from '../browser/platform.js';
-import type { Said } from './en-notices.js';
+import type { System } from '../browser/platform.js';
+import { cableOnAndroid, unsupported } from './en-browsers.js';
 
 const systems: Record<System, string> = {
   windows: 'Windows',
@@ -11,48 +11,7 @@ const systems: Record<System, string> = {
   other: 'another system',
 };
 
-const restWorks = 'Everything but the connection works here too.';
-
-/** In the place of the sentence for every browser, where the name of this one tells more. */
-const unsupported: Record<UnsupportedReason, Said> = {
-  'chrome-old': {
-    title: 'This Chrome is too old to reach a timer.',
-    advice: `Update it to version 89 or later. ${restWorks}`,
-  },
-  'edge-old': {
-    title: 'This Edge is too old to reach a timer.',
-    advice: `Update it to version 89 or later. ${restWorks}`,
-  },
-  'opera-old': {
-    title: 'This Opera is too old to reach a timer.',
-    advice: `Update it to version 76 or later. ${restWorks}`,
-  },
-  brave: {
-    title: 'Brave reaches a timer only after you allow it.',
-    advice: `Switch its Web Serial on, as told below, or use Chrome or Edge. ${restWorks}`,
-  },
-  'firefox-old': {
-    title: 'This Firefox is too old to reach a timer.',
-    advice: `Update it to version 151 or later: it then asks once to add a permission for this page. It knows adapters on a cable, not over Bluetooth. ${restWorks}`,
-  },
-  'firefox-mobile': {
-    title: 'Firefox on Android cannot reach a timer.',
-    advice: `Use Chrome 138 or later with a Bluetooth adapter, or a computer. ${restWorks}`,
-  },
-  safari: {
-    title: 'Safari cannot reach a timer.',
-    advice: `Use Chrome, Edge or Firefox (151 or later) on this Mac. ${restWorks}`,
-  },
-  ios: {
-    title: 'No browser on an iPhone or iPad can reach a timer.',
-    advice: `Use a computer, or Chrome on an Android phone with a Bluetooth adapter. ${restWorks}`,
-  },
-  android: {
-    title: 'This browser cannot reach a timer.',
-    advice: `On Android, Chrome 138 or later reaches a Bluetooth adapter; one on a cable needs Android 17. ${restWorks}`,
-  },
-};
-
+/** What to do, one sentence for each step. A step that is not here does not exist: its code is typed from this list. */
 const steps = {
   'close-tabs': 'Close other tabs and windows that show this program, or press Disconnect in them.',
   'programs-windows':
@@ -92,8 +51,7 @@ const steps = {
     'The drivers are built in. Plug the adapter in; this command tells whether Linux has seen it, as ttyUSB0 or ttyACM0:',
   brltty:
     'Does the adapter vanish again at once: brltty, which is for Braille displays, takes CH340, CP210x and some FTDI adapters for one. If nobody needs a Braille display here, remove it and plug the adapter in again:',
-  'android-cable':
-    'Android lets the browser use an adapter on a cable only since Android 17, with Chrome 148 or later. Until then use a Bluetooth adapter, or a computer.',
+  'android-cable': cableOnAndroid,
   'pair-windows':
     'Over Bluetooth: pair the adapter first, in Settings, Bluetooth & devices. The code is often 1234 or 0000.',
   'pair-mac':
@@ -113,7 +71,11 @@ const steps = {
   near: 'Hold the infra-red head closer than 20 cm, pointed at the timer, and shade both from the sun.',
   battery: 'Is the battery of the timer charged and plugged in? A discharged timer stands at its DT position.',
   'other-port': 'Click Choose a port: another adapter may be plugged in as well.',
+  'other-port-waiting':
+    'Another adapter may be plugged in as well. Press Stop, then click Choose a port and choose the other one.',
   rate: 'Leave the rate to be found, or choose the one that is right for your adapter. 9600 baud is the likeliest.',
+  'rate-waiting':
+    'A rate that was set by hand under Serial settings may be wrong for your adapter. Press Stop and click Usual settings there: then the rate is found by asking.',
   'usual-settings':
     'Set 8 data bits, no parity and 1 stop bit: those are the usual ones, and every adapter takes them.',
   report: 'Does it come again with the timer awake and near: copy the report under Line, and tell the maintainers.',

@@ -1,5 +1,6 @@
 import type { TimerErrorCode } from '../../client/index.js';
 import type { ConnectionErrorCode } from '../../serial/index.js';
+import { unsupportedHere } from './en-browsers.js';
 
 /** A sentence that says what happened, and one that says what to do. */
 export interface Said {
@@ -9,11 +10,7 @@ export interface Said {
 
 /** Why there is no connection. */
 export const connection: Record<ConnectionErrorCode, Said> = {
-  unsupported: {
-    title: 'This browser cannot reach a timer.',
-    advice:
-      'Web Serial works in Chrome and Edge (version 89 or later), Opera (76) and Firefox (151) on a computer, and in Chrome on Android (138) over Bluetooth. Everything but the connection works here too.',
-  },
+  unsupported: unsupportedHere,
   insecure: {
     title: 'The browser withholds serial ports from this page.',
     advice: 'Open it by its https address. Everything but the connection works here too.',

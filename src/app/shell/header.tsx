@@ -51,7 +51,7 @@ export function Header({ session, memories, leaving, keeping, aside, update, tab
         </div>
       </div>
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
-      <LinkNotice session={session} onStop={() => void leaving.disconnect()} />
+      <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />
       <JobProgress session={session} memories={memories} />
       <NoticeBar session={session} keeping={keeping} aside={aside} update={update} tabs={tabs} platform={platform} />
     </header>

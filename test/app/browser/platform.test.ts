@@ -28,8 +28,8 @@ const rows: readonly Row[] = [
   ['windows', 'edge', 88, 'edge-old', `${WINDOWS} ${WEBKIT} Chrome/88.0.4324.182 Safari/537.36 Edg/88.0.705.81`],
   ['windows', 'edge', 18, 'edge-old', `${WINDOWS} ${WEBKIT} Chrome/64.0.3282.140 Safari/537.36 Edge/18.17763`],
   ['windows', 'opera', 120, null, `${WINDOWS} ${WEBKIT} Chrome/135.0.0.0 Safari/537.36 OPR/120.0.0.0`],
-  ['windows', 'opera', 75, 'opera-old', `${WINDOWS} ${WEBKIT} Chrome/89.0.4389.128 Safari/537.36 OPR/75.0.3969.218`],
-  ['windows', 'opera', 76, null, `${WINDOWS} ${WEBKIT} Chrome/90.0.4430.85 Safari/537.36 OPR/76.0.4017.94`],
+  ['windows', 'opera', 74, 'opera-old', `${WINDOWS} ${WEBKIT} Chrome/88.0.4324.192 Safari/537.36 OPR/74.0.3911.232`],
+  ['windows', 'opera', 75, null, `${WINDOWS} ${WEBKIT} Chrome/89.0.4389.128 Safari/537.36 OPR/75.0.3969.218`],
   ['windows', 'brave', 138, 'brave', `${WINDOWS} ${WEBKIT} Chrome/138.0.0.0 Safari/537.36`, { brave: {} }],
   [
     'windows',

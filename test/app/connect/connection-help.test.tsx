@@ -116,7 +116,7 @@ describe('what to do', () => {
     ['unplugged', on('linux'), SPP, ['bluetooth-one', 'bluetooth-again']],
     ['lost', on('windows'), FTDI, ['cable', 'usb-power']],
     ['lost', on('windows'), SPP, ['bluetooth-one', 'bluetooth-again']],
-    ['waiting', on('windows'), FTDI, ['wake', 'near', 'battery', 'other-port', 'rate']],
+    ['waiting', on('windows'), FTDI, ['wake', 'near', 'battery', 'other-port-waiting', 'rate-waiting']],
     ['not-allowed', on('android'), null, ['ask-again', 'site-permission-mobile']],
     ['unsupported', on('windows', 'brave'), null, ['brave-flag', 'brave-relaunch']],
     ['unsupported', on('android', 'brave'), null, []],

@@ -1,5 +1,6 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
+import type { LinkState } from '../../../src/serial/index.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { button, connected, field, opened, press, type } from '../screen.js';
 
@@ -85,6 +86,43 @@ describe('while a timer or its adapter is waited for', () => {
     await idle();
     expect(field('DT time').value).toBe('3:00');
     expect(bench.session.simulated.value).toBe(false);
+  });
+});
+
+describe('what to do while no timer answers', () => {
+  const help = (): HTMLDetailsElement | null => document.querySelector('.top details.help');
+
+  /** Clicks Connect and lets the clock go until the link has come so far. */
+  async function connectUntil({ session }: AppBench, isThere: (state: LinkState) => boolean): Promise<void> {
+    fireEvent.click(button('Connect'));
+    for (let i = 0; i < 400 && !isThere(session.link.state.value); i++) await idle(50);
+    expect(session.link.state.value).toSatisfy(isThere);
+  }
+
+  it('is not said while the usual rates are tried', async () => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    bench.timer.core.sleep();
+    await connectUntil(bench, (state) => state.status === 'searching' && state.step === 2);
+    expect(help()).toBeNull();
+  });
+
+  it('is said from the third rate on, stays open while it waits, and goes when the timer answers', async () => {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    bench.timer.core.sleep();
+    await connectUntil(bench, (state) => state.status === 'searching' && state.step === 3);
+    const shown = help();
+    if (!shown) throw new Error('there is no help');
+    expect(within(shown).getAllByRole('listitem', { hidden: true })).toHaveLength(5);
+    expect(shown.textContent).toMatch(/^What to do/);
+    shown.open = true;
+    await idle();
+    expect(bench.session.link.state.value.status).toBe('waiting');
+    expect(help()).toBe(shown);
+    expect(shown.open).toBe(true);
+    bench.timer.core.press();
+    await idle();
+    expect(field('DT time').value).toBe('3:00');
+    expect(help()).toBeNull();
   });
 });
 

@@ -1,0 +1,55 @@
+import { FIRST, type UnsupportedReason } from '../browser/platform.js';
+import type { Said } from './en-notices.js';
+
+const restWorks = 'Everything but the connection works here too.';
+
+/** What an Android phone needs. */
+const android = `Chrome ${FIRST.android} or later (${FIRST.androidBluetooth} to ${FIRST.android - 1} over Bluetooth only); a cable needs Android ${FIRST.androidCable}`;
+
+/** What an adapter on a cable needs on a phone. */
+export const cableOnAndroid = `A phone lets the browser use an adapter on a cable only from Android ${FIRST.androidCable} on, with Chrome ${FIRST.android} or later. Until then use a Bluetooth adapter, or a computer.`;
+
+/** Where a timer can be reached: for every browser of which no more is known. */
+export const unsupportedHere: Said = {
+  title: 'This browser cannot reach a timer.',
+  advice: `Web Serial works on a computer in Chrome and Edge (${FIRST.chrome} or later), Opera (${FIRST.opera} or later) and Firefox (${FIRST.firefox} or later), and on Android in ${android}. ${restWorks}`,
+};
+
+function tooOld(name: string, first: number, more = ''): Said {
+  return {
+    title: `This ${name} is too old to reach a timer.`,
+    advice: `Update it to version ${first} or later${more}. ${restWorks}`,
+  };
+}
+
+/** In the place of the sentence for every browser, where the name of this one tells more. */
+export const unsupported: Record<UnsupportedReason, Said> = {
+  'chrome-old': tooOld('Chrome', FIRST.chrome),
+  'edge-old': tooOld('Edge', FIRST.edge),
+  'opera-old': tooOld('Opera', FIRST.opera),
+  brave: {
+    title: 'Brave reaches a timer only after you allow it.',
+    advice: `Switch its Web Serial on, as told below, or use Chrome or Edge. ${restWorks}`,
+  },
+  'firefox-old': tooOld(
+    'Firefox',
+    FIRST.firefox,
+    ': it then asks once to add a permission for this page. It knows adapters on a cable, not over Bluetooth',
+  ),
+  'firefox-mobile': {
+    title: 'Firefox on Android cannot reach a timer.',
+    advice: `Use ${android}. Or use a computer. ${restWorks}`,
+  },
+  safari: {
+    title: 'Safari cannot reach a timer.',
+    advice: `Use Chrome, Edge or Firefox (${FIRST.firefox} or later) on this Mac. ${restWorks}`,
+  },
+  ios: {
+    title: 'No browser on an iPhone or iPad can reach a timer.',
+    advice: `Use a computer, or an Android phone with ${android}. ${restWorks}`,
+  },
+  android: {
+    title: 'This browser cannot reach a timer.',
+    advice: `On Android, use ${android}. ${restWorks}`,
+  },
+};
