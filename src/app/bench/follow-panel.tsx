@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import { setValues } from '../editing/edit.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
@@ -165,7 +166,7 @@ function Decide({ session, write, follow }: DecideProps) {
         type="button"
         disabled={session.busy.value || session.editor.blocked.value}
         onClick={() => {
-          session.editor.apply(follow.trials.takeBack(), { code: 'restore', params: {} });
+          session.editor.apply(setValues({ code: 'restore', params: {} }, follow.trials.takeBack()));
           void write.open();
         }}
       >

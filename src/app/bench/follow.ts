@@ -2,7 +2,7 @@ import { batch, computed, effect, type ReadonlySignal, signal, untracked } from 
 import { differences, fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import { withValues } from '../editing/edits.js';
+import { withValues } from '../editing/edit.js';
 import type { JobOptions, Session } from '../session/session.js';
 import { within } from '../storage/limit.js';
 import type { Bench } from './bench.js';
@@ -191,7 +191,7 @@ export class Follow {
     const putBack = editor.changes.value.map(({ field }) => field).filter((field) => tried.has(fieldKey(field)));
     batch(() => {
       this.trials.set(null);
-      if (putBack.length > 0) editor.revertFields(putBack, { code: 'keep-tried', params: {} });
+      if (putBack.length > 0) editor.revertFields({ code: 'keep-tried', params: {} }, putBack);
     });
   }
 

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type Change, differences, fieldKey, sameLayout, type TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
-import type { FieldValue } from '../editing/edits.js';
+import type { FieldValue } from '../editing/edit.js';
 import { trialsSchema } from '../storage/records.js';
 
 /** What was tried while the servos followed. */

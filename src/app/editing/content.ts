@@ -8,7 +8,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { type FieldValue, withValues } from './edits.js';
+import { type EditValues, type FieldValue, withValues } from './edit.js';
 import { formatTime, parseSteps, type Question, type Reading, readTime, type UnreadableReason } from './units.js';
 
 /** What the pilot wants, and the texts in fields as they were typed, by field: what an edit changes and undo brings back. */
@@ -57,42 +57,45 @@ export function meansSame(a: Content, b: Content): boolean {
 }
 
 /**
- * A text as it was typed, and its value if it has one. One that asks what it means has none: the field is worth again what it was before.
+ * The value of a text that was typed; null when it has none. One that asks what it means has none: the field is worth again what it was before.
  * @param before the program before anything was typed there: on the way to `230` stood `23`.
  */
-export function typed({ working, texts }: Content, field: ProgramField, text: string, before: TimerProgram): Content {
-  const parsed = parseValue(working.identity, field, text);
-  const value = 'value' in parsed ? parsed.value : 'either' in parsed ? valueAt(before, field) : null;
-  return {
-    working: value === null ? working : withValues(working, [{ field, value }]),
-    texts: { ...texts, [fieldKey(field)]: text },
-  };
+export function valueOfText(field: ProgramField, text: string, before: TimerProgram): number | null {
+  const parsed = parseValue(before.identity, field, text);
+  if ('value' in parsed) return parsed.value;
+  return 'either' in parsed ? valueAt(before, field) : null;
 }
 
-/** These values, in the place of whatever texts stood in their fields. */
-export function applied({ working, texts }: Content, values: readonly FieldValue[]): Content {
-  const changes = values.filter(({ field, value }) => valueAt(working, field) !== value);
+/** The field in which a text stands that is no value, where an edit would put something else without the pilot seeing it. */
+export function inTheWay(unreadable: ReadonlyMap<string, unknown>, edit: EditValues): ProgramField | null {
+  const { texts = {} } = edit;
+  const isHidden = (key: string): boolean => unreadable.has(key) && !Object.hasOwn(texts, key);
+  return edit.values.find(({ field }) => isHidden(fieldKey(field)))?.field ?? null;
+}
+
+/** What an edit makes of it; the same objects where that is what was there. */
+export function applied({ working, texts }: Content, edit: EditValues): Content {
+  const changes = edit.values.filter(({ field, value }) => valueAt(working, field) !== value);
+  const replaced = edit.texts ?? {};
+  const left = without(texts, [...edit.values.map(({ field }) => fieldKey(field)), ...Object.keys(replaced)]);
+  const typed = Object.entries(replaced).filter((entry): entry is [string, string] => entry[1] !== null);
   return {
     working: withValues(working, changes),
-    texts: without(
-      texts,
-      values.map(({ field }) => fieldKey(field)),
-    ),
+    texts: typed.length > 0 ? { ...left, ...Object.fromEntries(typed) } : left,
   };
 }
 
-/** These fields as they are in another program; one that is not known there stays. */
-export function valuesOf(program: TimerProgram, fields: readonly ProgramField[]): FieldValue[] {
-  return fields.flatMap((field) => {
-    const value = valueAt(program, field);
-    return value === null ? [] : [{ field, value }];
-  });
-}
-
-/** These fields as a program has them, in the place of whatever stood there. */
-export function putBack(content: Content, to: TimerProgram, fields: readonly ProgramField[]): Content {
-  const { working, texts } = applied(content, valuesOf(to, fields));
-  return { working, texts: without(texts, fields.map(fieldKey)) };
+/** What the pilot wants, on top of what the timer holds by another reading. @param held what it held by the one before. */
+export function ontoReading({ working, texts }: Content, held: TimerProgram, read: TimerProgram): Content {
+  const edits = differences(held, working).flatMap(({ field, to }): FieldValue[] =>
+    to === null ? [] : [{ field, value: to }],
+  );
+  const wanted = withValues(read, edits);
+  // A text that says what the timer held before must not stand for what it holds now.
+  const changed = differences(read, wanted).map(({ field }) => fieldKey(field));
+  const stays = new Set([...unreadableIn({ working: wanted, texts }).keys(), ...changed]);
+  const drops = Object.keys(texts).filter((key) => !stays.has(key));
+  return { working: wanted, texts: without(texts, drops) };
 }
 
 /** Fields that nobody had touched follow the timer to what it holds now, and so do texts that say what it held. */

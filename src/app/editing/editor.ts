@@ -5,7 +5,6 @@ import {
   differences,
   type Finding,
   fieldKey,
-  fieldsOf,
   hasErrors,
   type ProgramField,
   sameLayout,
@@ -19,17 +18,18 @@ import {
   conflictsWith,
   followed,
   formatValue,
+  inTheWay,
   meansSame,
-  putBack,
+  ontoReading,
   textsFor,
-  typed,
   type UnreadableField,
   unreadableIn,
+  valueOfText,
   without,
 } from './content.js';
-import { type FieldValue, withValues } from './edits.js';
-import type { History, StepName, Turned } from './history.js';
+import { type Edit, type Obstacle, putBack, replaceAll, setValues, withValues } from './edit.js';
 import * as histories from './history.js';
+import { groupOf, type History, type StepName, type Turned } from './history.js';
 import { steady } from './steady.js';
 import type { Question } from './units.js';
 
@@ -123,15 +123,33 @@ export class Editor {
     return this.#texts.value[fieldKey(field)] !== undefined;
   }
 
+  /**
+   * Does an edit, as one step with its name. Edits of one group that follow each other become one step, until {@link settle}.
+   * @returns why it was not done; null when it was.
+   */
+  apply(edit: Edit): Obstacle | null {
+    const before = this.#content();
+    if (!before) return null;
+    if ('refused' in edit) return edit.refused;
+    const field = inTheWay(this.unreadable.value, edit);
+    if (field) return { code: 'unreadable', field };
+    const after = applied(before, edit);
+    // What changes nothing is no step.
+    if (after.working === before.working && after.texts === before.texts) return null;
+    this.#turn({ history: histories.record(this.#history.value, edit.name, before, edit.group), state: after });
+    return null;
+  }
+
   /** A key was pressed in a field: the text is kept, and its value taken over if it has one. One step until the field is left. */
   type(field: ProgramField, text: string): void {
+    const now = this.working.value;
+    if (!now) return;
     const key = fieldKey(field);
-    const step: StepName = { code: 'type', params: { field: key } };
-    const group = histories.groupOf('type', key);
     const { open, past } = this.#history.value;
-    const began = open === group ? past.at(-1)?.state.working : undefined;
+    const began = open === groupOf('type', key) ? past.at(-1)?.state.working : undefined;
+    const value = valueOfText(field, text, began ?? now);
     batch(() => {
-      this.#change(step, group, (content) => typed(content, field, text, began ?? content.working));
+      this.apply({ ...typing(field, value), texts: { [key]: text } });
       this.#typing.value = key;
     });
   }
@@ -152,10 +170,9 @@ export class Editor {
   /** What was asked about the text in a field is answered, as part of the same step: it is this value. */
   answer(field: ProgramField, value: number): void {
     const key = fieldKey(field);
-    const group = histories.groupOf('type', key);
     batch(() => {
-      if (this.#endsWithTyping(key)) this.#history.value = { ...this.#history.value, open: group };
-      this.apply([{ field, value }], { code: 'type', params: { field: key } }, group);
+      if (this.#endsWithTyping(key)) this.#history.value = { ...this.#history.value, open: groupOf('type', key) };
+      this.apply(typing(field, value));
       this.settle();
     });
   }
@@ -180,7 +197,7 @@ export class Editor {
    */
   escape(field: ProgramField): void {
     const key = fieldKey(field);
-    const taken = this.abandon(histories.groupOf('type', key)) || this.abandon(histories.groupOf('step', key));
+    const taken = this.abandon(groupOf('type', key)) || this.abandon(groupOf('step', key));
     if (!taken) this.revert(field);
   }
 
@@ -188,15 +205,11 @@ export class Editor {
    * Takes the step back that is still growing, if it is of this group.
    * @returns whether it was.
    */
-  abandon(group: string): boolean {
-    const growing = this.#history.value.open === group ? histories.abandon(this.#history.value) : null;
+  abandon(group: string | undefined): boolean {
+    const growing =
+      group !== undefined && this.#history.value.open === group ? histories.abandon(this.#history.value) : null;
     this.#turn(growing);
     return growing !== null;
-  }
-
-  /** Sets values, as one step. Steps of one group that follow each other become one, until {@link settle}. */
-  apply(values: readonly FieldValue[], step: StepName, group: string | null = null): void {
-    this.#change(step, group, (content) => applied(content, values));
   }
 
   /** The field was left, the drag has ended: what follows is a step of its own. What has come back to where it began was none. */
@@ -217,27 +230,20 @@ export class Editor {
 
   /** Puts one field back to what the timer holds. */
   revert(field: ProgramField): void {
-    this.revertFields([field], { code: 'revert', params: { field: fieldKey(field) } });
+    this.revertFields({ code: 'revert', params: { field: fieldKey(field) } }, [field]);
   }
 
   /** Puts some fields back to what the timer holds, as one step. */
-  revertFields(fields: readonly ProgramField[], step: StepName): void {
+  revertFields(name: StepName, fields: readonly ProgramField[]): void {
     const baseline = this.baseline.value;
-    if (baseline) this.#change(step, null, (content) => putBack(content, baseline, fields));
+    if (baseline) this.apply(putBack(name, baseline, fields));
   }
 
   /** Puts everything back to what the timer holds. */
   revertAll(): void {
-    const { baseline, working } = this;
-    if (baseline.value && working.value) {
-      this.revertFields(fieldsOf(working.value.identity), { code: 'revert-all', params: {} });
-    }
+    const baseline = this.baseline.value;
+    if (baseline) this.apply(replaceAll({ code: 'revert-all', params: {} }, baseline));
     this.#moved.value = new Map();
-  }
-
-  /** Puts a whole program of the same layout in the place of what the pilot wants, as one step. */
-  replace(program: TimerProgram, step: StepName = { code: 'restore', params: {} }): void {
-    this.#change(step, null, () => ({ working: program, texts: {} }));
   }
 
   /**
@@ -258,21 +264,15 @@ export class Editor {
       });
       return false;
     }
-    const edits = this.changes.value;
     const unforeseen = differences(before, read).filter(({ field, to }) => valueAt(wanted, field) !== to);
-    const moved = edits.length > 0 && unforeseen.length > 0;
+    const moved = this.changes.value.length > 0 && unforeseen.length > 0;
+    const { working, texts } = ontoReading({ working: wanted, texts: this.#texts.value }, before, read);
     batch(() => {
       if (moved) this.#moved.value = conflictsWith(this.#moved.value, differences(before, read));
       this.baseline.value = read;
       this.fresh.value = true;
-      const onTop = edits.flatMap(({ field, to }): FieldValue[] => (to === null ? [] : [{ field, value: to }]));
-      this.working.value = withValues(read, onTop);
-      // A text that says what the timer held before must not stand for what it holds now.
-      const stays = new Set([...this.unreadable.value.keys(), ...this.changed.value.keys()]);
-      this.#texts.value = without(
-        this.#texts.value,
-        Object.keys(this.#texts.value).filter((key) => !stays.has(key)),
-      );
+      this.working.value = working;
+      this.#texts.value = texts;
       // Undo must not bring back what nobody typed; what the pilot wrote is no surprise and can be undone.
       this.#history.value = histories.mapStates(this.#history.value, (state) => followed(state, unforeseen, read));
     });
@@ -335,15 +335,6 @@ export class Editor {
     return working && { working, texts: this.#texts.value };
   }
 
-  /** Takes an edit over and keeps what was before it; one that changes nothing is no step. */
-  #change(step: StepName, group: string | null, edit: (content: Content) => Content): void {
-    const before = this.#content();
-    if (!before) return;
-    const after = edit(before);
-    if (after.working === before.working && after.texts === before.texts) return;
-    this.#turn({ history: histories.record(this.#history.value, step, before, group), state: after });
-  }
-
   #turn(turned: Turned<Content> | null): void {
     if (!turned) return;
     batch(() => {
@@ -352,4 +343,11 @@ export class Editor {
       this.#texts.value = turned.state.texts;
     });
   }
+}
+
+/** A value that is typed in a field, or none yet. */
+function typing(field: ProgramField, value: number | null): Edit {
+  const key = fieldKey(field);
+  const values = value === null ? [] : [{ field, value }];
+  return setValues({ code: 'type', params: { field: key } }, values, groupOf('type', key));
 }

@@ -1,65 +1,31 @@
+import { fieldKey, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { MAX_POSITION } from '../../protocol/index.js';
 import {
-  type FindingCode,
-  fieldKey,
-  manualRange,
-  type ProgramField,
-  type TimerProgram,
-  valueAt,
-  withValue,
-} from '../../program/index.js';
-import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+  type CellValue,
+  checked,
+  type Edit,
+  type FieldValue,
+  MAX_VALUE,
+  NONE_UNREADABLE,
+  type Outcome,
+  type Refusal,
+  refusal,
+  refusalOf,
+  type TextOption,
+  type Unread,
+} from './edit.js';
 import {
   type CellField,
   countedFrom,
   fieldsIn,
   type GridField,
   type GridRange,
+  gridKey,
   intervalAt,
   programField,
   timeBefore,
 } from './grid.js';
-
-/** A value for one field: a time in hundredths of a second, a position in steps. */
-export interface FieldValue {
-  readonly field: ProgramField;
-  readonly value: number;
-}
-
-/**
- * Why nothing was changed.
- *
- * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire could not carry the value, as the check
- *   would find.
- * - `reserved`: slot 0 of a class other than Q, which is edited only on purpose, as a field of its own.
- * - `no-interval`: the start follows nothing.
- */
-export type RefusalCode =
-  | Extract<FindingCode, 'time-not-whole' | 'time-out-of-range' | 'position-not-whole' | 'position-out-of-range'>
-  | 'reserved'
-  | 'no-interval';
-
-export interface Refusal {
-  readonly code: RefusalCode;
-  /** The field that could not take its value. */
-  readonly field: CellField;
-  /** What the field would have been, and its range, as in a finding of the check. */
-  readonly params: Readonly<Record<'value' | 'min' | 'max', number>>;
-}
-
-/** Why an edit was not done: it cannot be, or a text that is no value yet stands where it would read or write. */
-export type Obstacle = Refusal | Unread<ProgramField>;
-
-/** The text in this field is no value. */
-export interface Unread<Field> {
-  readonly code: 'unreadable';
-  readonly field: Field;
-}
-
-/**
- * What an edit sets, or why it sets nothing. An edit is done whole or not at all: no value is bent to fit. What was asked for is in the
- * list also where it is the value already, so that a text in such a field gives way.
- */
-export type Edit = { readonly values: readonly FieldValue[] } | { readonly refused: Obstacle };
+import { groupOf } from './history.js';
 
 /**
  * DT is set by the rules of a contest, not by what the model does before it: an edit of other times moves it only when asked.
@@ -69,40 +35,27 @@ export interface DtOption {
   readonly moveDt?: boolean;
 }
 
-export interface TextOption {
-  /** The keys of the fields whose text is no value: what the program has there is not what the pilot sees. Default: none. */
-  readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
-}
-
-const NONE_UNREADABLE: ReadonlySet<string> = new Set();
-
-const MAX_THROTTLE = 255;
-/** The largest value that the wire carries in a kind of field. */
-export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: MAX_THROTTLE };
-
-/** Why the wire cannot carry a value in this field; null when it can. */
-export function refusalOf(field: CellField, value: number): Refusal | null {
-  if (!Number.isInteger(value)) return refusal(`${field.kind}-not-whole`, field, value);
-  return value >= 0 && value <= MAX_VALUE[field.kind] ? null : refusal(`${field.kind}-out-of-range`, field, value);
-}
-
-function refusal(code: RefusalCode, field: CellField, value: number): Refusal {
-  return { code, field, params: { value, min: 0, max: MAX_VALUE[field.kind] } };
-}
-
-/** The program with these values in it. */
-export function withValues(program: TimerProgram, values: readonly FieldValue[]): TimerProgram {
-  return values.reduce((edited, { field, value }) => withValue(edited, field, value), program);
-}
-
 /**
  * Sets an interval: the slot keeps this distance to the one before it, and the functions after it keep theirs, as on a sheet of
  * intervals. DT stays unless it is this slot or `moveDt` is set.
  * @param interval hundredths of a second; a negative one makes times fall.
  */
-export function setInterval(program: TimerProgram, slot: number, interval: number, options: DtOption = {}): Edit {
-  if (slot === 0) return { refused: refusal('no-interval', { kind: 'time', slot }, interval) };
-  return retime(program, new Map(), new Map([[slot, interval]]), options);
+export function setInterval(
+  program: TimerProgram,
+  slot: number,
+  interval: number,
+  options: DtOption & TextOption = {},
+): Edit {
+  const outcome =
+    slot === 0
+      ? { refused: refusal('no-interval', { kind: 'time', slot }, interval) }
+      : retime(program, new Map(), new Map([[slot, interval]]), options);
+  return ofInterval('type', slot, outcome);
+}
+
+function ofInterval(how: 'type' | 'step', slot: number, outcome: Outcome): Edit {
+  const group = groupOf(how, gridKey({ kind: 'interval', slot }));
+  return { name: { code: 'interval', params: { slot } }, group, ...outcome };
 }
 
 /**
@@ -110,7 +63,11 @@ export function setInterval(program: TimerProgram, slot: number, interval: numbe
  * timer those functions go along that are at its time or later, for they follow it in flight.
  * @param by hundredths of a second, negative to earlier.
  */
-export function shiftFrom(program: TimerProgram, slot: number, by: number, { moveDt = false }: DtOption = {}): Edit {
+export function shiftFrom(program: TimerProgram, slot: number, by: number, options: DtOption = {}): Edit {
+  return { name: { code: 'shift', params: { slot, by } }, ...shifted(program, slot, by, options) };
+}
+
+function shifted(program: TimerProgram, slot: number, by: number, { moveDt = false }: DtOption): Outcome {
   const { identity, times } = program;
   const from = times[slot];
   if (from === undefined || by === 0) return { values: [] };
@@ -135,14 +92,26 @@ export interface StepOptions {
 
 /**
  * One step up or down: of a time the step that the manual gives for it, else 0.01 s; of all else 1. A value between two steps goes to the
- * next one. It ends at 0 and at the last step that the wire carries; a value past them can only come back.
- * @returns nothing when there is no step to take.
+ * next one. It ends at 0 and at the last step that the wire carries; a value past them can only come back. Steps that follow each other are
+ * one to undo. A text that is no value has no next one.
  */
 export function stepValue(
   program: TimerProgram,
   field: ProgramField,
   direction: 1 | -1,
-  { tenfold = false }: StepOptions = {},
+  options: StepOptions = {},
+): Edit {
+  const key = fieldKey(field);
+  const values = nextStep(program, field, direction, options);
+  return { name: { code: 'step', params: { field: key } }, group: groupOf('step', key), values };
+}
+
+/** @returns nothing when there is no step to take. */
+function nextStep(
+  program: TimerProgram,
+  field: ProgramField,
+  direction: 1 | -1,
+  { tenfold = false }: StepOptions,
 ): FieldValue[] {
   const before = valueAt(program, field);
   if (before === null) return [];
@@ -161,31 +130,41 @@ export function stepInterval(
   program: TimerProgram,
   slot: number,
   direction: 1 | -1,
-  options: StepOptions & DtOption = {},
+  options: StepOptions & DtOption & TextOption = {},
 ): Edit {
+  return ofInterval('step', slot, steppedInterval(program, slot, direction, options));
+}
+
+function steppedInterval(
+  program: TimerProgram,
+  slot: number,
+  direction: 1 | -1,
+  { unreadable = NONE_UNREADABLE, ...options }: StepOptions & DtOption & TextOption,
+): Outcome {
+  const from = countedFrom(slot);
+  if (from && unreadable.has(fieldKey(from))) return { refused: { code: 'unreadable', field: from } };
   const interval = intervalAt(program, slot);
-  const [step] = stepValue(program, { kind: 'time', slot }, direction, options);
+  const [step] = nextStep(program, { kind: 'time', slot }, direction, options);
   if (interval === null || !step) return { values: [] };
   const by = step.value - (program.times[slot] as number);
-  return shiftFrom(program, slot, Math.max(by, Math.min(0, -interval)), options);
+  return shifted(program, slot, Math.max(by, Math.min(0, -interval)), options);
 }
 
 /** Gives one servo all positions of another. A position past the last step, as a timer may hold it, can be given to no other. */
 export function copyServo(program: TimerProgram, from: number, to: number): Edit {
   const row = program.positions[from] ?? [];
-  return checked(
-    program,
-    row.map((value, slot) => ({ field: { kind: 'position', servo: to, slot }, value })),
-  );
+  const copies = row.map((value, slot): CellValue => ({ field: { kind: 'position', servo: to, slot }, value }));
+  return { name: { code: 'copy-servo', params: { from, to } }, ...checked(program, copies) };
 }
 
 /** Mirrors all positions of a servo, 130 - p, as when it works the other way round. What is no step stays as it is. */
-export function reverseServo(program: TimerProgram, servo: number): FieldValue[] {
+export function reverseServo(program: TimerProgram, servo: number): Edit {
   const row = program.positions[servo] ?? [];
-  return row.flatMap((value, slot): FieldValue[] => {
+  const values = row.flatMap((value, slot): FieldValue[] => {
     const field: CellField = { kind: 'position', servo, slot };
     return refusalOf(field, value) ? [] : [{ field, value: MAX_POSITION - value }];
   });
+  return { name: { code: 'reverse-servo', params: { servo } }, values };
 }
 
 /**
@@ -194,6 +173,12 @@ export function reverseServo(program: TimerProgram, servo: number): FieldValue[]
  * nothing to give.
  */
 export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
+  const outcome = filledDown(program, range, options);
+  const count = 'values' in outcome ? outcome.values.length : 0;
+  return { name: { code: 'fill', params: { count } }, ...outcome };
+}
+
+function filledDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption): Outcome {
   const { functions } = program.identity;
   const { unreadable = NONE_UNREADABLE } = options;
   const takesTime = (slot: number): boolean => range.top > 0 && (slot < functions || options.moveDt === true);
@@ -273,17 +258,4 @@ export function startOf(
 ): CellField | null {
   const from = countedFrom(slot);
   return from && !times.has(from.slot) && !intervals.has(from.slot) ? from : null;
-}
-
-interface CellValue extends FieldValue {
-  readonly field: CellField;
-}
-
-/** Refused when a field would be changed to a value that the wire cannot carry. */
-function checked(program: TimerProgram, values: readonly CellValue[]): Edit {
-  for (const { field, value } of values) {
-    const refused = value === valueAt(program, field) ? null : refusalOf(field, value);
-    if (refused) return { refused };
-  }
-  return { values };
 }

@@ -1,5 +1,5 @@
 import { type Finding, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { type FieldValue, MAX_VALUE } from './edits.js';
+import { type FieldValue, MAX_VALUE } from './edit.js';
 
 /** The findings about times that do not rise. */
 const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repeats', 'position-never-reached']);

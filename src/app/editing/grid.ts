@@ -1,4 +1,4 @@
-import type { ProgramField, TimerProgram } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
@@ -50,6 +50,11 @@ export function cellFor(field: ProgramField): GridCell | null {
 /** The value of the program that an entry in a cell changes: for an interval the time at its end. */
 export function programField(field: GridField): CellField {
   return field.kind === 'interval' ? { kind: 'time', slot: field.slot } : field;
+}
+
+/** Names what stands in a cell, as {@link fieldKey} names a value. */
+export function gridKey(field: GridField): string {
+  return field.kind === 'interval' ? `interval:${field.slot}` : fieldKey(field);
 }
 
 /** The rectangle between two of its corners, in either order. */

@@ -61,9 +61,9 @@ export const MAX_STEPS = 200;
 
 export const EMPTY_HISTORY: History<never> = { past: [], future: [], open: null };
 
-/** The group of what is typed in one field, and that of the steps in it. */
-export function groupOf(code: 'type' | 'step', field: string): string {
-  return `${code} ${field}`;
+/** The group of what is typed in one field, that of the steps in it, and that of one movement of its handle. */
+export function groupOf(how: 'type' | 'step' | 'move', field: string): string {
+  return `${how} ${field}`;
 }
 
 /**

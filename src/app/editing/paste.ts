@@ -8,7 +8,8 @@ import {
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { MAX_CELLS, MAX_CHARACTERS, readTable } from './clipboard-table.js';
-import { type FieldValue, MAX_VALUE, refusalOf, retime, startOf, type TextOption, withValues } from './edits.js';
+import { type Edit, type FieldValue, MAX_VALUE, refusalOf, setValues, type TextOption, withValues } from './edit.js';
+import { retime, startOf } from './edits.js';
 import {
   columnsIn,
   fieldsIn,
@@ -19,6 +20,7 @@ import {
   intervalAt,
   TIME_COLUMN,
 } from './grid.js';
+import type { StepName } from './history.js';
 import { type Parsed, parseInterval, parseSteps, parseTime, readInterval, type UnreadableReason } from './units.js';
 
 /**
@@ -123,11 +125,12 @@ export function previewPaste(
 }
 
 /**
- * What a paste sets.
+ * The edit that a paste is.
  * @param takeRest the pilot has seen the problems and wants what can be read all the same.
  */
-export function pasted({ values, problems }: PastePreview, takeRest = false): readonly FieldValue[] {
-  return problems.length === 0 || takeRest ? values : [];
+export function pasted({ changes, values, problems }: PastePreview, takeRest = false): Edit {
+  const name: StepName = { code: 'paste', params: { count: changes.length } };
+  return setValues(name, problems.length === 0 || takeRest ? values : []);
 }
 
 interface Placed extends Pick<PastePreview, 'ignored' | 'headings' | 'names'> {

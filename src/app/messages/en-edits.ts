@@ -1,5 +1,5 @@
 import type { FindingCode } from '../../program/index.js';
-import type { RefusalCode } from '../editing/edits.js';
+import type { RefusalCode } from '../editing/edit.js';
 import type { StepCode } from '../editing/history.js';
 import type { PasteProblemCode } from '../editing/paste.js';
 import type { UnreadableReason } from '../editing/units.js';

@@ -11,7 +11,7 @@ import {
 import type { Identity } from '../../protocol/index.js';
 import { type KnownPort, portKind } from '../../serial/index.js';
 import { formatValue } from '../editing/content.js';
-import type { Obstacle } from '../editing/edits.js';
+import type { Obstacle } from '../editing/edit.js';
 import type { GridField } from '../editing/grid.js';
 import type { StepName } from '../editing/history.js';
 import type { PasteProblem } from '../editing/paste.js';

@@ -1,4 +1,5 @@
 import { type Finding, fieldKey } from '../../program/index.js';
+import { setValues } from '../editing/edit.js';
 import { fixFor } from '../editing/fixes.js';
 import { fieldLabel, figureText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
@@ -42,13 +43,12 @@ function FixButton({ finding }: { readonly finding: Finding }) {
   if (!fix || !identity) return null;
   const { field, value } = fix;
   const shown = figureText(identity, field, value);
-  const step = { code: 'fix', params: { field: fieldKey(field) } } as const;
   return (
     <button
       type="button"
       class="fix"
       aria-label={edits.fixOf(fieldLabel(identity, field), shown)}
-      onClick={() => editor.apply([fix], step)}
+      onClick={() => editor.apply(setValues({ code: 'fix', params: { field: fieldKey(field) } }, [fix]))}
     >
       {edits.fix(shown)}
     </button>

@@ -1,11 +1,11 @@
 import { useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import type { ProgramField } from '../../program/index.js';
+import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
-import { copyServo, type Obstacle, reverseServo } from '../editing/edits.js';
+import type { Edit } from '../editing/edit.js';
+import { copyServo, reverseServo } from '../editing/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { attempt } from '../session/attempt.js';
 
 /** What can be done to all positions of a servo at once. */
 export function ColumnMenu({ identity, servo }: { readonly identity: Identity; readonly servo: number }) {
@@ -22,26 +22,18 @@ export function ColumnMenu({ identity, servo }: { readonly identity: Identity; r
     problem.value = null;
     opener.current?.focus();
   };
-  const done = (obstacle: Obstacle | null): void => {
+  const apply = (edit: (program: TimerProgram) => Edit): void => {
+    const { value } = editor.working;
+    const obstacle = value && editor.apply(edit(value));
     if (obstacle) problem.value = `${edits.nothingDone} ${obstacleText(identity, obstacle)}`;
     else close();
-  };
-  const copyTo = (to: number): void => {
-    const { value } = editor.working;
-    if (value) done(attempt(editor, copyServo(value, servo, to), { code: 'copy-servo', params: { from: servo, to } }));
-  };
-  const reverse = (): void => {
-    const { value } = editor.working;
-    if (value) {
-      done(attempt(editor, { values: reverseServo(value, servo) }, { code: 'reverse-servo', params: { servo } }));
-    }
   };
   const revert = (): void => {
     const fields = Array.from(
       { length: slotCount(identity) },
       (_, column): ProgramField => ({ kind: 'position', servo, slot: column }),
     );
-    editor.revertFields(fields, { code: 'revert-column', params: { name: servoName(servo) } });
+    editor.revertFields({ code: 'revert-column', params: { name: servoName(servo) } }, fields);
     close();
   };
   return (
@@ -71,11 +63,11 @@ export function ColumnMenu({ identity, servo }: { readonly identity: Identity; r
       {open.value && (
         <span class="menu">
           {others.map((to) => (
-            <button type="button" key={to} onClick={() => copyTo(to)}>
+            <button type="button" key={to} onClick={() => apply((program) => copyServo(program, servo, to))}>
               {edits.table.copyTo(servoName(to))}
             </button>
           ))}
-          <button type="button" onClick={reverse}>
+          <button type="button" onClick={() => apply((program) => reverseServo(program, servo))}>
             {edits.table.reverse}
           </button>
           <button type="button" onClick={revert}>

@@ -1,13 +1,13 @@
 import { useSignal } from '@preact/signals';
 import type { TargetedFocusEvent } from 'preact';
 import { useRef } from 'preact/hooks';
-import { type Edit, setInterval, stepInterval } from '../editing/edits.js';
-import { intervalAt } from '../editing/grid.js';
+import type { Edit } from '../editing/edit.js';
+import { setInterval, stepInterval } from '../editing/edits.js';
+import { gridKey, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { formatInterval, type Question, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { attemptInterval } from '../session/attempt.js';
 import { useSteady } from '../ui/use-steady.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
@@ -41,20 +41,21 @@ export function IntervalField({ slot, label }: { readonly slot: number; readonly
   const entry = entered.value?.interval === interval ? entered.value : null;
   const problem = entry?.problem ?? null;
   const either = entry?.either;
-  const typing = groupOf('type', `interval:${slot}`);
-  const stepping = groupOf('step', `interval:${slot}`);
+  const key = gridKey({ kind: 'interval', slot });
+  const typing = groupOf('type', key);
+  const stepping = groupOf('step', key);
   const notesId = `interval-notes-${slot}`;
 
   /** @returns why it was not done; null when it was. */
-  const set = (edit: Edit, group: string): string | null => {
+  const apply = (edit: Edit): string | null => {
     const identity = editor.identity.value;
-    const obstacle = attemptInterval(editor, slot, edit, group);
+    const obstacle = editor.apply(edit);
     return obstacle && identity && obstacleText(identity, obstacle);
   };
   const step: OnStep = (direction, options) => {
     const working = editor.working.value;
     if (!working) return;
-    const problem = set(stepInterval(working, slot, direction, options), stepping);
+    const problem = apply(stepInterval(working, slot, direction, { ...options, unreadable: editor.unreadable.value }));
     entered.value = { text: null, problem, interval: find() };
   };
   const type = (text: string): void => {
@@ -64,7 +65,7 @@ export function IntervalField({ slot, label }: { readonly slot: number; readonly
     const problem =
       'unreadable' in parsed
         ? messages.value.unreadable[parsed.unreadable]
-        : set(setInterval(working, slot, parsed.value), typing);
+        : apply(setInterval(working, slot, parsed.value, { unreadable: editor.unreadable.value }));
     // What it began with may have been an interval.
     if (problem) editor.abandon(typing);
     const either = 'either' in parsed ? parsed.either : undefined;
@@ -73,7 +74,7 @@ export function IntervalField({ slot, label }: { readonly slot: number; readonly
   const answer = (value: number, byKey: boolean): void => {
     const working = editor.working.value;
     if (!working) return;
-    const problem = set(setInterval(working, slot, value), typing);
+    const problem = apply(setInterval(working, slot, value, { unreadable: editor.unreadable.value }));
     entered.value = problem ? { text: formatInterval(value), problem, interval: find() } : null;
     if (byKey) input.current?.focus();
   };

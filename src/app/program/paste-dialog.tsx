@@ -52,8 +52,7 @@ function Preview({ pasting: { range, text }, close }: { readonly pasting: Pastin
   const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
   const { changes, problems, readings, ignored } = preview;
   const apply = (): void => {
-    const values = pasted(preview, true);
-    editor.apply(values, { code: 'paste', params: { count: changes.length } });
+    editor.apply(pasted(preview, true));
     close();
   };
   return (

@@ -1,6 +1,7 @@
 import { useComputed, useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
+import { setValues } from '../editing/edit.js';
 import { formatTime, type Question, readTime } from '../editing/units.js';
 import { messages, presetText } from '../messages/index.js';
 import { useModels } from '../models.js';
@@ -36,7 +37,7 @@ export function DtPresets({ slot }: { readonly slot: number }) {
               key={value}
               aria-label={words.use(presetText(value))}
               aria-current={value === current}
-              onClick={() => editor.apply([{ field, value }], { code: 'preset', params: { field: key } })}
+              onClick={() => editor.apply(setValues({ code: 'preset', params: { field: key } }, [{ field, value }]))}
             >
               {presetText(value)}
             </button>

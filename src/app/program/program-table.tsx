@@ -7,7 +7,6 @@ import { fillDown } from '../editing/edits.js';
 import { cellFor, FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { fieldLabel, messages, obstacleText, slotLabel } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { attempt } from '../session/attempt.js';
 import { programKey } from '../session/record-keys.js';
 import { useHeight } from '../ui/use-height.js';
 import { useSteady } from '../ui/use-steady.js';
@@ -47,9 +46,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
     if (!identity || !range || !working.value) return;
     const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
     if (from.top < 0) return;
-    const edit = fillDown(working.value, from, { unreadable: editor.unreadable.value });
-    const count = 'values' in edit ? edit.values.length : 0;
-    const found = attempt(editor, edit, { code: 'fill', params: { count } });
+    const found = editor.apply(fillDown(working.value, from, { unreadable: editor.unreadable.value }));
     obstacle.value = found && obstacleText(identity, found);
   };
   const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({ editor, selection, pasting, obstacle });
@@ -179,7 +176,7 @@ function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowPro
               tabIndex={-1}
               title={edits.table.revertRow(name)}
               aria-label={edits.table.revertRow(name)}
-              onClick={() => editor.revertFields(fields, { code: 'revert-row', params: { slot } })}
+              onClick={() => editor.revertFields({ code: 'revert-row', params: { slot } }, fields)}
             />
           )}
         </th>

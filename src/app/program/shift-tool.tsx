@@ -4,7 +4,6 @@ import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText, slotLabel } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { attempt } from '../session/attempt.js';
 
 /** Moves a function and all later ones in time. */
 export function ShiftTool() {
@@ -30,8 +29,7 @@ export function ShiftTool() {
     const by = direction * parsed.value;
     const working = editor.working.value;
     if (!working) return;
-    const edit = shiftFrom(working, slot, by, { moveDt: moveDt.value });
-    const obstacle = attempt(editor, edit, { code: 'shift', params: { slot, by } });
+    const obstacle = editor.apply(shiftFrom(working, slot, by, { moveDt: moveDt.value }));
     problem.value = obstacle && `${nothingDone} ${obstacleText(identity, obstacle)}`;
   };
   return (

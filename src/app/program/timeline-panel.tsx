@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
-import { fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
+import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
 import { useModels } from '../models.js';
 import { kindKey } from '../session/record-keys.js';
@@ -42,15 +42,13 @@ export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProp
         {...{ program, player, selected, onSelect, onPoint }}
         overlay={useOverlay(program, behind.value)}
         now={() => editor.working.peek() ?? program}
-        onEdit={(values, { final, back }) => {
-          // All of one movement is one step, named after the field; one that leads back is none.
-          const key = values.map(({ field }) => fieldKey(field)).join(' ');
-          const group = `move ${key}`;
-          const isNone = final && back && editor.abandon(group);
-          if (!isNone) editor.apply(values, { code: 'move-mark', params: { field: key } }, group);
+        onEdit={(edit, phase) => {
+          // A movement that leads back is no step.
+          const isNone = phase === 'back' && editor.abandon(edit.group);
+          if (!isNone) editor.apply(edit);
           // What is in hand stays in hand.
           catchUp();
-          if (final) editor.settle();
+          if (phase !== 'moving') editor.settle();
         }}
       />
       <Behind

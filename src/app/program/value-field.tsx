@@ -3,9 +3,9 @@ import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { formatValue } from '../editing/content.js';
+import { stepValue } from '../editing/edits.js';
 import { figureOf, messages, spokenTime, valueText } from '../messages/index.js';
 import { useModels } from '../models.js';
-import { stepField } from '../session/attempt.js';
 import { useSteady } from '../ui/use-steady.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
@@ -65,7 +65,8 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
   ].filter(Boolean);
   const revert = (): void => editor.revert(field);
   const step: OnStep = (direction, options) => {
-    if (!readOnly) stepField(editor, field, direction, options);
+    const working = editor.working.value;
+    if (working && !readOnly) editor.apply(stepValue(working, field, direction, options));
   };
   useWheel(input, step);
   useSwipe(input, step);

@@ -10,6 +10,7 @@ import {
   type TimerConnection,
 } from '../../serial/index.js';
 import type { TabNumber } from '../browser/tab-number.js';
+import { replaceAll } from '../editing/edit.js';
 import { Editor } from '../editing/editor.js';
 import type { Backup, Draft, Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
@@ -393,7 +394,7 @@ export class Session {
     if (!working.value || !sameLayout(working.value.identity, program.identity)) return;
     const idleThrottle = program.idleThrottle ?? working.value.idleThrottle;
     const wanted = { ...working.value, times: program.times, positions: program.positions, idleThrottle };
-    this.editor.replace(wanted, { code: 'restore', params: {} });
+    this.editor.apply(replaceAll({ code: 'restore', params: {} }, wanted));
   }
 
   /** Goes to a timer: finds out how, goes, and settles when it was read or has to be waited for. One way at a time, also while it is waited for. */

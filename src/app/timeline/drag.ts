@@ -1,21 +1,13 @@
-import { manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+import { type Edit, setValues } from '../editing/edit.js';
+import { groupOf, type StepName } from '../editing/history.js';
 
-/** A value that one movement of a handle gives to a field. */
-export interface FieldChange {
-  readonly field: ProgramField;
-  readonly value: number;
-}
+/** A handle is in hand; it was let go; it was let go where it was taken, as if nothing had been done. */
+export type DragPhase = 'moving' | 'done' | 'back';
 
-/** What a change is part of: all until the one that is `final` are one step for who wants to undo it. */
-export interface EditStep {
-  readonly name: 'move-time' | 'move-position';
-  readonly final: boolean;
-  /** The handle stands where it was taken: as if nothing had been done. */
-  readonly back: boolean;
-}
-
-export type OnEdit = (changes: readonly FieldChange[], step: EditStep) => void;
+/** All edits of one movement are of one group: one step for who wants to undo it. */
+export type OnEdit = (edit: Edit, phase: DragPhase) => void;
 
 export interface Limits {
   readonly min: number;
@@ -70,7 +62,6 @@ function within(value: number, { min, max }: Limits): number {
 export class DragEdit {
   readonly program: TimerProgram;
   readonly field: ProgramField;
-  readonly #name: EditStep['name'];
   readonly #onEdit: OnEdit;
   readonly #original: number;
   #last: number;
@@ -81,7 +72,6 @@ export class DragEdit {
     this.program = program;
     this.field = field;
     this.#onEdit = onEdit;
-    this.#name = field.kind === 'time' ? 'move-time' : 'move-position';
     this.#original = this.#last = valueAt(program, field) ?? 0;
   }
 
@@ -94,12 +84,12 @@ export class DragEdit {
     if (value === this.#last) return;
     this.#last = value;
     this.#moved = true;
-    this.#tell(false);
+    this.#tell('moving');
   }
 
   /** The handle is let go. Nothing is said of a movement that was none. */
   finish(): void {
-    if (this.#moved) this.#tell(true);
+    if (this.#moved) this.#tell(this.#last === this.#original ? 'back' : 'done');
     this.#moved = false;
   }
 
@@ -109,8 +99,10 @@ export class DragEdit {
     this.finish();
   }
 
-  #tell(final: boolean): void {
-    const back = this.#last === this.#original;
-    this.#onEdit([{ field: this.field, value: this.#last }], { name: this.#name, final, back });
+  #tell(phase: DragPhase): void {
+    const { field } = this;
+    const key = fieldKey(field);
+    const name: StepName = { code: 'move-mark', params: { field: key } };
+    this.#onEdit(setValues(name, [{ field, value: this.#last }], groupOf('move', key)), phase);
   }
 }

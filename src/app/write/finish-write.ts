@@ -1,4 +1,5 @@
 import type { TimerProgram } from '../../program/index.js';
+import { replaceAll } from '../editing/edit.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from './write-flow.js';
 
@@ -26,14 +27,14 @@ export class FinishWrite {
   async show(): Promise<void> {
     const goal = this.#program('goal');
     if (!goal) return;
-    this.#session.editor.replace(goal, { code: 'finish-write', params: {} });
+    this.#session.editor.apply(replaceAll({ code: 'finish-write', params: {} }, goal));
     await this.#session.recovery.settle();
   }
 
   async #toward(end: 'goal' | 'before'): Promise<void> {
     const program = this.#program(end);
     if (!program) return;
-    this.#session.editor.replace(program);
+    this.#session.editor.apply(replaceAll({ code: 'restore', params: {} }, program));
     await this.#write.open();
   }
 

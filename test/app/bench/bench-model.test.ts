@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { HOLD, PressAndHold } from '../../../src/app/ui/press-and-hold.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import type { Request } from '../../../src/protocol/index.js';
@@ -31,7 +32,7 @@ async function followingBench(options: BenchOptions = {}) {
 }
 
 function set({ editor }: AppBench, field: ProgramField, value: number): void {
-  editor.apply([{ field, value }], { code: 'step', params: {} });
+  editor.apply(setValues({ code: 'step', params: {} }, [{ field, value }]));
 }
 
 function requests({ timer }: AppBench, name: Request['name']): Request[] {
@@ -249,7 +250,7 @@ describe('following', () => {
     set(app, S2, 70);
     await idle();
     await run(app.follow.stop());
-    app.editor.apply(app.follow.trials.takeBack(), { code: 'restore', params: {} });
+    app.editor.apply(setValues({ code: 'restore', params: {} }, app.follow.trials.takeBack()));
     await run(app.write.open());
     await run(app.write.start());
     expect([heldBy(app, S2), app.follow.trials.current.value]).toEqual([before, null]);
@@ -467,7 +468,7 @@ describe('following', () => {
     set(app, S2, 66);
     await idle();
     await run(app.follow.stop());
-    app.editor.apply(app.follow.trials.takeBack(), { code: 'restore', params: {} });
+    app.editor.apply(setValues({ code: 'restore', params: {} }, app.follow.trials.takeBack()));
     expect(app.editor.changes.value).toHaveLength(1);
     app.follow.keep();
     expect([app.editor.changes.value, app.follow.trials.current.value]).toEqual([[], null]);

@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { afterEach, expect, it, vi } from 'vitest';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { COMMANDS } from '../../../src/protocol/index.js';
 import type { TimerQuirks } from '../../../src/simulator/index.js';
 import { type AppBench, connectedBench, idle } from './bench.js';
@@ -144,11 +145,12 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
   const position = (servo: number, slot: number) => ({ kind: 'position' as const, servo, slot });
   if (act.do === 'edit') {
     const values = act.slots.map((slot) => ({ field: position(act.servo, slot), value: act.value }));
-    editor.apply(values, { code: 'step', params: {} });
+    editor.apply(setValues({ code: 'step', params: {} }, values));
   } else if (act.do === 'type') editor.type(position(act.servo, act.slot), act.text);
   else if (act.do === 'undo') editor.undo();
   else if (act.do === 'time') {
-    editor.apply([{ field: { kind: 'time', slot: 10 }, value: 20_000 }], { code: 'step', params: {} });
+    const values = [{ field: { kind: 'time', slot: 10 } as const, value: 20_000 }];
+    editor.apply(setValues({ code: 'step', params: {} }, values));
   } else if (act.do === 'move') void bench.moveTo(act.slot);
   else if (act.do === 'bring') follow.bring(act.slot);
   else if (act.do === 'going') follow.setGoing(act.on);

@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { FrameForm } from '../../../src/app/line/frame-form.js';
 import { possibleValues } from '../../../src/app/session/knowledge.js';
 import type { ProgramField } from '../../../src/program/index.js';
@@ -30,10 +31,8 @@ async function following(options: BenchOptions = {}, at: number | null = 4): Pro
 }
 
 function set({ editor }: AppBench, ...values: [ProgramField, number][]): void {
-  editor.apply(
-    values.map(([field, value]) => ({ field, value })),
-    { code: 'step', params: {} },
-  );
+  const edits = values.map(([field, value]) => ({ field, value }));
+  editor.apply(setValues({ code: 'step', params: {} }, edits));
 }
 
 /** What stores or moves, in its order: 'S4.1=70' stores, 'M4' moves. */

@@ -1,7 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { parseValue } from '../../../src/app/editing/content.js';
+import { setValues } from '../../../src/app/editing/edit.js';
 import { Editor } from '../../../src/app/editing/editor.js';
+import { shiftFrom } from '../../../src/app/editing/edits.js';
 import {
   fieldKey,
   fieldsOf,
@@ -31,6 +33,36 @@ function editorOf(program: TimerProgram = held): Editor {
 function goalOf(editor: Editor, field: ProgramField): number | null {
   return editor.working.value && valueAt(editor.working.value, field);
 }
+
+describe('an edit', () => {
+  const name = { code: 'preset', params: {} } as const;
+
+  it('gives back why it is refused, and changes nothing', () => {
+    const editor = editorOf();
+    const refused = shiftFrom(held, 3, 1_000_000);
+    expect(editor.apply(refused)).toEqual('refused' in refused ? refused.refused : null);
+    expect([editor.working.value, editor.undoStep.value]).toEqual([held, null]);
+  });
+
+  it('puts nothing in the place of a text that is no value, unless that field is meant', () => {
+    const editor = editorOf();
+    editor.type(S1, 'seven');
+    const step = editor.undoStep.value;
+    const values = [
+      { field: DT, value: 20000 },
+      { field: S1, value: 7 },
+    ];
+    expect(editor.apply({ name, values })).toEqual({ code: 'unreadable', field: S1 });
+    expect([editor.textOf(S1), goalOf(editor, DT), editor.undoStep.value]).toEqual(['seven', 18000, step]);
+    expect(editor.apply(setValues(name, values))).toBeNull();
+    expect([editor.textOf(S1), goalOf(editor, DT)]).toEqual(['7', 20000]);
+  });
+
+  it('is none before anything was read', () => {
+    const editor = new Editor();
+    expect([editor.apply(setValues(name, [{ field: DT, value: 1 }])), editor.working.value]).toEqual([null, null]);
+  });
+});
 
 describe('what is typed', () => {
   it('stands as it was typed until the field is left, and is a value at once', () => {
@@ -277,10 +309,8 @@ describe('what can be read in two ways', () => {
     expect([editor.textOf(DT), editor.blocked.value]).toEqual(['4:00', false]);
     editor.type(DT, '2.30');
     editor.leave(DT);
-    editor.apply([{ field: { kind: 'position', servo: 0, slot: 1 }, value: 1 }], {
-      code: 'step',
-      params: { field: 'position:0:1' },
-    });
+    const other: ProgramField = { kind: 'position', servo: 0, slot: 1 };
+    editor.apply(setValues({ code: 'step', params: { field: fieldKey(other) } }, [{ field: other, value: 1 }]));
     editor.takeBack(DT);
     expect([editor.textOf(DT), editor.changes.value.length]).toEqual(['3:00', 1]);
   });

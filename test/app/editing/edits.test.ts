@@ -1,18 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { type Edit, putBack, replaceAll, setValues, withValues } from '../../../src/app/editing/edit.js';
 import {
   copyServo,
-  type Edit,
-  type FieldValue,
   fillDown,
   reverseServo,
   setInterval,
   shiftFrom,
   stepInterval,
   stepValue,
-  withValues,
 } from '../../../src/app/editing/edits.js';
 import { intervalAt } from '../../../src/app/editing/grid.js';
+import { pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import {
   fieldKey,
   fieldsOf,
@@ -21,14 +20,10 @@ import {
   type TimerProgram,
   valueAt,
 } from '../../../src/program/index.js';
-import { anyProgram, programAndRange, programOf, Q4 } from './grid-programs.js';
+import { anyProgram, programAndRange, programOf, Q4, valuesOf } from './grid-programs.js';
 
 const program = programOf();
 const B4 = { ...Q4, timerClass: 'B' };
-
-function valuesOf(edit: Edit): readonly FieldValue[] {
-  return 'values' in edit ? edit.values : expect.fail(`refused: ${edit.refused.code} ${fieldKey(edit.refused.field)}`);
-}
 
 /** The times after an edit. */
 function timesAfter(edit: Edit, before: TimerProgram = program): readonly number[] {
@@ -60,7 +55,7 @@ describe('an interval', () => {
   });
 
   it('lists the field that was asked for also when its time is that already', () => {
-    expect(setInterval(program, 3, 250)).toEqual({ values: [{ field: { kind: 'time', slot: 3 }, value: 1250 }] });
+    expect(valuesOf(setInterval(program, 3, 250))).toEqual([{ field: { kind: 'time', slot: 3 }, value: 1250 }]);
   });
 
   it.each([
@@ -172,7 +167,7 @@ describe('a step', () => {
   const E4 = { ...Q4, timerClass: 'E' };
   const stepped = (field: ProgramField, value: number, direction: 1 | -1, tenfold = false, identity = Q4): number => {
     const before = withValues({ ...program, identity }, [{ field, value }]);
-    return valueAt(withValues(before, stepValue(before, field, direction, { tenfold })), field) as number;
+    return valueAt(withValues(before, valuesOf(stepValue(before, field, direction, { tenfold }))), field) as number;
   };
 
   it.each([
@@ -199,7 +194,7 @@ describe('a step', () => {
   });
 
   it('is none for an idle throttle that is not known', () => {
-    expect(stepValue({ ...program, idleThrottle: null }, { kind: 'idleThrottle' }, 1)).toEqual([]);
+    expect(valuesOf(stepValue({ ...program, idleThrottle: null }, { kind: 'idleThrottle' }, 1))).toEqual([]);
   });
 
   it('goes its way, stays in range and ends on the grid of the class', () => {
@@ -213,7 +208,7 @@ describe('a step', () => {
           const fields = fieldsOf(before.identity);
           const field = fields[at % fields.length] as ProgramField;
           const was = valueAt(before, field);
-          const values = stepValue(before, field, direction, { tenfold });
+          const values = valuesOf(stepValue(before, field, direction, { tenfold }));
           for (const { value } of values) {
             const step = field.kind === 'time' ? (manualRange(before.identity, field.slot)?.step ?? 1) : 1;
             const max = { time: 65535, position: 130, idleThrottle: 255 }[field.kind];
@@ -240,8 +235,7 @@ describe('a step', () => {
       1000, 50, 1000, 1000, 1495, 18000,
     ]);
     const falls = { ...program, times: [1000, 50, 1000, 900, 1500, 18000] };
-    expect(stepInterval(falls, 3, -1)).toEqual({ values: [] });
-    expect(stepInterval(program, 0, 1)).toEqual({ values: [] });
+    expect([stepInterval(falls, 3, -1), stepInterval(program, 0, 1)].map(valuesOf)).toEqual([[], []]);
   });
 });
 
@@ -266,22 +260,22 @@ describe('a servo', () => {
 
   it('is mirrored about the middle of its travel, but for what is no step', () => {
     const odd = { ...program, positions: [[0, 130, 65, 200, -1, 60], program.positions[1] ?? []] };
-    const after = withValues(odd, reverseServo(odd, 0));
+    const after = withValues(odd, valuesOf(reverseServo(odd, 0)));
     expect(after).toEqual({ ...odd, positions: [[130, 0, 65, 200, -1, 70], odd.positions[1]] });
   });
 
   it('mirrored twice is as before', () => {
     fc.assert(
       fc.property(anyProgram, fc.nat(2), (before, servo) => {
-        const once = withValues(before, reverseServo(before, servo));
-        expect(withValues(once, reverseServo(once, servo))).toEqual(before);
+        const once = withValues(before, valuesOf(reverseServo(before, servo)));
+        expect(withValues(once, valuesOf(reverseServo(once, servo)))).toEqual(before);
       }),
       { numRuns: 200 },
     );
   });
 
   it('that there is not gives nothing', () => {
-    expect([copyServo(program, 7, 0), reverseServo(program, 7)]).toEqual([{ values: [] }, []]);
+    expect([copyServo(program, 7, 0), reverseServo(program, 7)].map(valuesOf)).toEqual([[], []]);
   });
 });
 
@@ -353,5 +347,41 @@ describe('fill down', () => {
       }),
       { numRuns: 500 },
     );
+  });
+});
+
+describe('every edit', () => {
+  const field: ProgramField = { kind: 'time', slot: 3 };
+  const name = { code: 'preset', params: {} } as const;
+  const range = { top: 1, left: 2, bottom: 3, right: 2 };
+
+  it.each<[Edit, string, Record<string, unknown>, string | undefined]>([
+    [stepValue(program, field, 1), 'step', { field: 'time:3' }, 'step time:3'],
+    [setInterval(program, 3, 99), 'interval', { slot: 3 }, 'type interval:3'],
+    [setInterval(program, 0, 99), 'interval', { slot: 0 }, 'type interval:0'],
+    [stepInterval(program, 3, 1), 'interval', { slot: 3 }, 'step interval:3'],
+    [shiftFrom(program, 3, 100), 'shift', { slot: 3, by: 100 }, undefined],
+    [copyServo(program, 0, 1), 'copy-servo', { from: 0, to: 1 }, undefined],
+    [reverseServo(program, 1), 'reverse-servo', { servo: 1 }, undefined],
+    [fillDown(program, range), 'fill', { count: 2 }, undefined],
+    [pasted(previewPaste(program, range, '65')), 'paste', { count: 3 }, undefined],
+    [setValues(name, [{ field, value: 1 }], 'g'), 'preset', {}, 'g'],
+    [putBack(name, program, [field]), 'preset', {}, undefined],
+  ])('carries its name and its group: %#', (edit, code, params, group) => {
+    expect([edit.name, edit.group]).toEqual([{ code, params }, group]);
+  });
+
+  it('counts from no time whose text is no value', () => {
+    const unreadable = new Set(['time:2']);
+    const all = [setInterval(program, 3, 99, { unreadable }), stepInterval(program, 3, 1, { unreadable })];
+    expect(all.map(refusalIn)).toEqual(['unreadable time:2', 'unreadable time:2']);
+    expect(refusalIn(setInterval(program, 1, 99, { unreadable: new Set(['time:0', 'time:1']) }))).toBe('done');
+  });
+
+  it('puts back what is known, and takes the text away where it is not', () => {
+    const throttle: ProgramField = { kind: 'idleThrottle' };
+    const edit = putBack(name, { ...program, idleThrottle: null }, [field, throttle]);
+    expect(edit).toMatchObject({ values: [{ field, value: 1250 }], texts: { 'time:3': null, idleThrottle: null } });
+    expect(withValues({ ...program, times: [0, 0, 0, 0, 0, 0] }, valuesOf(replaceAll(name, program)))).toEqual(program);
   });
 });

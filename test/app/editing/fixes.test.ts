@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { withValues } from '../../../src/app/editing/edits.js';
+import { withValues } from '../../../src/app/editing/edit.js';
 import { fixFor } from '../../../src/app/editing/fixes.js';
 import { checkProgram, type FindingCode, type TimerProgram } from '../../../src/program/index.js';
 import { anyProgram, programOf } from './grid-programs.js';

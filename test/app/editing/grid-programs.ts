@@ -1,6 +1,13 @@
 import fc from 'fast-check';
+import { expect } from 'vitest';
+import type { Edit, FieldValue } from '../../../src/app/editing/edit.js';
 import type { GridRange } from '../../../src/app/editing/grid.js';
-import type { TimerProgram } from '../../../src/program/index.js';
+import { fieldKey, type TimerProgram } from '../../../src/program/index.js';
+
+/** What an edit sets that is not refused. */
+export function valuesOf(edit: Edit): readonly FieldValue[] {
+  return 'values' in edit ? edit.values : expect.fail(`refused: ${edit.refused.code} ${fieldKey(edit.refused.field)}`);
+}
 
 /** A small Q timer. */
 export const Q4 = { timerClass: 'Q', firmware: '536', functions: 5, memories: 4, servos: 2 };

@@ -1,12 +1,13 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { formatTable } from '../../../src/app/editing/clipboard-table.js';
-import { refusalOf, setInterval, withValues } from '../../../src/app/editing/edits.js';
+import { refusalOf, withValues } from '../../../src/app/editing/edit.js';
+import { setInterval } from '../../../src/app/editing/edits.js';
 import { fieldsIn, type GridRange, intervalAt, programField } from '../../../src/app/editing/grid.js';
 import { type PasteOptions, type PastePreview, pasted, previewPaste } from '../../../src/app/editing/paste.js';
 import { differences, fieldKey, type TimerProgram } from '../../../src/program/index.js';
 import { slotCount } from '../../../src/protocol/index.js';
-import { anyProgram, programAndRange, programOf, Q4 } from './grid-programs.js';
+import { anyProgram, programAndRange, programOf, Q4, valuesOf } from './grid-programs.js';
 
 const program = programOf();
 const B4 = { ...Q4, timerClass: 'B' };
@@ -23,6 +24,8 @@ function paste(text: string, range = at(0, 0), options: PasteOptions = {}, befor
   return previewPaste(before, range, text, options);
 }
 
+const setBy = (preview: PastePreview, takeRest = false) => valuesOf(pasted(preview, takeRest));
+
 describe('a pasted table', () => {
   it('begins at the first cell and says what changes', () => {
     const preview = paste('12,5\t65\n2:05.5\t40', at(3, 0));
@@ -32,7 +35,7 @@ describe('a pasted table', () => {
       'time:4': '1500 -> 12550',
     });
     expect(preview).toMatchObject({ problems: [], ignored: 0, headings: false, names: false });
-    expect(withValues(program, pasted(preview)).times).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
+    expect(withValues(program, setBy(preview)).times).toEqual([1000, 50, 1000, 1250, 12550, 18000]);
   });
 
   it.each([
@@ -42,7 +45,7 @@ describe('a pasted table', () => {
     ['2:05.5', 12550],
     ['\u00a09.75\u202f', 975],
   ])('takes a time like %j', (text, time) => {
-    expect(pasted(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', slot: 3 }, value: time }]);
+    expect(setBy(paste(text, at(3, 0)))).toEqual([{ field: { kind: 'time', slot: 3 }, value: time }]);
   });
 
   it('leaves what is under empty cells', () => {
@@ -90,7 +93,7 @@ describe('a pasted table', () => {
 
   it('lists a value also where it is there already', () => {
     const preview = paste('20', at(1, 2));
-    expect([preview.changes, pasted(preview).length]).toEqual([[], 1]);
+    expect([preview.changes, setBy(preview).length]).toEqual([[], 1]);
   });
 });
 
@@ -199,8 +202,8 @@ describe('a cell that is wrong', () => {
     const preview = paste('1\t2\nx\t200', at(2, 2));
     expect(problemsIn(preview)).toEqual(['1:0 x not-a-whole-number', '1:1 200 position-out-of-range']);
     expect(changesIn(preview)).toEqual({ 'position:0:2': '30 -> 1', 'position:1:2': '35 -> 2' });
-    expect(pasted(preview)).toEqual([]);
-    expect(differences(program, withValues(program, pasted(preview, true)))).toEqual(preview.changes);
+    expect(setBy(preview)).toEqual([]);
+    expect(differences(program, withValues(program, setBy(preview, true)))).toEqual(preview.changes);
   });
 
   it('is said with its place, its range and the begin of its text', () => {
@@ -232,13 +235,13 @@ describe('a cell that is wrong', () => {
   it('is the end of a text that is too large', () => {
     const preview = paste(`${'1\t2\n'.repeat(5000)}3`, at(0, 2));
     expect(problemsIn(preview)).toEqual(['5000:0  too-large']);
-    expect([pasted(preview), pasted(preview, true).length]).toEqual([[], 12]);
+    expect([setBy(preview), setBy(preview, true).length]).toEqual([[], 12]);
     expect(paste(`7\n${'x'.repeat(300_000)}`, { top: 0, left: 2, bottom: 5, right: 3 }).changes).toHaveLength(1);
   });
 });
 
 describe('pasted intervals', () => {
-  const times = (preview: PastePreview, rest = false) => withValues(program, pasted(preview, rest)).times;
+  const times = (preview: PastePreview, rest = false) => withValues(program, setBy(preview, rest)).times;
 
   it('are set from top to bottom: what has none keeps its distance, DT its time', () => {
     expect(times(paste('1\n2', at(1, 1)))).toEqual([1000, 100, 300, 550, 800, 18000]);
@@ -299,7 +302,7 @@ describe('pasted intervals', () => {
         const range = intervals.length === 1 ? at(1, 1) : { ...at(1, 1), bottom: 99 };
         const preview = previewPaste(before, range, `${text}\n`);
         expect(preview.problems).toEqual([]);
-        expect(withValues(before, pasted(preview))).toEqual(expected);
+        expect(withValues(before, setBy(preview))).toEqual(expected);
         compared++;
       }),
       { numRuns: 500 },
@@ -332,7 +335,7 @@ describe('copied and pasted', () => {
           positions: source.positions.map((row) => row.map((_, column) => other.positions[0]?.[column % 2] as number)),
         };
         const preview = previewPaste(target, range, formatTable(source, range, { decimal: mark }));
-        const after = withValues(target, pasted(preview, true));
+        const after = withValues(target, setBy(preview, true));
         if (preview.problems.length > 0) return;
         for (const field of fieldsIn(source.identity, range)) {
           if (field.kind === 'interval') expect(intervalAt(after, field.slot)).toBe(intervalAt(source, field.slot));
@@ -401,7 +404,7 @@ describe('whatever is pasted', () => {
       fc.property(programAndRange, anyText, fc.boolean(), ([before, range], text, takeRest) => {
         const copy = structuredClone(before);
         const preview = previewPaste(before, range, text, { headings: ['Time', 'Interval', 'S1', 'S2', 'S3'] });
-        const values = pasted(preview, takeRest);
+        const values = setBy(preview, takeRest);
         const after = withValues(before, values);
         expect(before).toEqual(copy);
         expect(differences(before, after)).toEqual(preview.problems.length > 0 && !takeRest ? [] : preview.changes);
@@ -444,7 +447,7 @@ describe('whatever is pasted', () => {
   it('is refused or done in little time, with thousands of columns and rows', () => {
     for (const text of [`${'1\t'.repeat(99)}1\n`.repeat(1e5), '65\n'.repeat(1e6), 'x'.repeat(5e6), '"'.repeat(5e6)]) {
       const preview = paste(text, at(0, 2));
-      expect(pasted(preview)).toEqual([]);
+      expect(setBy(preview)).toEqual([]);
       expect(preview.problems.at(-1)?.code).toBe('too-large');
     }
   });

@@ -2,9 +2,10 @@ import fc from 'fast-check';
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 import { formatValue, parseValue } from '../../../src/app/editing/content.js';
+import { replaceAll, setValues } from '../../../src/app/editing/edit.js';
 import { Editor } from '../../../src/app/editing/editor.js';
+import { stepValue } from '../../../src/app/editing/edits.js';
 import { MAX_STEPS } from '../../../src/app/editing/history.js';
-import { stepField } from '../../../src/app/session/attempt.js';
 import { draftSchema } from '../../../src/app/storage/records.js';
 import {
   differences,
@@ -34,6 +35,11 @@ function type(editor: Editor, field: ProgramField, ...texts: readonly string[]):
   editor.leave(field);
 }
 
+function step(editor: Editor, field: ProgramField, direction: 1 | -1 = 1): void {
+  const { value } = editor.working;
+  if (value) editor.apply(stepValue(value, field, direction));
+}
+
 describe('undo and redo', () => {
   it('take back what was typed in a field until it was left, as one step with a name', () => {
     const editor = editorOf();
@@ -60,7 +66,7 @@ describe('undo and redo', () => {
 
   it('take back a whole program, and everything put back', () => {
     const editor = editorOf();
-    editor.replace(withValue(held, S1, 77));
+    editor.apply(replaceAll({ code: 'restore', params: {} }, withValue(held, S1, 77)));
     type(editor, S2, 'x');
     editor.revertAll();
     expect(editor.dirty.value).toBe(false);
@@ -73,7 +79,7 @@ describe('undo and redo', () => {
 
   it('know no step that changed nothing', () => {
     const editor = editorOf();
-    editor.apply([{ field: DT, value: 18000 }], preset);
+    editor.apply(setValues(preset, [{ field: DT, value: 18000 }]));
     editor.revert(DT);
     editor.revertAll();
     expect(editor.undoStep.value).toBeNull();
@@ -86,7 +92,7 @@ describe('undo and redo', () => {
       'typed that stands there already, and stepped until Escape',
       (editor: Editor) => {
         editor.type(DT, '180');
-        stepField(editor, DT, 1);
+        step(editor, DT);
         editor.escape(DT);
         editor.leave(DT);
       },
@@ -94,8 +100,8 @@ describe('undo and redo', () => {
     [
       'stepped up and down again',
       (editor: Editor) => {
-        stepField(editor, DT, 1);
-        stepField(editor, DT, -1);
+        step(editor, DT);
+        step(editor, DT, -1);
         editor.leave(DT);
       },
     ],
@@ -120,9 +126,9 @@ describe('undo and redo', () => {
 
   it('one drag is one step, however many values it went through', () => {
     const editor = editorOf();
-    for (const value of [41, 42, 43]) editor.apply([{ field: S1, value }], preset, 'drag');
+    for (const value of [41, 42, 43]) editor.apply(setValues(preset, [{ field: S1, value }], 'drag'));
     editor.settle();
-    editor.apply([{ field: S1, value: 50 }], preset, 'drag');
+    editor.apply(setValues(preset, [{ field: S1, value: 50 }], 'drag'));
     editor.undo();
     expect(editor.textOf(S1)).toBe('43');
     editor.undo();
@@ -148,8 +154,8 @@ describe('Escape after steps', () => {
   it('takes back the steps, and leaves what was typed before them', () => {
     const editor = editorOf();
     editor.type(S1, '50');
-    stepField(editor, S1, 1);
-    stepField(editor, S1, 1);
+    step(editor, S1);
+    step(editor, S1);
     expect(editor.textOf(S1)).toBe('52');
     editor.escape(S1);
     expect(editor.textOf(S1)).toBe('50');
@@ -273,7 +279,7 @@ function typeAndEscape(editor: Editor, field: ProgramField, text: string): void 
   expect(editor.textOf(field)).toBe(before);
   editor.type(field, text);
   const working = editor.working.value;
-  stepField(editor, field, 1);
+  step(editor, field);
   // A text that is no value has no next one, nor has the last value.
   if (editor.working.value !== working) editor.escape(field);
   expect(editor.textOf(field)).toBe(text);
@@ -306,7 +312,7 @@ it('screen, working copy and difference agree over any edits, undos and redos', 
         } else {
           if (action.act === 'type') type(editor, action.field, action.text);
           else if (action.act === 'escape') typeAndEscape(editor, action.field, action.text);
-          else if (action.act === 'apply') editor.apply([action], preset);
+          else if (action.act === 'apply') editor.apply(setValues(preset, [action]));
           else if (action.act === 'revert') editor.revert(action.field);
           else editor.revertAll();
           const changed = [...shown()].some(([key, text]) => before.get(key) !== text);

@@ -6,7 +6,7 @@ import { Timeline, type TimelineProps } from '../../../src/app/timeline/timeline
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { programOf } from '../programs.js';
 
-/** Every call of onEdit in one line: the value, and a full stop after the last one of a movement. */
+/** Every call of onEdit in one line: the value, a full stop after the last one of a movement, and whether it led back. */
 type Log = string[];
 
 const PROGRAM = programOf('Q', [1000, 200, 400, 600, 18000]);
@@ -16,10 +16,10 @@ function shown(program: TimerProgram = PROGRAM, props: Partial<TimelineProps> = 
   const current = signal(program);
   const selected = signal<ProgramField | null>(null);
   const log: Log = [];
-  const onEdit: OnEdit = (changes, { name, final }) => {
-    for (const { field, value } of changes) {
+  const onEdit: OnEdit = (edit, phase) => {
+    for (const { field, value } of 'values' in edit ? edit.values : []) {
       current.value = withValue(current.value, field, value);
-      log.push(`${name} ${value}${final ? '.' : ''}`);
+      log.push(`move-${field.kind} ${value}${{ moving: '', done: '.', back: ' back.' }[phase]}`);
     }
   };
   const Bench = () => (
@@ -165,10 +165,10 @@ describe('the mouse', () => {
     document.addEventListener('keydown', outside);
     await act(() => void fireEvent.keyDown(document.body, { key: 'Escape' }));
     document.removeEventListener('keydown', outside);
-    expect(log.at(-1)).toBe('move-position 12.');
+    expect(log.at(-1)).toBe('move-position 12 back.');
     expect(seen, 'nothing else is to be left by this Escape').toEqual([]);
     await release();
-    expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12.', 12]);
+    expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
   });
 
   it('takes a line by any part of it, which brings it to the front', async () => {
@@ -210,7 +210,7 @@ describe('the mouse', () => {
     await hold('Function 2, S1', 0, -40);
     await drawn();
     await act(() => void unmount());
-    expect(log.at(-1)).toBe('move-position 12.');
+    expect(log.at(-1)).toBe('move-position 12 back.');
   });
 });
 
@@ -252,7 +252,7 @@ describe('fingers', () => {
     await act(() => void fireEvent.pointerMove(window, finger(1, clientX, clientY - 30)));
     await drawn();
     await act(() => void fireEvent.pointerCancel(window, finger(1, clientX, clientY - 30)));
-    expect(log.at(-1)).toBe('move-position 12.');
+    expect(log.at(-1)).toBe('move-position 12 back.');
   });
 
   it('zoom with two of them, and drop what the first one held', async () => {
@@ -267,7 +267,7 @@ describe('fingers', () => {
     await act(() => void fireEvent.pointerMove(window, finger(2, clientX + 120, clientY)));
     await drawn();
     expect(gap() / before).toBeCloseTo(2, 1);
-    expect(log.at(-1)).toBe('move-position 12.');
+    expect(log.at(-1)).toBe('move-position 12 back.');
     for (const id of [1, 2]) await act(() => void fireEvent.pointerUp(window, finger(id, clientX, clientY)));
   });
 
@@ -320,7 +320,7 @@ describe('the keyboard', () => {
     await act(() => void fireEvent.keyDown(dt, { key: 'ArrowRight' }));
     await act(() => void fireEvent.keyDown(dt, { key: 'ArrowRight', repeat: true }));
     await act(() => void fireEvent.keyDown(dt, { key: 'Escape' }));
-    expect(log).toEqual(['move-time 18100', 'move-time 18200', 'move-time 18000.']);
+    expect(log).toEqual(['move-time 18100', 'move-time 18200', 'move-time 18000 back.']);
     await act(() => (dt as SVGElement).focus());
     await key(dt, 'Escape');
     expect(document.activeElement).toBe(picture());
