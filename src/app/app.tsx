@@ -3,7 +3,7 @@ import { LinePanel } from './line/line-panel.js';
 import { LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
 import { messages } from './messages/index.js';
-import { type AppModels, Models } from './models.js';
+import type { AppModels } from './models.js';
 import { EraseDialog } from './settings/erase-dialog.js';
 import { ThemeChoice } from './settings/theme-choice.js';
 import { Header } from './shell/header.js';
@@ -14,15 +14,15 @@ import { WriteDialog } from './write/write-dialog.js';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { keeping, aside, update, tabs } = models;
+  const { preferences, keeping, aside, update, tabs } = models;
   const hasProgram = session.editor.identity.value !== null;
   return (
-    <Models.Provider value={models}>
+    <>
       <Header {...{ session, memories, leaving, keeping, aside, update, tabs, platform }} />
       <main>
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
         {hasProgram ? (
-          <ProgramPage {...{ session, write, memories, bench, follow }} />
+          <ProgramPage {...{ session, write, memories, bench, follow, preferences }} />
         ) : (
           <StartScreen session={session} platform={platform} />
         )}
@@ -38,6 +38,6 @@ export function App({ models }: { readonly models: AppModels }) {
       <MemoriesDialog session={session} memories={memories} />
       <LeaveDialog session={session} leaving={leaving} />
       <EraseDialog session={session} erase={erase} />
-    </Models.Provider>
+    </>
   );
 }

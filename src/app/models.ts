@@ -1,5 +1,3 @@
-import { createContext } from 'preact';
-import { useContext } from 'preact/hooks';
 import { Bench } from './bench/bench.js';
 import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
@@ -37,15 +35,6 @@ export interface AppModels {
   readonly tabs: Tabs;
   /** What the pilot sits at: it chooses sentences, nothing else. */
   readonly platform: Platform;
-}
-
-export const Models = createContext<AppModels | null>(null);
-
-/** The models of the program that this component is part of. */
-export function useModels(): AppModels {
-  const models = useContext(Models);
-  if (!models) throw new Error('outside of the app');
-  return models;
 }
 
 export interface ModelOptions extends SessionOptions {

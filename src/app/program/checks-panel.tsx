@@ -1,17 +1,16 @@
 import { type Finding, fieldKey } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
 import { fieldLabel, figureText, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { useSteady } from '../ui/use-steady.js';
 import { allNotes } from './field-notes.js';
 
 /** Everything that is to be said about the program, with what puts it right where that is obvious. */
-export function ChecksPanel() {
-  const { session } = useModels();
+export function ChecksPanel({ editor }: { readonly editor: Editor }) {
   const { program } = messages.value;
-  const identity = session.editor.identity.value;
-  const notes = allNotes(session.editor);
+  const identity = editor.identity.value;
+  const notes = allNotes(editor);
   if (!identity) return null;
   return (
     <section class="checks">
@@ -25,7 +24,7 @@ export function ChecksPanel() {
               <strong>{program.severity[severity]}</strong>
               {field && <span class="where">{fieldLabel(identity, field)}</span>}
               <span>{text}</span>
-              {finding && <FixButton finding={finding} />}
+              {finding && <FixButton editor={editor} finding={finding} />}
             </li>
           ))}
         </ul>
@@ -34,10 +33,8 @@ export function ChecksPanel() {
   );
 }
 
-function FixButton({ finding }: { readonly finding: Finding }) {
-  const { session } = useModels();
+function FixButton({ editor, finding }: { readonly editor: Editor; readonly finding: Finding }) {
   const { edits } = messages.value;
-  const { editor } = session;
   const fix = useSteady(() => editor.working.value && fixFor(finding, editor.working.value), [editor, finding]);
   const identity = editor.identity.value;
   if (!fix || !identity) return null;

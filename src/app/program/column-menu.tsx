@@ -3,14 +3,18 @@ import { useRef } from 'preact/hooks';
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
 import type { Edit } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { copyServo, reverseServo } from '../editing/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
-import { useModels } from '../models.js';
+
+interface ColumnMenuProps {
+  readonly editor: Editor;
+  readonly identity: Identity;
+  readonly servo: number;
+}
 
 /** What can be done to all positions of a servo at once. */
-export function ColumnMenu({ identity, servo }: { readonly identity: Identity; readonly servo: number }) {
-  const { session } = useModels();
-  const { editor } = session;
+export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
   const { edits, servoName } = messages.value;
   const open = useSignal(false);
   const problem = useSignal<string | null>(null);

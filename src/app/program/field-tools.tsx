@@ -61,7 +61,7 @@ export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
   const { down, up, putBack, selectRange, signs } = messages.value.edits.field;
   const selection = useContext(TableSelection);
   const pick = (picked: Selection): void => {
-    picked.picking.value = true;
+    picked.pick();
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
   };
   return (

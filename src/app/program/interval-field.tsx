@@ -2,12 +2,12 @@ import { useSignal } from '@preact/signals';
 import type { TargetedFocusEvent } from 'preact';
 import { useRef } from 'preact/hooks';
 import type { Edit } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { setInterval, stepInterval } from '../editing/edits.js';
 import { gridKey, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { formatInterval, type Question, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { useSteady } from '../ui/use-steady.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
@@ -26,13 +26,17 @@ interface Entry {
   readonly interval: number | null;
 }
 
+interface IntervalFieldProps {
+  readonly editor: Editor;
+  readonly slot: number;
+  readonly label: string;
+}
+
 /**
  * The time since the function before: the same truth as the time, seen from there. What is typed moves this function and those after it. A
  * text that is no interval, or asks what it means, changes nothing, and the interval stands there again when the field is left.
  */
-export function IntervalField({ slot, label }: { readonly slot: number; readonly label: string }) {
-  const { session } = useModels();
-  const { editor } = session;
+export function IntervalField({ editor, slot, label }: IntervalFieldProps) {
   const input = useRef<HTMLInputElement>(null);
   const entered = useSignal<Entry | null>(null);
   const focused = useSignal(false);

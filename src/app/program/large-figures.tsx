@@ -1,11 +1,10 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { ValueField } from './value-field.js';
 
 /** DT is always in sight; on Q the motor stop beside it. */
-export function LargeFigures() {
-  const { session } = useModels();
+export function LargeFigures({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor } = session;
   const identity = editor.identity.value;
@@ -18,12 +17,17 @@ export function LargeFigures() {
         <span class="figure-name">
           {program.dt} {isShort && <strong class="badge loud">{program.shortDt}</strong>}
         </span>
-        <ValueField field={{ kind: 'time', slot: identity.functions }} label={program.dt} place="large" />
+        <ValueField
+          session={session}
+          field={{ kind: 'time', slot: identity.functions }}
+          label={program.dt}
+          place="large"
+        />
       </div>
       {identity.timerClass === 'Q' && (
         <div class="figure">
           <span class="figure-name">{program.motorStop}</span>
-          <ValueField field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
+          <ValueField session={session} field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
         </div>
       )}
       {hasThrottle && (
@@ -31,7 +35,13 @@ export function LargeFigures() {
           <span class="figure-name">
             {program.idleThrottle} <span class="hint">{program.idleThrottleUnit}</span>
           </span>
-          <ValueField field={{ kind: 'idleThrottle' }} label={program.idleThrottle} place="large" notesShown />
+          <ValueField
+            session={session}
+            field={{ kind: 'idleThrottle' }}
+            label={program.idleThrottle}
+            place="large"
+            notesShown
+          />
         </div>
       )}
     </div>

@@ -1,9 +1,10 @@
-import type { Signal } from '@preact/signals';
+import type { ReadonlySignal } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
+import type { Editor } from '../editing/editor.js';
 import type { GridRange } from '../editing/grid.js';
 import { pasted, previewPaste } from '../editing/paste.js';
 import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 
@@ -16,14 +17,16 @@ export interface Pasting {
 /** So many problems are told one by one. */
 const TOLD = 8;
 
+interface PasteDialogProps {
+  readonly session: Session;
+  /** What is to be pasted; null while the dialog is closed. */
+  readonly pasting: ReadonlySignal<Pasting | null>;
+  readonly onClose: () => void;
+}
+
 /** What a paste would do, before it does it. */
-export function PasteDialog({ pasting }: { readonly pasting: Signal<Pasting | null> }) {
-  const { session } = useModels();
+export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialogProps) {
   const { pasting: words } = messages.value.edits;
-  const { value } = pasting;
-  const close = (): void => {
-    pasting.value = null;
-  };
   return (
     <Modal
       open={value !== null}
@@ -31,16 +34,20 @@ export function PasteDialog({ pasting }: { readonly pasting: Signal<Pasting | nu
       titleId="paste-title"
       head={<UncertainNote session={session} />}
       held={false}
-      onEscape={close}
+      onEscape={onClose}
     >
-      {value && <Preview pasting={value} close={close} />}
+      {value && <Preview editor={session.editor} pasting={value} close={onClose} />}
     </Modal>
   );
 }
 
-function Preview({ pasting: { range, text }, close }: { readonly pasting: Pasting; readonly close: () => void }) {
-  const { session } = useModels();
-  const { editor } = session;
+interface PreviewProps {
+  readonly editor: Editor;
+  readonly pasting: Pasting;
+  readonly close: () => void;
+}
+
+function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
   const { program, edits, servoName } = messages.value;
   const { pasting: words } = edits;
   const working = editor.working.value;

@@ -2,15 +2,21 @@ import { useComputed, useSignal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
 import { formatTime, type Question, readTime } from '../editing/units.js';
 import { messages, presetText } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Preferences } from '../session/preferences.js';
 import { TimeQuestion } from './time-question.js';
 
+interface DtPresetsProps {
+  readonly editor: Editor;
+  readonly preferences: Preferences;
+  /** That of DT. */
+  readonly slot: number;
+}
+
 /** The DT of a contest or of a trimming flight with one tap; and the pilot's own. */
-export function DtPresets({ slot }: { readonly slot: number }) {
-  const { session, preferences } = useModels();
-  const { editor } = session;
+export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   const { presets: words } = messages.value.edits;
   const changing = useSignal(false);
   const field: ProgramField = { kind: 'time', slot };
@@ -60,7 +66,7 @@ export function DtPresets({ slot }: { readonly slot: number }) {
           )}
         </button>
       </fieldset>
-      {changing.value && <PresetSettings />}
+      {changing.value && <PresetSettings editor={editor} preferences={preferences} />}
     </div>
   );
 }
@@ -72,12 +78,11 @@ interface Asked {
   readonly use: (value: number) => boolean;
 }
 
-function PresetSettings() {
-  const { session, preferences } = useModels();
+function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
   const { presets: words } = messages.value.edits;
   const added = useSignal('');
   const limitInput = useRef<HTMLInputElement>(null);
-  const limit = useSignal(formatTime(session.editor.shortDt.value));
+  const limit = useSignal(formatTime(editor.shortDt.value));
   const problem = useSignal<string | null>(null);
   const asked = useSignal<Asked | null>(null);
   const takeValue = (value: number, use: (value: number) => boolean): void => {

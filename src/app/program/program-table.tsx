@@ -2,12 +2,14 @@ import { type ReadonlySignal, useSignal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, slotKind } from '../../program/index.js';
 import { type Identity, slotCount } from '../../protocol/index.js';
+import type { Bench } from '../bench/bench.js';
+import type { Follow } from '../bench/follow.js';
 import { ServosHere, ServosOffer } from '../bench/servos-here.js';
 import { fillDown } from '../editing/edits.js';
 import { cellFor, FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { fieldLabel, messages, obstacleText, slotLabel } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { programKey } from '../session/record-keys.js';
+import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
 import { useSteady } from '../ui/use-steady.js';
 import { ColumnMenu } from './column-menu.js';
@@ -22,12 +24,16 @@ import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
 import { ValueField } from './value-field.js';
 
-/**
- * Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet.
- * @param marked the field whose handle is meant in the timeline: a signal, so that only its row is drawn anew.
- */
-export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<ProgramField | null> }) {
-  const { session } = useModels();
+interface ProgramTableProps {
+  readonly session: Session;
+  readonly bench: Bench;
+  readonly follow: Follow;
+  /** The field whose handle is meant in the timeline: a signal, so that only its row is drawn anew. */
+  readonly marked: ReadonlySignal<ProgramField | null>;
+}
+
+/** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
+export function ProgramTable({ session, bench, follow, marked }: ProgramTableProps) {
   const { editor } = session;
   const { program, edits, servoName } = messages.value;
   const selection = useMemo(() => new Selection(), []);
@@ -39,6 +45,9 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
   const identity = editor.identity.value;
   const servos = useMemo(() => Array.from({ length: identity?.servos ?? 0 }, (_, servo) => servo), [identity]);
 
+  const say = (text: string | null): void => {
+    obstacle.value = text;
+  };
   /** A single cell is filled from the one above it. */
   const fill = (): void => {
     const { working } = editor;
@@ -47,24 +56,29 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
     const from = range.top === range.bottom ? { ...range, top: range.top - 1 } : range;
     if (from.top < 0) return;
     const found = editor.apply(fillDown(working.value, from, { unreadable: editor.unreadable.value }));
-    obstacle.value = found && obstacleText(identity, found);
+    say(found && obstacleText(identity, found));
   };
-  const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({ editor, selection, pasting, obstacle });
+  const { selectedText, copy, cut, paste, pasteCopied } = tableClipboard({
+    editor,
+    selection,
+    onPaste: (text) => {
+      pasting.value = text;
+    },
+    onObstacle: say,
+  });
   const listeners = useSelectRange({
     editor,
     selection,
     fillDown: fill,
     toBar: () => foot.current?.querySelector('button')?.focus(),
-    onFocus: () => {
-      obstacle.value = null;
-    },
+    onFocus: () => say(null),
   });
   /** Whoever came to the buttons by keys goes back to the cell; a thumb does not want its keyboard. */
   const done = (): void => {
     const { value: cell } = selection.active;
     const byKeys = foot.current?.contains(document.activeElement);
     selection.collapse();
-    obstacle.value = null;
+    say(null);
     if (byKeys && cell && table.current) cellAt(table.current, cell)?.querySelector('input')?.focus();
   };
   if (!identity) return null;
@@ -89,7 +103,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
             {servos.map((servo) => (
               <th scope="col" key={servo} aria-label={servoName(servo)}>
                 {servoName(servo)}
-                <ColumnMenu identity={identity} servo={servo} />
+                <ColumnMenu editor={editor} identity={identity} servo={servo} />
               </th>
             ))}
           </tr>
@@ -97,7 +111,7 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
         <TableSelection.Provider value={selection}>
           <tbody>
             {slots.map((slot) => (
-              <ProgramRow key={slot} {...{ identity, slot, servos, selection, marked }} />
+              <ProgramRow key={slot} {...{ session, bench, follow, identity, slot, servos, selection, marked }} />
             ))}
           </tbody>
         </TableSelection.Provider>
@@ -119,21 +133,25 @@ export function ProgramTable({ marked }: { readonly marked: ReadonlySignal<Progr
           </p>
         )}
       </div>
-      <PasteDialog pasting={pasting} />
+      <PasteDialog
+        session={session}
+        pasting={pasting}
+        onClose={() => {
+          pasting.value = null;
+        }}
+      />
     </div>
   );
 }
 
-interface ProgramRowProps {
+interface ProgramRowProps extends ProgramTableProps {
   readonly identity: Identity;
   readonly slot: number;
   readonly servos: readonly number[];
   readonly selection: Selection;
-  readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
-function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowProps) {
-  const { session, bench, follow } = useModels();
+function ProgramRow({ session, bench, follow, identity, slot, servos, selection, marked }: ProgramRowProps) {
   const { editor } = session;
   const { about, program, edits, servoName } = messages.value;
   const positions = useMemo(
@@ -181,14 +199,14 @@ function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowPro
           )}
         </th>
         <td {...timeCell} class={`time ${timeCell.class}`}>
-          <TimeCell identity={identity} slot={slot} />
+          <TimeCell session={session} identity={identity} slot={slot} />
         </td>
         <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
-          {slot > 0 && <IntervalField slot={slot} label={edits.table.intervalOf(name)} />}
+          {slot > 0 && <IntervalField editor={editor} slot={slot} label={edits.table.intervalOf(name)} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
-            <ValueField field={field} label={fieldLabel(identity, field)} place="table" />
+            <ValueField session={session} field={field} label={fieldLabel(identity, field)} place="table" />
           </td>
         ))}
       </tr>
@@ -208,9 +226,14 @@ function ProgramRow({ identity, slot, servos, selection, marked }: ProgramRowPro
   );
 }
 
+interface TimeCellProps {
+  readonly session: Session;
+  readonly identity: Identity;
+  readonly slot: number;
+}
+
 /** Slot 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
-function TimeCell({ identity, slot }: { identity: Identity; slot: number }) {
-  const { session } = useModels();
+function TimeCell({ session, identity, slot }: TimeCellProps) {
   const { editor } = session;
   const { program } = messages.value;
   const unlocked = useSignal(false);
@@ -228,7 +251,7 @@ function TimeCell({ identity, slot }: { identity: Identity; slot: number }) {
   const reserved = slot === 0 && !isMotorStop;
   return (
     <>
-      <ValueField field={field} label={label} place="table" readOnly={reserved && !unlocked.value} />
+      <ValueField session={session} field={field} label={label} place="table" readOnly={reserved && !unlocked.value} />
       {isMotorStop && <span class="cell-name">{program.motorStop}</span>}
       {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
       {reserved && !unlocked.value && (

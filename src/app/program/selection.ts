@@ -3,9 +3,12 @@ import { type GridCell, type GridRange, rangeBetween } from '../editing/grid.js'
 
 /** Which cells of the table are meant: the one that is being edited, and those up to another corner. */
 export class Selection {
-  /** The cell with the focus; null before any had it. */
-  readonly active = signal<GridCell | null>(null);
+  readonly #active = signal<GridCell | null>(null);
   readonly #corner = signal<GridCell | null>(null);
+  readonly #picking = signal(false);
+
+  /** The cell with the focus; null before any had it. */
+  readonly active: ReadonlySignal<GridCell | null> = this.#active;
 
   readonly range: ReadonlySignal<GridRange | null> = computed(() => {
     const active = this.active.value;
@@ -17,7 +20,7 @@ export class Selection {
     return range !== null && (range.top !== range.bottom || range.left !== range.right);
   });
   /** Whether the next cell that is tapped is the other corner, for those who have no Shift. */
-  readonly picking = signal(false);
+  readonly picking: ReadonlySignal<boolean> = this.#picking;
   /** What is shown as selected; null while it is no more than the cell with the focus. */
   readonly shown: ReadonlySignal<GridRange | null> = computed(() =>
     this.isWide.value || this.picking.value ? this.range.value : null,
@@ -28,9 +31,14 @@ export class Selection {
   /** This cell alone. */
   enter(cell: GridCell): void {
     batch(() => {
-      this.active.value = cell;
+      this.#active.value = cell;
       this.#corner.value = null;
     });
+  }
+
+  /** The next cell that is tapped is the other corner. */
+  pick(): void {
+    this.#picking.value = true;
   }
 
   /** From the active cell to this one. */
@@ -42,7 +50,7 @@ export class Selection {
   collapse(): void {
     batch(() => {
       this.#corner.value = null;
-      this.picking.value = false;
+      this.#picking.value = false;
     });
   }
 }

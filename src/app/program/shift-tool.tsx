@@ -1,14 +1,12 @@
 import { useSignal } from '@preact/signals';
 import { slotCount } from '../../protocol/index.js';
+import type { Editor } from '../editing/editor.js';
 import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText, slotLabel } from '../messages/index.js';
-import { useModels } from '../models.js';
 
 /** Moves a function and all later ones in time. */
-export function ShiftTool() {
-  const { session } = useModels();
-  const { editor } = session;
+export function ShiftTool({ editor }: { readonly editor: Editor }) {
   const { shift, nothingDone } = messages.value.edits;
   const from = useSignal(1);
   const amount = useSignal('0.50');

@@ -1,4 +1,3 @@
-import type { Signal } from '@preact/signals';
 import { formatTable } from '../editing/clipboard-table.js';
 import type { Editor } from '../editing/editor.js';
 import { messages } from '../messages/index.js';
@@ -9,13 +8,13 @@ interface ClipboardUser {
   readonly editor: Editor;
   readonly selection: Selection;
   /** Is given what is to be pasted: the pilot looks at it first. */
-  readonly pasting: Signal<Pasting | null>;
-  /** Is given why nothing is pasted. */
-  readonly obstacle: Signal<string | null>;
+  readonly onPaste: (pasting: Pasting) => void;
+  /** Is given why nothing is pasted; null when that is over. */
+  readonly onObstacle: (text: string | null) => void;
 }
 
 /** What the table exchanges with other programs: by the events of the keys, or by buttons. */
-export function tableClipboard({ editor, selection, pasting, obstacle }: ClipboardUser) {
+export function tableClipboard({ editor, selection, onPaste, onObstacle }: ClipboardUser) {
   const selectedText = (): string => {
     const { working } = editor;
     const range = selection.range.value;
@@ -39,28 +38,28 @@ export function tableClipboard({ editor, selection, pasting, obstacle }: Clipboa
     const text = event.clipboardData?.getData('text/plain') ?? '';
     const range = selection.range.value;
     if (!range || text === '') return;
-    obstacle.value = null;
+    onObstacle(null);
     if (text.trim() === '') {
       // Cells with nothing in them: as typing they would only empty the field.
       event.preventDefault();
-      obstacle.value = messages.value.edits.table.range.clipboardEmpty;
+      onObstacle(messages.value.edits.table.range.clipboardEmpty);
       return;
     }
     // One value into one cell is typing.
     if (!(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
     event.preventDefault();
-    pasting.value = { range, text };
+    onPaste({ range, text });
   };
   const pasteCopied = async (): Promise<void> => {
     const range = selection.range.value;
     const words = messages.value.edits.table.range;
-    obstacle.value = null;
+    onObstacle(null);
     try {
       const text = await navigator.clipboard.readText();
-      if (range && text !== '') pasting.value = { range, text };
-      else obstacle.value = words.clipboardEmpty;
+      if (range && text !== '') onPaste({ range, text });
+      else onObstacle(words.clipboardEmpty);
     } catch {
-      obstacle.value = words.clipboardClosed;
+      onObstacle(words.clipboardClosed);
     }
   };
   return { selectedText, copy, cut, paste, pasteCopied };

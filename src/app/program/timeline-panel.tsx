@@ -2,8 +2,8 @@ import { useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
 import { kindKey } from '../session/record-keys.js';
+import type { Session } from '../session/session.js';
 import type { OnEdit } from '../timeline/drag.js';
 import { useLate } from '../timeline/hooks.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';
@@ -18,6 +18,7 @@ const NOTHING = 'nothing';
 const CHOICES = 12;
 
 interface TimelinePanelProps {
+  readonly session: Session;
   /** The field that has the focus elsewhere on the screen. */
   readonly selected: ProgramField | null;
   readonly onSelect: (field: ProgramField) => void;
@@ -26,8 +27,7 @@ interface TimelinePanelProps {
 }
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
-export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProps) {
-  const { session } = useModels();
+export function TimelinePanel({ session, selected, onSelect, onPoint }: TimelinePanelProps) {
   const { preview } = messages.value;
   const { editor } = session;
   const player = useMemo(() => new Player(), []);
@@ -40,7 +40,7 @@ export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProp
     <div class="timeline-panel">
       <PlayedTimeline
         {...{ program, player, selected, onSelect, onPoint }}
-        overlay={useOverlay(program, behind.value)}
+        overlay={useOverlay(session, program, behind.value)}
         now={() => editor.working.peek() ?? program}
         onEdit={(edit, phase) => {
           // A movement that leads back is no step.
@@ -52,6 +52,7 @@ export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProp
         }}
       />
       <Behind
+        session={session}
         program={program}
         chosen={behind.value}
         onChoose={(key) => {
@@ -65,7 +66,7 @@ export function TimelinePanel({ selected, onSelect, onPoint }: TimelinePanelProp
         }}
       >
         <summary>{preview.title}</summary>
-        {open.value && <KeptPreview program={program} player={player} />}
+        {open.value && <KeptPreview session={session} program={program} player={player} />}
       </details>
     </div>
   );
@@ -79,8 +80,7 @@ function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player:
 }
 
 /** The second program and its name. */
-function useOverlay(program: TimerProgram, chosen: string): TimelineProps['overlay'] {
-  const { session } = useModels();
+function useOverlay(session: Session, program: TimerProgram, chosen: string): TimelineProps['overlay'] {
   const { knowledge } = messages.value;
   const { sure } = session.standing.value;
   const held = session.editor.baseline.value;
@@ -96,13 +96,13 @@ function useOverlay(program: TimerProgram, chosen: string): TimelineProps['overl
 }
 
 interface BehindProps {
+  readonly session: Session;
   readonly program: TimerProgram;
   readonly chosen: string;
   readonly onChoose: (key: string) => void;
 }
 
-function Behind({ program, chosen, onChoose }: BehindProps) {
-  const { session } = useModels();
+function Behind({ session, program, chosen, onChoose }: BehindProps) {
   const { timeline, backups: words, knowledge, memoryName, recovery } = messages.value;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
@@ -123,9 +123,14 @@ function Behind({ program, chosen, onChoose }: BehindProps) {
   );
 }
 
+interface KeptPreviewProps {
+  readonly session: Session;
+  readonly program: TimerProgram;
+  readonly player: Player;
+}
+
 /** The preview, with what the servos move as the pilot has said for timers of this kind. */
-function KeptPreview({ program, player }: { readonly program: TimerProgram; readonly player: Player }) {
-  const { session } = useModels();
+function KeptPreview({ session, program, player }: KeptPreviewProps) {
   const { identity } = program;
   const kind = kindKey(identity, session.simulated.value);
   const linkages = useMemo(() => new KeptLinkages(kind, identity.servos), [kind, identity.servos]);

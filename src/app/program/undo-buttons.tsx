@@ -3,11 +3,11 @@ import { useEffect } from 'preact/hooks';
 import type { Editor } from '../editing/editor.js';
 import type { StepName } from '../editing/history.js';
 import { messages, stepText } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
+import type { WriteFlow } from '../write/write-flow.js';
 
 /** Undo and redo, with the name of what they would do; by keys everywhere on the page but in texts that are no part of the program. */
-export function UndoButtons() {
-  const { session, write } = useModels();
+export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const { edits } = messages.value;
   const identity = editor.identity.value;

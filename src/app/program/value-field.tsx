@@ -5,7 +5,7 @@ import type { Identity } from '../../protocol/index.js';
 import { formatValue } from '../editing/content.js';
 import { stepValue } from '../editing/edits.js';
 import { figureOf, messages, spokenTime, valueText } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { useSteady } from '../ui/use-steady.js';
 import { notesFor } from './field-notes.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
@@ -15,6 +15,7 @@ import { useSwipe } from './use-swipe.js';
 import { WasText } from './was-text.js';
 
 interface ValueFieldProps {
+  readonly session: Session;
   readonly field: ProgramField;
   readonly label: string;
   /** Which of several fields for the same value this is, to keep their ids apart. In the table the arrows alone go to other cells. */
@@ -28,8 +29,7 @@ interface ValueFieldProps {
 const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
-export function ValueField({ field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
-  const { session } = useModels();
+export function ValueField({ session, field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
@@ -135,7 +135,7 @@ export function ValueField({ field, label, place, readOnly = false, notesShown =
           )}
           {was !== null && (
             <span class="was" id={id('was')}>
-              <WasText value={was} />
+              <WasText standing={session.standing} value={was} />
             </span>
           )}
         </span>

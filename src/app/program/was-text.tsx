@@ -1,11 +1,16 @@
+import type { ReadonlySignal } from '@preact/signals';
 import { messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Standing } from '../session/standing.js';
+
+interface WasTextProps {
+  readonly standing: ReadonlySignal<Standing>;
+  readonly value: string;
+}
 
 /** What a changed value was, in the words of what is known of it: what the timer holds, or what was last read. */
-export function WasText({ value }: { readonly value: string }) {
-  const { session } = useModels();
+export function WasText({ standing, value }: WasTextProps) {
   const { marks, notCertain } = messages.value.knowledge;
-  const { sure } = session.standing.value;
+  const { sure } = standing.value;
   return (
     <>
       {marks[sure](value)}

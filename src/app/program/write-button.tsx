@@ -1,14 +1,15 @@
 import { fieldKey } from '../../program/index.js';
+import type { Editor } from '../editing/editor.js';
 import { fieldLabel, messages } from '../messages/index.js';
-import { useModels } from '../models.js';
+import type { Session } from '../session/session.js';
 import { useSteady } from '../ui/use-steady.js';
+import type { WriteFlow } from '../write/write-flow.js';
 import { firstInTheWay } from './field-notes.js';
 
 const NOTE = 'blocked-note';
 
 /** To the difference, and from there to the timer. Where a field is in the way it leads to that field. */
-export function WriteButton() {
-  const { session, write } = useModels();
+export function WriteButton({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const isBlocked = editor.blocked.value;
   const press = (): void => {
@@ -32,9 +33,7 @@ export function WriteButton() {
 }
 
 /** What is in the way of a write. A text that is still being typed is not. */
-export function BlockedNote() {
-  const { session } = useModels();
-  const { editor } = session;
+export function BlockedNote({ editor }: { readonly editor: Editor }) {
   const text = useSteady(() => {
     const identity = editor.identity.value;
     const cause = identity && firstInTheWay(editor);

@@ -31,10 +31,10 @@ export function CommandBar({ session, write, bench, follow }: CommandBarProps) {
         <p class="hint">{program.notConnected}</p>
       )}
       <FollowNote session={session} write={write} bench={bench} follow={follow} />
-      <BlockedNote />
-      <UndoButtons />
+      <BlockedNote editor={editor} />
+      <UndoButtons session={session} write={write} />
       <div class="buttons">
-        <WriteButton />
+        <WriteButton session={session} write={write} />
         <button
           type="button"
           aria-disabled={session.busy.value}

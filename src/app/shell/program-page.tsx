@@ -18,6 +18,7 @@ import { DtPresets } from '../program/presets.js';
 import { ProgramTable } from '../program/program-table.js';
 import { ShiftTool } from '../program/shift-tool.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
+import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { CommandBar } from './command-bar.js';
@@ -28,10 +29,11 @@ interface ProgramPageProps {
   readonly memories: Memories;
   readonly bench: Bench;
   readonly follow: Follow;
+  readonly preferences: Preferences;
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
-export function ProgramPage({ session, write, memories, bench, follow }: ProgramPageProps) {
+export function ProgramPage({ session, write, memories, bench, follow, preferences }: ProgramPageProps) {
   const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -56,11 +58,11 @@ export function ProgramPage({ session, write, memories, bench, follow }: Program
         <MemoryChoice session={session} memories={memories} />
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
-            <LargeFigures />
-            <DtPresets slot={identity.functions} />
+            <LargeFigures session={session} />
+            <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
-            <ProgramTable marked={marked} />
-            <ShiftTool />
+            <ProgramTable session={session} bench={bench} follow={follow} marked={marked} />
+            <ShiftTool editor={session.editor} />
           </div>
         ) : (
           <MemoryLook session={session} memories={memories} memory={looking} />
@@ -75,8 +77,8 @@ export function ProgramPage({ session, write, memories, bench, follow }: Program
       <aside class="program-side" inert={leaving}>
         {looking === null ? (
           <>
-            <TimelinePanel selected={selected.value} onSelect={select} onPoint={point} />
-            <ChecksPanel />
+            <TimelinePanel session={session} selected={selected.value} onSelect={select} onPoint={point} />
+            <ChecksPanel editor={session.editor} />
           </>
         ) : (
           <MemoryPicture knowledge={session.knowledge} memory={looking} />
