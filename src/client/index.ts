@@ -16,4 +16,4 @@ export {
   type WriteMemoriesOptions,
   type WriteOptions,
 } from './timer-client.js';
-export type { ValueReport, WriteReport } from './write-program.js';
+export type { ValueReport, WriteReport } from './write-report.js';

@@ -4,7 +4,9 @@ import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
 import { readingPlan } from './read-program.js';
-import { freshPlan, isHeld, verifyPlan, type WriteReport, writeContent } from './write-program.js';
+import { longestWrite, planWrite } from './write-plan.js';
+import { writeContent } from './write-program.js';
+import { isHeld, type WriteReport } from './write-report.js';
 
 /** What a job on several memories tells on the way. It waits for an answer that is a promise; when that fails, so does the job. */
 export interface MemoriesHooks {
@@ -102,7 +104,7 @@ export async function writeMemories(
     if (!sameKind(job.identity, baseline.identity))
       throw new TimerError('other-timer', 'a baseline is of another timer');
   }
-  const plan = goals.flatMap((goal) => [...SELECT, ...readPlan(goal), ...wholeWrite(goal, moveServos)]);
+  const plan = goals.flatMap((goal) => [...SELECT, ...readPlan(goal), ...longestWrite(goal, moveServos)]);
   const trip = await MemoryRoundTrip.begin(job, plan, true, onOriginal);
   const memories: MemoryReport[] = [];
   const write = async (goal: TimerProgram): Promise<void> => {
@@ -110,8 +112,8 @@ export async function writeMemories(
     const before = await trip.read(memory, readPlan(goal), asksThrottle(goal));
     requireBelieved(baselines, before);
     await job.exchange.budget.waitFor(() => onMemory?.(before, goal));
-    const report = await trip.part(memory, wholeWrite(goal, moveServos), (part) =>
-      writeContent(part, before, goal, moveServos),
+    const report = await trip.part(memory, longestWrite(goal, moveServos), (part) =>
+      writeContent(part, planWrite(before, goal, moveServos)),
     );
     memories.push({ memory, before, report });
     if (report.stopped) throw report.stopped;
@@ -152,12 +154,4 @@ function asksThrottle({ idleThrottle }: TimerProgram): boolean {
 
 function readPlan(goal: TimerProgram): CommandName[] {
   return readingPlan(goal.identity, { idleThrottle: asksThrottle(goal) });
-}
-
-/** The exchanges of writing every value of a program and reading it back. */
-function wholeWrite(goal: TimerProgram, moveServos: boolean): CommandName[] {
-  const positions = goal.positions.flat().map((): CommandName => 'SETSERVO');
-  const moves = goal.times.flatMap((): CommandName[] => (moveServos ? ['MOVETOFUNC'] : []));
-  const throttle: CommandName[] = asksThrottle(goal) ? ['SETLOWRPM'] : [];
-  return [...freshPlan(goal, goal), 'SETTIMERS', ...moves, ...positions, ...throttle, ...verifyPlan(goal)];
 }

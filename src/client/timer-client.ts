@@ -20,7 +20,9 @@ import type { Progress } from './progress.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
 import { readContent, readingPlan } from './read-program.js';
 import { Wire } from './wire.js';
-import { type WriteReport, writeContent, writePlan } from './write-program.js';
+import { planWrite, writeExchanges } from './write-plan.js';
+import { writeContent } from './write-program.js';
+import type { WriteReport } from './write-report.js';
 
 export interface TimerClientOptions {
   /** Bits a second of the line, to know how long bytes take. Default 9600. */
@@ -244,8 +246,9 @@ export class TimerClient {
       if (!sameKind(identity, baseline.identity) || !sameKind(identity, edited.identity)) {
         throw new TimerError('other-timer', 'the program is for another kind of timer', { identity });
       }
-      job.exchange.begin(writePlan(baseline, edited, options.moveServos));
-      return writeContent(job, baseline, edited, options.moveServos);
+      const plan = planWrite(baseline, edited, options.moveServos);
+      job.exchange.begin(writeExchanges(plan));
+      return writeContent(job, plan);
     });
   }
 

@@ -1,0 +1,159 @@
+import {
+  type Change,
+  changeRequests,
+  differences,
+  fieldKey,
+  type ProgramField,
+  type TimerProgram,
+  valueAt,
+} from '../program/index.js';
+import { type CommandName, type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
+import { type Reading, readingPlan } from './read-program.js';
+import { unasked } from './write-report.js';
+
+/** What a write has to do, as the pilot agreed to it. */
+export interface WritePlan {
+  /** What the timer held when it was last read, and what it is to hold. */
+  readonly baseline: TimerProgram;
+  readonly goal: TimerProgram;
+  /** The values to change. */
+  readonly asked: readonly Change[];
+  /** What is sent for them, in this order. */
+  readonly requests: readonly Request[];
+  /** How the timer is read before the first request, and how behind the last one. */
+  readonly before: Reading;
+  readonly after: Reading;
+  /** Whether the servos may move for it. */
+  readonly moveServos: boolean;
+}
+
+/** @throws CodecError `wrong-count` when the two programs are not of one layout. */
+export function planWrite(baseline: TimerProgram, goal: TimerProgram, moveServos = false): WritePlan {
+  const asked = differences(baseline, goal).filter(({ to }) => to !== null);
+  const requests = inOrder(changeRequests(baseline, goal), moveServos);
+  const { memory } = baseline;
+  const isThrottleKnown = baseline.idleThrottle !== null || goal.idleThrottle !== null;
+  const before: Reading = { strict: true, memory, known: baseline, idleThrottle: isThrottleKnown };
+  // Where the baseline was read, not where the goal says it comes from.
+  const after: Reading = { strict: true, memory, idleThrottle: goal.idleThrottle !== null };
+  return { baseline, goal, asked, requests, before, after, moveServos };
+}
+
+/** The exchanges of a write when nothing goes wrong. */
+export function writeExchanges({ goal: { identity }, requests, before, after }: WritePlan): CommandName[] {
+  const sent = requests.map(({ name }) => name);
+  return [...readingPlan(identity, before), ...sent, ...readingPlan(identity, after)];
+}
+
+/** The same where everything has to be changed. */
+export function longestWrite(goal: TimerProgram, moveServos: boolean): CommandName[] {
+  const other = (value: number): number => value ^ 1;
+  const opposite: TimerProgram = {
+    ...goal,
+    times: goal.times.map(other),
+    positions: goal.positions.map((row) => row.map(other)),
+    idleThrottle: goal.idleThrottle === null ? null : other(goal.idleThrottle),
+  };
+  return writeExchanges(planWrite(opposite, goal, moveServos));
+}
+
+/** Where servos may move: the positions function by function, each behind a move to it. */
+function inOrder(requests: readonly Request[], moveServos: boolean): Request[] {
+  if (!moveServos) return [...requests];
+  const slotOf = (request: Request): number => (request.name === 'SETSERVO' ? request.function : -1);
+  const sorted = [...requests].sort((a, b) => slotOf(a) - slotOf(b));
+  return sorted.flatMap((request, index): Request[] => {
+    const slot = slotOf(request);
+    const isNew = slot >= 0 && (index === 0 || slotOf(sorted[index - 1] as Request) !== slot);
+    return isNew ? [{ name: 'MOVETOFUNC', function: slot }, request] : [request];
+  });
+}
+
+/**
+ * Whether what was read back cannot come from this write on this timer: something else changed it, or it is another one. Putting back would
+ * overwrite what somebody wants.
+ * @param damaged whether damage was seen, which explains values that did not take.
+ */
+export function isForeign(plan: WritePlan, held: TimerProgram, damaged: boolean): boolean {
+  const { goal, asked } = plan;
+  const wrong = unasked(held, goal, asked);
+  // Each request can have disturbed one position, and SETTIMERS any of the times.
+  const others = wrong.filter(({ field }) => field.kind !== 'time').length;
+  const times = wrong.length > others ? 1 : 0;
+  if (others + times > setsOf(plan).length) return true;
+  // Values that did not take beside others that nobody asked for, on a good line: the requests probably went elsewhere.
+  const isExplained = damaged || wrong.some((change) => isExchanged(plan, change));
+  return wrong.length > 0 && !isExplained && asked.some(({ field, to }) => valueAt(held, field) !== to);
+}
+
+/** The cell that changed to a position that was sent for the cell with function and servo exchanged. */
+export function exchangedCell(plan: WritePlan, held: TimerProgram): (ProgramField & { kind: 'position' }) | null {
+  const found = unasked(held, plan.goal, plan.asked).find((change) => isExchanged(plan, change))?.field;
+  return found?.kind === 'position' ? found : null;
+}
+
+function isExchanged({ requests }: WritePlan, { field, from: held }: Change): boolean {
+  return requests.some(
+    (request) =>
+      request.name === 'SETSERVO' &&
+      field.kind === 'position' &&
+      request.function !== request.servo &&
+      request.function === field.servo &&
+      request.servo === field.slot &&
+      request.position === held,
+  );
+}
+
+/** Whether the timer kept all positions as they were. */
+export function isNoPositionKept({ asked }: WritePlan, held: TimerProgram): boolean {
+  const positions = asked.filter(({ field }) => field.kind === 'position');
+  return positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from);
+}
+
+/** Whether it keeps positions of two functions although nothing moved: then the servos need not stand there. */
+export function arePositionsKept({ asked }: WritePlan, held: TimerProgram): boolean {
+  const kept = asked.filter(({ field, to }) => field.kind === 'position' && valueAt(held, field) === to);
+  return new Set(kept.map(({ field }) => field.kind === 'position' && field.slot)).size > 1;
+}
+
+/** The first time that the timer rounds: its acknowledgement and the reading back say the same other time than was sent. */
+export function roundedSlot({ goal }: WritePlan, said: readonly number[] | null, held: TimerProgram): number | null {
+  const slot = goal.times.findIndex((time, index) => time !== said?.[index] && said?.[index] === held.times[index]);
+  return slot < 0 ? null : slot;
+}
+
+/**
+ * What to send after the reading back. Values that changed without being asked are put back; those that did not take are sent once more
+ * only when damage was seen on the line: otherwise the timer rounds, or wants something else, and would do so again.
+ * @param servoFirst whether SETSERVO has the servo first by now: what went to a wrong cell because of that is put back in the other order.
+ */
+export function repairRequests(
+  plan: WritePlan,
+  held: TimerProgram,
+  damaged: boolean,
+  servoFirst: boolean,
+): { requests: readonly Request[]; quirks: LayoutQuirks } {
+  const { goal, asked, moveServos } = plan;
+  const wrong = unasked(held, goal, asked);
+  if (exchangedCell(plan, held)) {
+    const cells = wrong.filter(({ field }) => field.kind === 'position');
+    return { requests: inOrder(requestsFor(held, goal, cells), moveServos), quirks: { servoFirst: !servoFirst } };
+  }
+  const changes = damaged ? differences(held, goal) : wrong;
+  return { requests: inOrder(requestsFor(held, goal, changes), moveServos), quirks: {} };
+}
+
+/** The requests for some of the changes only. A position that a timer may hold and nobody can set cannot be put back. */
+function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly Change[]): Request[] {
+  const kept = new Set(changes.map(({ field }) => fieldKey(field)));
+  return changeRequests(held, goal).filter((request) => {
+    if (request.name === 'SETSERVO' && request.position > MAX_POSITION) return false;
+    if (request.name === 'SETTIMERS') return changes.some(({ field }) => field.kind === 'time');
+    if (request.name === 'SETLOWRPM') return kept.has('idleThrottle');
+    return request.name === 'SETSERVO' && kept.has(`position:${request.servo}:${request.function}`);
+  });
+}
+
+function setsOf({ requests }: WritePlan): Request[] {
+  return requests.filter(({ name }) => name !== 'MOVETOFUNC');
+}

@@ -1,0 +1,64 @@
+import { type Change, differences, fieldKey, type ProgramField, type TimerProgram, valueAt } from '../program/index.js';
+import type { TimerError } from './errors.js';
+
+/** What became of one value. */
+export interface ValueReport {
+  readonly field: ProgramField;
+  /** What the timer should hold. */
+  readonly wanted: number | null;
+  /** What a fresh read gave; null when it is not known. */
+  readonly held: number | null;
+  /** `verified`: a fresh read gave the wanted value. `differs`: it gave another. `unknown`: there was no fresh read. */
+  readonly status: 'verified' | 'differs' | 'unknown';
+  /** False for a value that was not to be changed and changed all the same; then `verified` means that it was put back. */
+  readonly asked: boolean;
+}
+
+export interface WriteReport {
+  /** `verified` only when a fresh read equals the whole program that was wanted. */
+  readonly result: 'verified' | 'differs' | 'unknown';
+  /** All values that were to be changed, and all that changed without being asked. */
+  readonly values: readonly ValueReport[];
+  /** What the timer holds by the last fresh read; null when there was none after the first SET request. */
+  readonly held: TimerProgram | null;
+  /** SET requests that were acknowledged. */
+  readonly acknowledged: number;
+  /** Requests that went out more than once, fences included. */
+  readonly repeats: number;
+  /** What stopped the write or the reading back; null when nothing did. */
+  readonly stopped: TimerError | null;
+}
+
+/** Whether a memory holds what was believed of it. An idle throttle that was not known may be anything. */
+export function isHeld(believed: TimerProgram, held: TimerProgram): boolean {
+  return differences(believed, held).every(({ from }) => from === null);
+}
+
+/** Values that are not as wanted although nobody asked to change them. */
+export function unasked(held: TimerProgram, goal: TimerProgram, asked: readonly Change[]): Change[] {
+  const changed = new Set(asked.map(({ field }) => fieldKey(field)));
+  return differences(held, goal).filter(({ field, to }) => to !== null && !changed.has(fieldKey(field)));
+}
+
+/**
+ * Compares what was wanted with what was read.
+ * @param strays the values that changed without being asked.
+ * @param held what the last fresh read gave; null when there was none.
+ */
+export function verdict(
+  goal: TimerProgram,
+  asked: readonly Change[],
+  strays: Iterable<ProgramField>,
+  held: TimerProgram | null,
+): Pick<WriteReport, 'result' | 'values'> {
+  const judge = (field: ProgramField, isAsked: boolean): ValueReport => {
+    const wanted = valueAt(goal, field);
+    const found = held && valueAt(held, field);
+    const status = found === null ? 'unknown' : found === wanted ? 'verified' : 'differs';
+    return { field, wanted, held: found, status, asked: isAsked };
+  };
+  const values = [...asked.map(({ field }) => judge(field, true)), ...[...strays].map((field) => judge(field, false))];
+  if (values.some(({ status }) => status === 'differs')) return { result: 'differs', values };
+  const isKnown = held !== null && values.every(({ status }) => status === 'verified');
+  return { result: isKnown ? 'verified' : 'unknown', values };
+}
