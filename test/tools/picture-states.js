@@ -296,6 +296,16 @@ export const states = {
       await page.locator('.notices').getByText('No answer yet.').waitFor();
     },
   },
+  'waiting-help': {
+    title: 'What to do while nothing answers',
+    bench: { granted: true },
+    reach: async (page) => {
+      await page.evaluate(() => window.workbench.sleep());
+      await press(page, 'Connect');
+      await page.locator('.notices').getByText('No answer yet.').waitFor();
+      await page.getByText('What to do').click();
+    },
+  },
   refused: {
     title: 'The port does not open',
     bench: { granted: true },

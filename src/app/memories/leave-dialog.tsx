@@ -1,7 +1,7 @@
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
-import { ProgressLine } from '../ui/progress-line.js';
+import { RunningStep } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import type { Leaving } from './leaving.js';
 import { nextFlightText } from './next-flight-line.js';
@@ -24,20 +24,17 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
 }
 
 function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
-  const { nextFlight: words, memoryName, program, write } = messages.value;
+  const { nextFlight: words, memoryName, program } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;
   if (!question) return null;
   if (question.goingBack) {
     return (
-      <>
-        <ProgressLine label={program.selecting} progress={session.job.value?.progress ?? null} />
-        <div class="buttons">
-          <button type="button" onClick={() => leaving.stay()}>
-            {write.stop}
-          </button>
-        </div>
-      </>
+      <RunningStep
+        label={program.selecting}
+        progress={session.job.value?.progress ?? null}
+        onStop={() => leaving.stay()}
+      />
     );
   }
   const originalName = original.value === null ? null : memoryName(original.value);

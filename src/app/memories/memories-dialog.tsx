@@ -4,7 +4,7 @@ import { openValues } from '../session/knowledge.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { ProgressLine } from '../ui/progress-line.js';
+import { ClosingButtons, RunningStep, UnkeptStep } from '../write/dialog-steps.js';
 import { MoveServosCheck } from '../write/move-servos-check.js';
 import { SafetyCheck } from '../write/safety-check.js';
 import { UncertainNote } from '../write/uncertain-band.js';
@@ -38,7 +38,7 @@ export function MemoriesDialog({ session, memories }: { readonly session: Sessio
     >
       {current?.step === 'review' && <Review session={session} memories={memories} current={current} />}
       {current?.step === 'running' && <Running memories={memories} current={current} />}
-      {current?.step === 'unkept' && <Unkept memories={memories} />}
+      {current?.step === 'unkept' && <UnkeptStep onAnswer={(goOn) => memories.answer(goOn)} />}
       {current?.step === 'done' && <Result session={session} memories={memories} current={current} />}
     </Modal>
   );
@@ -121,42 +121,17 @@ function lead(plan: Plan): string {
   return words.plans.restore.lead(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
 }
 
-function Running({ memories, current }: { readonly memories: Memories; readonly current: StepOf<'running'> }) {
-  const { memories: words, write, memoryName } = messages.value;
-  const { progress, stopping } = current;
-  const memory = progress?.memory ?? null;
-  const stage = progress ? write.stages[progress.stage] : words.plans[current.plan.kind].title;
-  const label = memory === null ? stage : words.stage(stage, memoryName(memory));
-  return (
-    <>
-      <ProgressLine label={stopping ? write.stopping : label} progress={progress} />
-      <div class="buttons">
-        <button type="button" aria-disabled={stopping} onClick={() => memories.dismiss()}>
-          {write.stop}
-        </button>
-      </div>
-    </>
-  );
+interface RunningProps {
+  readonly memories: Memories;
+  readonly current: StepOf<'running'>;
 }
 
-/** Nothing has been written into this memory, and nothing is before the pilot has answered. */
-function Unkept({ memories }: { readonly memories: Memories }) {
-  const { write } = messages.value;
-  return (
-    <>
-      <div class="notice bad" role="alert">
-        <NoticeText said={write.unkept} />
-      </div>
-      <div class="buttons">
-        <button type="button" onClick={() => memories.answer(true)}>
-          {write.withoutCopy}
-        </button>
-        <button type="button" class="primary" onClick={() => memories.answer(false)}>
-          {write.notWithout}
-        </button>
-      </div>
-    </>
-  );
+function Running({ memories, current: { plan, progress, stopping } }: RunningProps) {
+  const { memories: words, write, memoryName } = messages.value;
+  const memory = progress?.memory ?? null;
+  const stage = progress ? write.stages[progress.stage] : words.plans[plan.kind].title;
+  const label = memory === null ? stage : words.stage(stage, memoryName(memory));
+  return <RunningStep label={label} progress={progress} stopping={stopping} onStop={() => memories.dismiss()} />;
 }
 
 interface ResultProps {
@@ -182,21 +157,18 @@ function Result({ session, memories, current }: ResultProps) {
         {!kept && <p>{words.notKept}</p>}
       </div>
       {plan.kind !== 'back-up' && <Current session={session} />}
-      <div class="buttons">
-        {again && (
-          <button
-            type="button"
-            class="primary"
-            disabled={!session.connection.value || session.busy.value}
-            onClick={() => void memories.open(plan)}
-          >
-            {unkept ? write.move.again : words.again}
-          </button>
-        )}
-        <button type="button" class={again ? '' : 'primary'} onClick={() => memories.dismiss()}>
-          {write.close}
-        </button>
-      </div>
+      <ClosingButtons
+        onClose={() => memories.dismiss()}
+        again={
+          again
+            ? {
+                label: unkept ? write.move.again : words.again,
+                disabled: !session.connection.value || session.busy.value,
+                onClick: () => void memories.open(plan),
+              }
+            : null
+        }
+      />
     </>
   );
 }

@@ -1,9 +1,9 @@
-import type { TimerProgram } from '../../program/index.js';
-import { clockText, figureText, messages, slotLabel } from '../messages/index.js';
+import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { type Knowledge, type Known, openValues } from '../session/knowledge.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
+import { SlotTable } from '../ui/slot-table.js';
 import { ValueTable } from '../write/value-table.js';
 import type { Memories } from './memories.js';
 
@@ -15,7 +15,7 @@ interface MemoryLookProps {
 
 /** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
-  const { look: words, memoryName } = messages.value;
+  const { look: words, memoryName, program } = messages.value;
   const { editor, memoryOpen, connection, busy } = session;
   const name = memoryName(memory);
   const known = session.knowledge.of(memory);
@@ -58,7 +58,16 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
               </span>
             ))}
           </p>
-          <HeldTable program={known.program} caption={words.tableCaption(name)} />
+          <SlotTable
+            program={known.program}
+            caption={words.tableCaption(name)}
+            class="held"
+            headings={[program.time]}
+            rows={known.program.times.map((time, slot) => ({
+              slot,
+              cells: [figureText(known.program.identity, { kind: 'time', slot }, time)],
+            }))}
+          />
         </>
       )}
       {known.state === 'uncertain' && (
@@ -87,40 +96,4 @@ function headline(known: Known, name: string): string {
   const { look: words } = messages.value;
   if (known.state === 'read') return words.read(name, clockText(known.at));
   return known.state === 'unread' ? words.notRead(name) : words.uncertain(name);
-}
-
-/** All times and positions of a program: to be read, not to be changed. */
-function HeldTable({ program, caption }: { readonly program: TimerProgram; readonly caption: string }) {
-  const { program: words, servoName } = messages.value;
-  const { identity, times, positions } = program;
-  return (
-    <table class="held">
-      <caption class="visually-hidden">{caption}</caption>
-      <thead>
-        <tr>
-          <th scope="col">{words.slot}</th>
-          <th scope="col">{words.time}</th>
-          {positions.map((_, servo) => (
-            <th scope="col" key={servoName(servo)}>
-              {servoName(servo)}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {times.map((time, slot) => {
-          const label = slotLabel(identity, slot);
-          return (
-            <tr key={label}>
-              <th scope="row">{label}</th>
-              <td>{figureText(identity, { kind: 'time', slot }, time)}</td>
-              {positions.map((row, servo) => (
-                <td key={servoName(servo)}>{row[slot]}</td>
-              ))}
-            </tr>
-          );
-        })}
-      </tbody>
-    </table>
-  );
 }

@@ -2,12 +2,13 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { SHELVES } from '../storage/index.js';
 import { Modal } from '../ui/modal.js';
+import { ClosingButtons } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import type { Counts, Erase } from './erase.js';
 
 /** What would be deleted from this device, asked once. */
 export function EraseDialog({ session, erase }: { readonly session: Session; readonly erase: Erase }) {
-  const { erase: words, write } = messages.value;
+  const { erase: words } = messages.value;
   const current = erase.current.value;
   return (
     <Modal
@@ -25,11 +26,7 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
           <div class="notice bad" role="alert">
             <p>{words.failed(current.left)}</p>
           </div>
-          <div class="buttons">
-            <button type="button" class="primary" onClick={() => erase.dismiss()}>
-              {write.close}
-            </button>
-          </div>
+          <ClosingButtons onClose={() => erase.dismiss()} />
         </>
       )}
     </Modal>

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
 import { messages, slotLabel } from '../messages/index.js';
+import { SlotTable } from '../ui/slot-table.js';
 import { motorStopOf, stagesOf } from './preview/flight.js';
 
 /** The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is opened. */
@@ -26,46 +27,28 @@ export function TimelineTable({ program }: { program: TimerProgram }) {
 }
 
 function Stages({ program }: { program: TimerProgram }) {
-  const { timeline, servoName, program: words, seconds } = messages.value;
-  const { identity, positions } = program;
+  const { timeline, seconds } = messages.value;
   const stop = motorStopOf(program);
   const time = (hundredths: number): string => seconds(formatTime(hundredths));
   return (
-    <table>
-      <caption class="visually-hidden">{timeline.tableCaption}</caption>
-      <thead>
+    <SlotTable
+      program={program}
+      caption={timeline.tableCaption}
+      headings={[timeline.from, timeline.until]}
+      rows={stagesOf(program).map(({ slot, from, until, passing }) => ({
+        slot,
+        cells: [time(from), passing === 'held' ? until !== null && time(until) : timeline.passing[passing]],
+      }))}
+    >
+      {stop !== null && (
         <tr>
-          <th scope="col">{words.slot}</th>
-          <th scope="col">{timeline.from}</th>
-          <th scope="col">{timeline.until}</th>
-          {positions.map((_, servo) => (
-            <th scope="col" key={servoName(servo)}>
-              {servoName(servo)}
-            </th>
-          ))}
+          <th scope="row">{timeline.motorRuns}</th>
+          <td>{time(0)}</td>
+          <td>{time(stop)}</td>
+          <td colSpan={program.positions.length} />
         </tr>
-      </thead>
-      <tbody>
-        {stagesOf(program).map(({ slot, from, until, passing }) => (
-          <tr key={slot}>
-            <th scope="row">{slotLabel(identity, slot)}</th>
-            <td>{time(from)}</td>
-            <td>{passing === 'held' ? until !== null && time(until) : timeline.passing[passing]}</td>
-            {positions.map((row, servo) => (
-              <td key={servoName(servo)}>{row[slot]}</td>
-            ))}
-          </tr>
-        ))}
-        {stop !== null && (
-          <tr>
-            <th scope="row">{timeline.motorRuns}</th>
-            <td>{time(0)}</td>
-            <td>{time(stop)}</td>
-            <td colSpan={positions.length} />
-          </tr>
-        )}
-      </tbody>
-    </table>
+      )}
+    </SlotTable>
   );
 }
 

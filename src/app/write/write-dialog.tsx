@@ -1,3 +1,4 @@
+import type { TimerError } from '../../client/index.js';
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
@@ -6,7 +7,7 @@ import { keyFields, keyName } from '../messages/key-figures.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { ProgressLine } from '../ui/progress-line.js';
+import { ClosingButtons, RunningStep, UnkeptStep } from './dialog-steps.js';
 import { MoveServosCheck } from './move-servos-check.js';
 import { SafetyCheck } from './safety-check.js';
 import { UncertainNote } from './uncertain-band.js';
@@ -36,11 +37,16 @@ export function WriteDialog({ session, write }: { readonly session: Session; rea
         <>
           {current.step === 'review' && <Review session={session} write={write} review={current} />}
           {current.step === 'running' && (
-            <Running write={write} stage={current.progress ? words.stages[current.progress.stage] : words.title} />
+            <RunningStep
+              label={current.progress ? words.stages[current.progress.stage] : words.title}
+              progress={current.progress}
+              stopping={current.stopping}
+              onStop={() => write.dismiss()}
+            />
           )}
-          {current.step === 'unkept' && <Unkept write={write} />}
+          {current.step === 'unkept' && <UnkeptStep onAnswer={(goOn) => write.answer(goOn)} />}
           {current.step === 'done' && <Result session={session} write={write} identity={identity} done={current} />}
-          {current.step === 'refused' && <Refused write={write} />}
+          {current.step === 'refused' && <Refused write={write} error={current.error} />}
         </>
       )}
     </Modal>
@@ -160,42 +166,6 @@ function Conflicts({ editor, identity }: { readonly editor: Editor; readonly ide
   );
 }
 
-/** Nothing has been sent, and nothing is before the pilot has answered. */
-function Unkept({ write }: { readonly write: WriteFlow }) {
-  const { write: words } = messages.value;
-  return (
-    <>
-      <div class="notice bad" role="alert">
-        <NoticeText said={words.unkept} />
-      </div>
-      <div class="buttons">
-        <button type="button" onClick={() => write.answer(true)}>
-          {words.withoutCopy}
-        </button>
-        <button type="button" class="primary" onClick={() => write.answer(false)}>
-          {words.notWithout}
-        </button>
-      </div>
-    </>
-  );
-}
-
-function Running({ write, stage }: { readonly write: WriteFlow; readonly stage: string }) {
-  const { write: words } = messages.value;
-  const current = write.current.value;
-  if (current?.step !== 'running') return null;
-  return (
-    <>
-      <ProgressLine label={current.stopping ? words.stopping : stage} progress={current.progress} />
-      <div class="buttons">
-        <button type="button" aria-disabled={current.stopping} onClick={() => write.dismiss()}>
-          {words.stop}
-        </button>
-      </div>
-    </>
-  );
-}
-
 type Done = Extract<WriteStep, { step: 'done' }>;
 
 interface ResultProps {
@@ -232,16 +202,10 @@ function Result({ session, write, identity, done }: ResultProps) {
           lastCounts
         />
       )}
-      <div class="buttons">
-        {unkept && (
-          <button type="button" class="primary" disabled={!canWrite} onClick={() => void write.again()}>
-            {words.move.again}
-          </button>
-        )}
-        <button type="button" class={unkept ? '' : 'primary'} onClick={() => write.dismiss()}>
-          {words.close}
-        </button>
-      </div>
+      <ClosingButtons
+        onClose={() => write.dismiss()}
+        again={unkept ? { label: words.move.again, disabled: !canWrite, onClick: () => void write.again() } : null}
+      />
     </>
   );
 }
@@ -261,23 +225,22 @@ function Verdict({ done: { at, shown }, held }: { done: Done; held: TimerProgram
   );
 }
 
-function Refused({ write }: { readonly write: WriteFlow }) {
+interface RefusedProps {
+  readonly write: WriteFlow;
+  readonly error: TimerError;
+}
+
+function Refused({ write, error }: RefusedProps) {
   const { write: words, timer } = messages.value;
-  const current = write.current.value;
-  if (current?.step !== 'refused') return null;
   return (
     <>
       <div class="notice bad" role="alert">
         <p>
           <strong>{words.refused}</strong>
         </p>
-        <NoticeText said={timer[current.error.code]} />
+        <NoticeText said={timer[error.code]} />
       </div>
-      <div class="buttons">
-        <button type="button" class="primary" onClick={() => write.dismiss()}>
-          {words.close}
-        </button>
-      </div>
+      <ClosingButtons onClose={() => write.dismiss()} />
     </>
   );
 }

@@ -1,0 +1,49 @@
+import type { ComponentChildren } from 'preact';
+import type { TimerProgram } from '../../program/index.js';
+import { messages, slotLabel } from '../messages/index.js';
+
+interface SlotTableProps {
+  readonly program: TimerProgram;
+  readonly caption: string;
+  readonly class?: string;
+  /** What stands between the name of a slot and its positions. */
+  readonly headings: readonly string[];
+  readonly rows: readonly { readonly slot: number; readonly cells: readonly ComponentChildren[] }[];
+  /** Further rows. */
+  readonly children?: ComponentChildren;
+}
+
+/** Slots of a program with their positions: to be read, not to be changed. */
+export function SlotTable({ program, caption, class: name, headings, rows, children }: SlotTableProps) {
+  const { program: words, servoName } = messages.value;
+  const { identity, positions } = program;
+  const servos = positions.map((_, servo) => servoName(servo));
+  return (
+    <table class={name}>
+      <caption class="visually-hidden">{caption}</caption>
+      <thead>
+        <tr>
+          {[words.slot, ...headings, ...servos].map((heading) => (
+            <th scope="col" key={heading}>
+              {heading}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map(({ slot, cells }) => (
+          <tr key={slot}>
+            <th scope="row">{slotLabel(identity, slot)}</th>
+            {cells.map((cell, index) => (
+              <td key={headings[index]}>{cell}</td>
+            ))}
+            {positions.map((row, servo) => (
+              <td key={servos[servo]}>{row[slot]}</td>
+            ))}
+          </tr>
+        ))}
+        {children}
+      </tbody>
+    </table>
+  );
+}
