@@ -83,6 +83,7 @@ describe('the picture of the rooms', () => {
 describe('the order of the page', () => {
   it.each([
     ['a feature that looks up', 'bench/stand.ts', '../shell/header.js', 'app/bench may not use app/shell'],
+    ['a component that looks for its models', 'bench/panel.tsx', '../models.js', 'app/bench may not use app/app'],
     ['a feature that knows another', 'memories/copy.ts', '../bench/stand.js', 'app/memories may not use app/bench'],
     [
       'what lies below and looks up',
