@@ -105,7 +105,7 @@ describe('a storage that does not answer', () => {
 
 describe('what the storage says', () => {
   it.each([
-    ['newer', /A newer version of this page has written what is kept here\. Load the page again/],
+    ['newer', /A newer version of this page has changed its storage\. Load the page again/],
     ['blocked', /Another tab holds an older version/],
     ['full', /Its storage is full/],
     ['missing', /It has no storage for this page/],
@@ -127,7 +127,7 @@ describe('locks that never answer', () => {
     await run(bench.session.connect());
     bench.editor.type(S1, '8');
     await idle();
-    expect(screen.getByText(/Tabs of this page cannot be told apart/)).toBeTruthy();
+    expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
     const kept = [...store.drafts.records.values()].map(({ working }) => working.positions[0]?.[2]);
     expect(kept).toEqual([7, 8]);
   });
@@ -143,7 +143,7 @@ describe('locks that never answer', () => {
   ])('or %s: the page works and says it', async (_, request) => {
     const tab = new TabNumber({ request }, { load: () => 2, save: () => {} });
     const bench = await drawn({ tab });
-    expect(screen.getByText(/Tabs of this page cannot be told apart/)).toBeTruthy();
+    expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
     await run(bench.session.connect());
     bench.editor.type(S1, '7');
     await idle();

@@ -79,7 +79,7 @@ test('what may cost a model has to be acknowledged before it is written', async 
   await app.tickSafety();
   const start = app.dialog.getByRole('button', { name: 'Write 1 change' });
   expect(await start.isDisabled()).toBe(true);
-  await app.dialog.getByText('The motor stops after DT, at 3:00').waitFor();
+  await app.dialog.getByText('The motor stops after DT (3:00)').waitFor();
   await app.dialog.getByRole('checkbox', { name: 'I have read this' }).check();
   await start.click();
   await app.result('Verified.');

@@ -90,7 +90,7 @@ test('it goes off when the tab is hidden', async () => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
   });
-  await app.text('Following has stopped: the page was out of sight. The timer was read since.').waitFor();
+  await app.text('Following has stopped: the page was hidden. The timer has been read since.').waitFor();
   await app.isReady();
   await app.page.evaluate(() => {
     Reflect.deleteProperty(document, 'hidden');

@@ -9,7 +9,7 @@ function isInSight(element: Element): boolean {
 
 describe('what no timer can hold is refused at the field', () => {
   const cases: [field: string, text: string, shown: string, reason: string][] = [
-    ['Function 2, S1', '131', '131', 'A position is 0 to 130 steps.'],
+    ['Function 2, S1', '131', '131', 'A position must be 0 to 130 steps.'],
     ['DT time', '655.36', '10:55.36', 'A time can be at most 10:55.35.'],
     ['Function 2, S1', 'six', 'six', 'Not a whole number of steps.'],
     ['DT time', 'soon', 'soon', 'Not a time: type seconds like 12.5, or minutes like 2:05.'],
@@ -149,14 +149,14 @@ describe('the page starts all the same', () => {
 
   test('after a later version has stored in another way', async () => {
     const app = await AppPage.open({ bench: {}, before: () => void indexedDB.open('sidus-timer', 99) });
-    await app.says('A newer version of this page has written what is kept here.');
+    await app.says('A newer version of this page has changed its storage.');
     await app.connect();
   });
 
   const refusals: [how: string, sentence: string, before: () => void][] = [
     [
       'at once',
-      'It has no storage for this page, or it is switched off.',
+      'It has no storage for this page, or its storage is switched off.',
       () => {
         IDBFactory.prototype.open = () => {
           throw new DOMException('The storage is off.', 'SecurityError');

@@ -33,7 +33,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   }
 
   await keys.enter(/^Shift in time$/);
-  await keys.tabTo(/^This and all later, from/);
+  await keys.tabTo(/^This and all later ones, from/);
   await keys.type('Function 4');
   await keys.tabTo(/^By, in seconds$/);
   await keys.press('Control+a');

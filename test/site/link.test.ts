@@ -130,9 +130,9 @@ describe('the port is taken', () => {
       .button(/^Connect/)
       .first()
       .click();
-    await other.text('Another tab of this program holds the port: F1Q, M1, since').waitFor();
+    await other.text('Another tab of this page holds the port: F1Q, M1, since').waitFor();
     await other.button('Take over').click();
-    await app.says('Another tab of this program has taken the port over.');
+    await app.says('Another tab of this page has taken the port over.');
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
     expect(await edits(app), 'kept').toEqual(['4:00', '7']);
     await other.bench((bench) => bench.setBusy(false));
@@ -153,7 +153,7 @@ describe('the port is taken', () => {
     });
     await app.bench((bench) => bench.setBusy(true));
     await app.button('Connect').click();
-    await app.says('It is tried again for 15 seconds.');
+    await app.says('This page tries again for 15 seconds.');
     await app.text('Close other programs and tabs that talk to the timer').waitFor();
     await app.page.getByText('What to do').first().click();
     const rule = app.page.getByRole('listitem').filter({ hasText: 'allow this kind of adapter only' });
@@ -172,11 +172,11 @@ describe('about this timer', () => {
     const app = await AppPage.open({ bench: { granted: true, quirks: { bigEndianTimes: true } } });
     await app.connect();
     await app.says('The times of this timer fall.');
-    await app.button('Exchange and read again').click();
+    await app.button('Swap them and read again').click();
     await expect.poll(() => app.valueOf('DT')).toBe('3:00');
     await app.text('About this timer').click();
-    await app.text('Its times fall, and would rise with their bytes exchanged.').waitFor();
-    const assumed = app.page.getByRole('checkbox', { name: 'Times have their bytes exchanged' });
+    await app.text('Its times fall. With the two bytes of each swapped they would rise.').waitFor();
+    const assumed = app.page.getByRole('checkbox', { name: 'The two bytes of each time are swapped' });
     expect(await assumed.isChecked()).toBe(true);
 
     await app.reload();
@@ -190,7 +190,7 @@ describe('about this timer', () => {
     await app.connect();
     await app.type('DT time', '4:00.05');
     await app.write();
-    await app.result('Not everything was taken.');
+    await app.result('The timer did not take every value.');
     await app.close();
     await app.text('About this timer').click();
     await app.text('It rounds times.').waitFor();

@@ -114,7 +114,7 @@ for (const [size, viewport] of Object.entries(sizes)) {
       await app.page.locator('summary', { hasText: 'Compare' }).click();
       await isWellMade(app, 'an interrupted write');
       await app.fly('M2');
-      await app.button('Make M1 current and look').waitFor();
+      await app.button('Make M1 fly next and look').waitFor();
       await isWellMade(app, 'an interrupted write into another memory');
     });
   }

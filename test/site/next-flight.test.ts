@@ -34,10 +34,10 @@ test('a memory is looked at and left, another made to fly next, and Disconnect r
 
   await app.fly('M2');
   expect(await current()).toBe(1);
-  await app.page.getByRole('alert').getByText('M2 flies next. At connect it was M1.').waitFor();
+  await app.page.getByRole('alert').getByText('M2 flies next. When you connected it was M1.').waitFor();
   await app.button('Disconnect').click();
   const dialog = app.page.getByRole('dialog', { name: 'Before you disconnect' });
-  await dialog.getByText('M2 will fly next. At connect it was M1.').waitFor();
+  await dialog.getByText('M2 will fly next. When you connected it was M1.').waitFor();
   await app.page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'hidden' });
   expect(await current(), 'Escape changes nothing').toBe(1);

@@ -60,7 +60,7 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
     },
     /cannot be told apart/,
   ],
-  ['no channel', () => Reflect.deleteProperty(window, 'BroadcastChannel'), /Other tabs of this page are not noticed/],
+  ['no channel', () => Reflect.deleteProperty(window, 'BroadcastChannel'), /This page does not notice its other tabs/],
   [
     'a channel that throws',
     () =>
@@ -71,7 +71,7 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
           }
         },
       }),
-    /Other tabs of this page are not noticed/,
+    /This page does not notice its other tabs/,
   ],
   [
     'a channel that says nothing',
@@ -102,14 +102,14 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
   [
     'no service worker',
     () => Reflect.deleteProperty(Navigator.prototype, 'serviceWorker'),
-    /without a network it cannot be opened/,
+    /you cannot open it without a network/,
   ],
   [
     'a service worker that cannot be registered',
     () => {
       ServiceWorkerContainer.prototype.register = () => Promise.reject(new DOMException('Not here.', 'SecurityError'));
     },
-    /without a network it cannot be opened/,
+    /you cannot open it without a network/,
   ],
   ['no matchMedia', () => Reflect.deleteProperty(window, 'matchMedia'), null],
   ['no storage manager', () => Object.defineProperty(Navigator.prototype, 'storage', { value: undefined }), null],
@@ -167,7 +167,7 @@ test('a newer storage has its own sentence', async () => {
   );
   await page.unroute('**/*');
   await page.goto(inject('site'));
-  await page.getByText(/A newer version of this page has written what is kept here/).waitFor();
+  await page.getByText(/A newer version of this page has changed its storage/).waitFor();
 });
 
 test('inside of a frame the page does not work, and says where it does', async () => {

@@ -43,7 +43,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await app.page.getByRole('heading', { name: 'Checks' }).tap();
   await app.text('Shift in time').tap();
   // The list of choices is the browser's own.
-  await app.page.getByRole('combobox', { name: 'This and all later, from' }).selectOption('Function 4');
+  await app.page.getByRole('combobox', { name: 'This and all later ones, from' }).selectOption('Function 4');
   await app.page.getByRole('textbox', { name: 'By, in seconds' }).tap();
   for (let i = 0; i < 4; i++) await app.page.keyboard.press('Backspace');
   await app.page.keyboard.type('1.5');
@@ -129,7 +129,7 @@ describe('a finger on the table', () => {
     expect(await marked('Function 2, S2'), 'all of it, as before').toEqual([0, 2]);
     // The row has got a button: that may take a few pixels.
     expect(Math.abs((await topOf('Function 2, S2')) - before), 'nothing scrolls').toBeLessThan(10);
-    await app.button('Undo stepping of Function 2, S2').tap();
+    await app.button('Undo stepping Function 2, S2').tap();
     expect(await app.valueOf('Function 2, S2')).toBe('35');
     expect(await app.undo.isDisabled()).toBe(true);
 

@@ -263,7 +263,7 @@ describe('without Web Serial', () => {
 
   test('the page names the browsers that have it, and the simulated timers are there', async () => {
     const app = await AppPage.open({ before: without });
-    await app.text('Web Serial works in Chrome and Edge (version 89 or later), Opera (76) and Firefox (151)').waitFor();
+    await app.text('On a computer, use Chrome or Edge 89, Opera 75, Firefox 151, or a later version.').waitFor();
     expect(await app.button('Connect').count()).toBe(0);
     await app.trySimulated('F1B');
   });

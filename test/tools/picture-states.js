@@ -268,7 +268,7 @@ export const states = {
       await connect(page);
       await page.getByRole('radio', { name: 'M3' }).check({ force: true });
       await press(page, 'Make M3 fly next');
-      await page.getByText('M3 flies next. At connect it was M1.').waitFor();
+      await page.getByText('M3 flies next. When you connected it was M1.').waitFor();
       await press(page, 'Disconnect');
     },
   },

@@ -7,12 +7,12 @@ const restWorks = 'Everything but the connection works here too.';
 const android = `Chrome ${FIRST.android} or later (${FIRST.androidBluetooth} to ${FIRST.android - 1} over Bluetooth only); a cable needs Android ${FIRST.androidCable}`;
 
 /** What an adapter on a cable needs on a phone. */
-export const cableOnAndroid = `A phone lets the browser use an adapter on a cable only from Android ${FIRST.androidCable} on, with Chrome ${FIRST.android} or later. Until then use a Bluetooth adapter, or a computer.`;
+export const cableOnAndroid = `An adapter on a cable needs Android ${FIRST.androidCable} and Chrome ${FIRST.android} or later. Without them, use a Bluetooth adapter or a computer.`;
 
 /** Where a timer can be reached: for every browser of which no more is known. */
 export const unsupportedHere: Said = {
   title: 'This browser cannot reach a timer.',
-  advice: `Web Serial works on a computer in Chrome and Edge (${FIRST.chrome} or later), Opera (${FIRST.opera} or later) and Firefox (${FIRST.firefox} or later), and on Android in ${android}. ${restWorks}`,
+  advice: `On a computer, use Chrome or Edge ${FIRST.chrome}, Opera ${FIRST.opera}, Firefox ${FIRST.firefox}, or a later version. On Android, use ${android}. ${restWorks}`,
 };
 
 function tooOld(name: string, first: number, more = ''): Said {
@@ -28,13 +28,13 @@ export const unsupported: Record<UnsupportedReason, Said> = {
   'edge-old': tooOld('Edge', FIRST.edge),
   'opera-old': tooOld('Opera', FIRST.opera),
   brave: {
-    title: 'Brave reaches a timer only after you allow it.',
+    title: 'Brave reaches a timer only when you allow it.',
     advice: `Switch its Web Serial on, as told below, or use Chrome or Edge. ${restWorks}`,
   },
   'firefox-old': tooOld(
     'Firefox',
     FIRST.firefox,
-    ': it then asks once to add a permission for this page. It knows adapters on a cable, not over Bluetooth',
+    '. It then asks once to add a permission for this page. It reaches adapters on a cable, but none over Bluetooth',
   ),
   'firefox-mobile': {
     title: 'Firefox on Android cannot reach a timer.',

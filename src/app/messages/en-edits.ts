@@ -9,22 +9,22 @@ type Params = Readonly<Record<string, string>>;
 /** What a step is called after “Undo” and “Redo”. */
 const steps: Record<StepCode, (params: Params) => string> = {
   type: ({ field }) => `typing in ${field}`,
-  step: ({ field }) => `stepping of ${field}`,
+  step: ({ field }) => `stepping ${field}`,
   shift: ({ slot, by }) => `shift from ${slot} by ${by}`,
   interval: ({ slot }) => `interval of ${slot}`,
   paste: ({ count }) => `paste of ${count}`,
   fill: ({ count }) => `fill down of ${count}`,
-  'copy-servo': ({ from, to }) => `copy of ${from} to ${to}`,
-  'reverse-servo': ({ servo }) => `reversal of ${servo}`,
+  'copy-servo': ({ from, to }) => `copying ${from} to ${to}`,
+  'reverse-servo': ({ servo }) => `reversing ${servo}`,
   revert: ({ field }) => `putting back ${field}`,
   'revert-row': ({ slot }) => `putting back ${slot}`,
   'revert-column': ({ name }) => `putting back ${name}`,
   'revert-all': () => 'putting back everything',
   'move-mark': ({ field }) => `moving ${field}`,
   preset: ({ field }) => `preset of ${field}`,
-  'finish-write': () => 'taking up the interrupted write',
-  restore: () => 'taking over a backup',
-  fix: ({ field }) => `correction of ${field}`,
+  'finish-write': () => 'loading the interrupted write',
+  restore: () => 'loading a backup',
+  fix: ({ field }) => `correcting ${field}`,
   'keep-tried': () => 'keeping what was tried',
 };
 
@@ -33,13 +33,13 @@ const refused: Record<
   Exclude<RefusalCode | PasteProblemCode, FindingCode | UnreadableReason>,
   (params: Params) => string
 > = {
-  reserved: () => 'The reserved time is changed only in its own field.',
-  'no-interval': () => 'The start follows nothing, so it has no interval.',
-  'later-out-of-range': ({ min, max }) => `This interval would move a later function out of ${min} to ${max}.`,
-  'before-unreadable': () => 'It counts from a time whose text is no value. Put that right first.',
-  'later-unreadable': () => 'It would move a later time whose text is no value. Put that right first.',
-  'interval-disagrees': () => 'This is not the interval between the times of the two rows.',
-  'too-large': ({ cells }) => `The table is too large: the rest was not read. At most ${cells} cells are.`,
+  reserved: () => 'The reserved time can be changed only in its own field.',
+  'no-interval': () => 'The start has no interval: nothing comes before it.',
+  'later-out-of-range': ({ min, max }) => `This interval would move a later function outside ${min} to ${max}.`,
+  'before-unreadable': () => 'It counts from a time that cannot be read. Correct that time first.',
+  'later-unreadable': () => 'It would move a later time that cannot be read. Correct that time first.',
+  'interval-disagrees': () => 'This interval does not fit the times of the two rows.',
+  'too-large': ({ cells }) => `The table is too large: at most ${cells} cells are read. The rest was left out.`,
 };
 
 const counted = (count: number, name: string): string => `${count} ${name}${count === 1 ? '' : 's'}`;
@@ -54,7 +54,7 @@ export const edits = {
   steps,
   refused,
   /** A text in a field of the table is in the way of an edit of many. */
-  unreadable: 'The text in this field is no value. Put it right first.',
+  unreadable: 'The text in this field is not a value. Correct it first.',
   beforeLaunch: 'This would be before launch.',
   nothingDone: 'Nothing was changed.',
   cells,
@@ -83,7 +83,7 @@ export const edits = {
       clipboardEmpty: 'There is no text to paste.',
       clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
     },
-    keys: 'Arrows and Enter go from cell to cell, Alt with up, down or the wheel steps a value, Shift with an arrow selects, Ctrl+D fills down.',
+    keys: 'Arrows and Enter go from cell to cell. Alt with up, down or the wheel steps a value. Shift with an arrow selects. Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,
     reverse: 'Reverse',
@@ -92,7 +92,7 @@ export const edits = {
   },
   shift: {
     title: 'Shift in time',
-    from: 'This and all later, from',
+    from: 'This and all later ones, from',
     by: 'By, in seconds',
     earlier: 'Earlier',
     later: 'Later',
@@ -104,7 +104,7 @@ export const edits = {
     /** Tables are taken at their word, which is said where it may have been another. */
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
     ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
-    problems: 'This cannot be taken',
+    problems: 'This cannot be pasted',
     problem: (row: number, column: number, text: string, reason: string) =>
       `Row ${row}, column ${column}${text === '' ? '' : `, “${text}”`}: ${reason}`,
     more: (count: number) => `And ${count} more.`,
@@ -120,7 +120,7 @@ export const edits = {
     remove: (time: string) => `Remove ${time}`,
     add: 'New preset',
     addButton: 'Add',
-    shortDt: 'DT is short below',
+    shortDt: 'Warn if DT is shorter than',
     refused: 'Type a time up to 10:55.35. At most 24 presets are kept.',
   },
   fix: (value: string) => `Set to ${value}`,

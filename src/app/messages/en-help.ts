@@ -13,44 +13,44 @@ const systems: Record<System, string> = {
 
 /** What to do, one sentence for each step. A step that is not here does not exist: its code is typed from this list. */
 const steps = {
-  'close-tabs': 'Close other tabs and windows that show this program, or press Disconnect in them.',
+  'close-tabs': 'Close other tabs and windows that show this page, or click Disconnect in them.',
   'programs-windows':
-    'Close programs that use serial ports: Arduino IDE, PuTTY, Tera Term, RealTerm, CoolTerm, Betaflight Configurator, Cura, PrusaSlicer. Some stay in the corner of the taskbar: end them there or in the Task Manager.',
+    'Close programs that use serial ports: Arduino IDE, PuTTY, Tera Term, RealTerm, CoolTerm, Betaflight Configurator, Cura, PrusaSlicer. Some go on running in the corner of the taskbar: end them there or in the Task Manager.',
   'programs-mac':
-    'Close programs that use serial ports: Arduino IDE, CoolTerm, Serial, Cura, PrusaSlicer, and a Terminal with “screen” in it.',
+    'Close programs that use serial ports: Arduino IDE, CoolTerm, Serial, Cura, PrusaSlicer, and a Terminal that runs “screen”.',
   'programs-linux':
     'Close programs that use serial ports: Arduino IDE, minicom, picocom, screen, PuTTY, CuteCom, Cura, PrusaSlicer, OctoPrint.',
   'programs-android': 'Close other apps that use the adapter, such as a serial terminal or a drone configurator.',
   'holder-mac': 'This command in the Terminal names the program that holds a port:',
   'holder-linux': 'This command in a terminal names the program that holds a port:',
   'modem-manager':
-    'After plugging in, ModemManager often holds a new port for some seconds to see if it is a modem. This program tries again for 15 seconds by itself; when it has given up, click Connect once more.',
+    'ModemManager often holds a new adapter for some seconds, to see whether it is a modem. This page tries again for 15 seconds. When it has given up, click Connect again.',
   group:
-    'You may not be allowed to use serial ports. On Debian, Ubuntu, Mint, Fedora and openSUSE this command allows it; log out and in again afterwards:',
-  'group-arch': 'The same on Arch and Manjaro:',
+    'Linux may not let you use serial ports. On Debian, Ubuntu, Mint, Fedora and openSUSE this command allows it. Log out and in again afterwards:',
+  'group-arch': 'On Arch and Manjaro use this one:',
   'udev-rule':
-    'Or allow this kind of adapter only, and keep ModemManager away from it. Run both commands, then plug the adapter in again:',
+    'Or allow only this kind of adapter, and keep ModemManager away from it. Run both commands, then unplug the adapter and plug it in again:',
   'chromium-snap':
-    'Chromium from the Ubuntu store (a “snap”) needs to be let through to the adapter; close it and open it again afterwards:',
+    'Chromium from the Ubuntu store (a “snap”) needs a permission to reach the adapter. Run this, then close Chromium and open it again:',
   'firefox-snap':
     'Firefox from the Ubuntu store (a “snap”) sees no serial ports. Use the one from mozilla.org, or Chrome.',
   'linux-container':
-    'The Linux of a Chromebook may have taken the adapter: in the Settings, under Linux development environment, Manage USB devices, switch it off.',
+    'The Linux of a Chromebook may have taken the adapter. Switch the adapter off in the Settings, under Linux development environment, Manage USB devices.',
   replug:
     'Unplug the adapter, count to five, plug it in again and click Connect. If that does not help, restart the computer.',
-  cable: 'Plug the adapter straight in, without a hub, and try another cable: many USB cables only charge.',
+  cable: 'Plug the adapter in directly, without a hub, and try another cable. Many USB cables only charge.',
   'drivers-windows':
-    'Open the Device Manager. A yellow mark on the adapter means that its driver is missing: CP210x from silabs.com, VCP from ftdichip.com, CH341SER from wch-ic.com (for CH340), PL2303 from prolific.com.tw. Windows Update often brings it, so let the computer online once.',
+    'Open the Device Manager. A yellow mark on the adapter means that its driver is missing. Connect the computer to the internet: Windows Update often brings the driver. The makers have it, too: CP210x at silabs.com, VCP at ftdichip.com, CH341SER (for CH340) at wch-ic.com, PL2303 at prolific.com.tw.',
   'pl2303-windows':
-    'Does the Device Manager say “This is not Prolific PL2303”, “Please contact your supplier” or “Code 10”: the chip is a copy or an old one, and the present driver refuses it. Use another adapter.',
+    'If the Device Manager says “This is not Prolific PL2303”, “Please contact your supplier” or “Code 10”, the chip is a copy or an old one, and the driver refuses it. Use another adapter.',
   'drivers-mac':
-    'Since macOS 11 the drivers for FTDI, CP210x, CH340 and PL2303 are built in. An older macOS needs the one of the maker of the chip.',
+    'macOS 11 and later have the drivers for FTDI, CP210x, CH340 and PL2303 built in. For an older macOS, get the driver from the maker of the chip.',
   'accessory-mac':
-    'A MacBook asks whether an accessory may connect: allow it. It stands in the System Settings under Privacy & Security.',
+    'A MacBook asks whether an accessory may connect: allow it. The setting is in System Settings, under Privacy & Security.',
   'kernel-linux':
-    'The drivers are built in. Plug the adapter in; this command tells whether Linux has seen it, as ttyUSB0 or ttyACM0:',
+    'The drivers are built in. Plug the adapter in. This command shows whether Linux has seen it, as ttyUSB0 or ttyACM0:',
   brltty:
-    'Does the adapter vanish again at once: brltty, which is for Braille displays, takes CH340, CP210x and some FTDI adapters for one. If nobody needs a Braille display here, remove it and plug the adapter in again:',
+    'If the adapter disappears at once, brltty may have taken it. That program is for Braille displays, and takes CH340, CP210x and some FTDI adapters for one. If nobody needs a Braille display here, remove brltty, then unplug the adapter and plug it in again:',
   'android-cable': cableOnAndroid,
   'pair-windows':
     'Over Bluetooth: pair the adapter first, in Settings, Bluetooth & devices. The code is often 1234 or 0000.',
@@ -60,42 +60,43 @@ const steps = {
   'pair-chromeos': 'Over Bluetooth: pair the adapter first, in Settings, Bluetooth. The code is often 1234 or 0000.',
   'pair-android':
     'Pair the adapter first, in the Bluetooth settings of Android, and let Chrome use nearby devices when it asks. The code is often 1234 or 0000.',
-  'firefox-bluetooth': 'Firefox does not list Bluetooth adapters: use Chrome, Edge or Opera for one.',
+  'firefox-bluetooth': 'Firefox does not list Bluetooth adapters. Use Chrome, Edge or Opera for them.',
   'bluetooth-one':
-    'A Bluetooth adapter talks to one device at a time: disconnect it from any other phone or computer, or switch Bluetooth off there.',
+    'A Bluetooth adapter talks to one device at a time. Disconnect it from any other phone or computer, or switch Bluetooth off there.',
   'bluetooth-again':
-    'Is the adapter switched on, charged and within a few metres? Switch it off and on, wait until it blinks, then click Connect.',
+    'Is the adapter switched on, charged, and not more than a few metres away? Switch it off and on, wait until it blinks, then click Connect.',
   'usb-power':
-    'Does it happen again and again: in the Device Manager, under USB Root Hub, Power Management, do not let the computer switch it off.',
-  wake: 'The timer falls asleep after one or two minutes. Press its switch briefly; nothing is lost.',
+    'If it happens again and again, open the Device Manager, USB Root Hub, Power Management. There, do not let the computer switch the device off.',
+  wake: 'The timer falls asleep after one or two minutes. Press its switch briefly. Nothing is lost.',
   near: 'Hold the infra-red head closer than 20 cm, pointed at the timer, and shade both from the sun.',
-  battery: 'Is the battery of the timer charged and plugged in? A discharged timer stands at its DT position.',
-  'other-port': 'Click Choose a port: another adapter may be plugged in as well.',
-  'other-port-waiting':
-    'Another adapter may be plugged in as well. Press Stop, then click Choose a port and choose the other one.',
-  rate: 'Leave the rate to be found, or choose the one that is right for your adapter. 9600 baud is the likeliest.',
+  battery:
+    'Is the battery of the timer charged and plugged in? When its battery is empty, a timer stands at its DT position.',
+  'other-port': 'Click Choose a port: the timer may be on another adapter.',
+  'other-port-waiting': 'The timer may be on another adapter. Click Stop, then Choose a port, and choose the other one.',
+  rate: 'Let this page find the rate, or choose the rate of your adapter. 9600 baud is the most likely.',
   'rate-waiting':
-    'A rate that was set by hand under Serial settings may be wrong for your adapter. Press Stop and click Usual settings there: then the rate is found by asking.',
-  'usual-settings':
-    'Set 8 data bits, no parity and 1 stop bit: those are the usual ones, and every adapter takes them.',
-  report: 'Does it come again with the timer awake and near: copy the report under Line, and tell the maintainers.',
+    'If you have set a rate under Serial settings, it may be wrong for your adapter. Click Stop, then Usual settings: the page then finds the rate by itself.',
+  'usual-settings': 'Click Usual settings: 8 data bits, no parity and 1 stop bit. Every adapter takes them.',
+  report:
+    'If it happens again with the timer awake and near, copy the report under Line and send it to the maintainers.',
   'ask-again': 'Click Connect again, and allow the port when the browser asks.',
   'site-permission':
-    'Is this page among those that may not use serial ports: remove it there. Open this address in a tab:',
+    'If this page is listed there as one that may not use serial ports, remove it. Open this address in a tab:',
   'site-permission-firefox':
-    'Firefox adds a small permission for this page when you allow it. What it has added stands here; open this address in a tab:',
-  'site-permission-mobile': 'Tap the sign beside the address, then Permissions, and allow serial ports or reset all.',
+    'When you allow it, Firefox adds a small permission for this page. To see what it has added, open this address in a tab:',
+  'site-permission-mobile':
+    'Tap the icon beside the address, then Permissions. Allow serial ports, or reset all permissions.',
   managed:
-    'A computer of a school or a company may forbid serial ports. If “Serial” stands on this page, only its administrator can change that:',
+    'A school or a company may forbid serial ports on its computers. If “Serial” is listed at this address, only the administrator can change that:',
   'brave-flag': 'Open this address in a tab, and set Web Serial API to Enabled:',
   'brave-relaunch': 'Click Relaunch there, and come back to this page.',
   https: 'Open this address instead:',
   'this-computer':
     'Without https, serial ports work only where the page comes from this computer itself, as http://localhost. Everything but the connection works here too.',
   'own-tab': 'Open this address in a tab of its own, not inside another page:',
-  'policy-header': 'For whoever runs the server: if it sends a Permissions-Policy, this allows what is needed:',
+  'policy-header': 'For the owner of the server: if it sends a Permissions-Policy, this one allows serial ports:',
   'policy-frame':
-    'For whoever shows this page in a frame: the frame needs this attribute. Everything but the connection works here too.',
+    'For the owner of the page around this one: its frame needs this attribute. Everything but the connection works here too.',
 };
 
 /** What to do, step by step, when a timer cannot be reached. */

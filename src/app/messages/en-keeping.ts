@@ -10,17 +10,17 @@ export const keeping = {
       'Another tab holds an older version of this page. Close it and load this page again. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
     full: 'Its storage is full. What you type, new backups and the note of an interrupted write are kept only while this page is open.',
     newer:
-      'A newer version of this page has written what is kept here. Load the page again to use it. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
+      'A newer version of this page has changed its storage. Load the page again to get that version. Until then, what you type, backups and the note of an interrupted write are kept only while this page is open.',
     missing:
-      'It has no storage for this page, or it is switched off. What you type, backups and the note of an interrupted write are kept only while this page is open.',
+      'It has no storage for this page, or its storage is switched off. What you type, backups and the note of an interrupted write are kept only while this page is open.',
     failed:
       'Its storage fails. What you type, backups and the note of an interrupted write are kept only while this page is open.',
   } satisfies Record<StorageErrorCode, string>,
   lacks: {
-    locks: 'Tabs of this page cannot be told apart. Use one tab only.',
-    channel: 'Other tabs of this page are not noticed. Close them before you connect.',
+    locks: 'This page cannot tell its tabs apart. Use one tab only.',
+    channel: 'This page does not notice its other tabs. Close them before you connect.',
     settings: 'Colours, presets and other choices last only while this page is open.',
-    offline: 'The page itself is not kept: without a network it cannot be opened.',
+    offline: 'The page itself is not kept: you cannot open it without a network.',
   } satisfies Record<Lack, string>,
 };
 
@@ -30,8 +30,8 @@ export const aside = {
     count === 1
       ? '1 record could not be read and was set aside.'
       : `${count} records could not be read and were set aside.`,
-  kept: 'Nothing of it is shown as data, and nothing of it is deleted.',
-  write: 'The note of an interrupted write is among it: read the timer before you fly.',
+  kept: 'What was set aside is not used and not deleted.',
+  write: 'It includes the note of an interrupted write: read the timer before you fly.',
   save: 'Save to a file',
 };
 
@@ -63,7 +63,7 @@ export const erase = {
   unknown: 'not known',
   rest: 'Colours, presets and other choices, the right to use serial ports, and the page for use without a network',
   uncertain:
-    'It is not known what a timer holds since a write was cut off. Without its note nobody can say so: read that timer before you fly.',
+    'A write was cut off, and it is not known what that timer holds. Without the note of that write this page cannot warn you: read that timer before you fly.',
   start: 'Delete everything',
   running: 'Deleting',
   failed: (left: readonly (keyof typeof places)[]) =>
@@ -73,6 +73,6 @@ export const erase = {
 /** Inside of another page. */
 export const framed = {
   title: 'Sidus Timer works only in a tab of its own.',
-  why: 'It lies inside another page here, which could cover what you see of your timer.',
+  why: 'Here it is inside another page, which could cover what you see of your timer.',
   open: 'Open Sidus Timer in a tab of its own',
 };

@@ -25,7 +25,7 @@ export const knowledge = {
   connect: 'Connect and read',
   goTo: (memory: string) => `Look at ${memory}`,
   forget: 'Forget this…',
-  forgetSure: 'Forget it only if you have read it elsewhere, or no longer have this timer.',
+  forgetSure: 'Forget it only if you have read that timer elsewhere, or no longer have it.',
   forgetNow: 'Forget it now',
   keep: 'Keep it',
 
@@ -35,11 +35,11 @@ export const knowledge = {
   lastReadAt: (time: string) => `As last read ${time}`,
   asLastRead: 'As last read',
   unknown: (memory: string) => `Not known what ${memory} holds`,
-  unfinished: (count: number) => `${plural(count, 'field is', 'fields are')} no value yet`,
+  unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet`,
   hints: {
     now: () => 'Marked fields differ from what the timer holds.',
     once: (time: string | null) => `Marked fields differ from what was last read${time === null ? '' : `, ${time}`}.`,
-    not: () => 'Marked fields differ from what was last read, which is not certain now.',
+    not: () => 'Marked fields differ from what was last read. That is not certain now.',
   },
   /** Under a value that was changed: what it was. */
   marks: {

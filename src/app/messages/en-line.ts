@@ -28,10 +28,10 @@ const rejected: Record<RejectionReason, string> = {
 
 const rejectedMeaning: Record<RejectionReason, string> = {
   noise: 'These bytes belong to no frame.',
-  length: 'A frame begins here, and its length cannot be.',
-  terminator: 'A frame begins here and does not end where its length says.',
-  checksum: 'A frame with another checksum than its bytes give.',
-  silence: 'A frame begins here, and the rest of it never came.',
+  length: 'A frame begins here, but its length is impossible.',
+  terminator: 'A frame begins here, but does not end where its length says.',
+  checksum: 'The checksum of this frame does not fit its bytes.',
+  silence: 'A frame begins here, but the rest of it never came.',
 };
 
 const errors: Record<LineErrorKind, string> = {
@@ -43,23 +43,23 @@ const errors: Record<LineErrorKind, string> = {
 };
 
 const errorMeaning: Record<LineErrorKind, string> = {
-  framing: 'A byte did not end as it should: another rate, or a weak signal.',
-  parity: 'A byte had another parity than was set.',
+  framing: 'A byte did not end as it should: the rate is wrong, or the signal is weak.',
+  parity: 'A byte did not have the parity that is set.',
   break: 'The line was held down for longer than a byte.',
-  overrun: 'Bytes came faster than they were taken, and some are lost.',
+  overrun: 'Bytes came faster than they were read, and some are lost.',
   other: 'The port reported an error and went on.',
 };
 
 const unreadable: Record<CodecErrorCode, string> = {
   'not-an-integer': 'a value is not whole',
   'out-of-range': 'a value is out of its range',
-  'wrong-count': 'it has another number of values than this timer',
-  'wrong-length': 'its length does not fit',
+  'wrong-count': 'it has the wrong number of values for this timer',
+  'wrong-length': 'its length is wrong',
   'unknown-command': 'no command has this letter',
-  'unexpected-reply': 'it answers something else',
-  'bad-identity': 'no timer can say this of itself',
+  'unexpected-reply': 'it does not answer what was asked',
+  'bad-identity': 'no timer can describe itself like this',
   'identity-needed': 'the timer has not yet said how many functions and servos it has',
-  'bad-capture': 'it is no recording',
+  'bad-capture': 'it is not a recording',
 };
 
 const filters = {
@@ -71,11 +71,11 @@ const filters = {
 
 const danger: Record<Command['effect'], string> = {
   reads: '',
-  stores: 'What the timer holds changes. The timer is read again afterwards.',
+  stores: 'This changes what the timer holds. The timer is read again afterwards.',
   moves: 'Servos may move.',
-  'frees-motor': 'The motor is freed: a propeller may start.',
+  'frees-motor': 'This unlocks the motor: the propeller may start.',
   unknown:
-    'Nobody knows for certain what this does: servos may move, a propeller may start, and what the timer holds may change.',
+    'Nobody knows for certain what this does: servos may move, the propeller may start, and what the timer holds may change.',
 };
 
 const frameFaults = {
@@ -88,7 +88,7 @@ const frameFaults = {
 const recordingFaults: Record<'heading' | 'line' | 'empty' | 'too-large' | 'unreadable', (line: number) => string> = {
   heading: () => 'This file is not a recording: its first line is not “# Sidus capture 1”.',
   line: (line) =>
-    `Line ${line} of this file cannot be read. It should be a time in seconds, not before the one above it, then > or <, then bytes in hex.`,
+    `Line ${line} of this file cannot be read. It should be a time in seconds (not before the one above), then > or <, then bytes in hex.`,
   empty: () => 'There is nothing in this recording.',
   'too-large': () => 'This file is too large for a recording.',
   unreadable: () => 'This file cannot be read.',
@@ -99,7 +99,7 @@ export const line = {
   title: 'Line',
   empty: 'Nothing to show.',
   unused:
-    'Nothing was on the line yet: all that goes to a timer and comes from it is listed here. A recording can be loaded, looked at and replayed as a timer.',
+    'Nothing has been on the line yet. All that goes to a timer and comes from it will be listed here. You can also load a recording, look at it, and replay it as a timer.',
   time: 'Time',
   direction: 'Direction',
   message: 'Message',
@@ -126,7 +126,7 @@ export const line = {
     `${name}, firmware ${firmware}, ${count(functions, 'function', 'functions')}, ${count(memories, 'memory', 'memories')}, ${count(servos, 'servo', 'servos')}`,
   memoryUnsaid: 'It does not say which.',
   idleThrottle: (value: number) => `${value}, unit unknown`,
-  idleThrottleUnsaid: 'It says no value.',
+  idleThrottleUnsaid: 'It gives no value.',
   acknowledged: 'Acknowledged.',
   unreadable: (code: CodecErrorCode) => `Cannot be read: ${unreadable[code]}.`,
 
@@ -158,14 +158,14 @@ export const line = {
   recording: (name: string, entries: number) => `${name}: a recording of ${count(entries, 'entry', 'entries')}.`,
   recordingLead: 'You are looking at a file, not at the line.',
   replay: 'Replay it as a timer',
-  replayHint: 'Replayed, a simulated timer answers as this one did.',
-  cannotReplay: 'It cannot be replayed: nothing in it answers what the timer is.',
+  replayHint: 'A simulated timer then answers as this one did.',
+  cannotReplay: 'It cannot be replayed: in it, the timer never says what it is.',
   back: 'Back to the live line',
   recordingFaults,
 
   send: {
     title: 'Send a frame by hand',
-    lead: 'For finding out what a timer does. Length, checksum and the rest of the frame are filled in.',
+    lead: 'To find out what a timer does. The page adds length, checksum and the rest of the frame.',
     command: 'Frame',
     choice: (name: string, letters: string, letter: string) => `${name} · ${letters} (${letter})`,
     other: 'Another letter',
@@ -182,7 +182,7 @@ export const line = {
     cancel: 'Do not send',
     sending: 'Sending',
     answered: 'Answered:',
-    unanswered: 'No reply came. What it asked for may have happened all the same.',
+    unanswered: 'No reply came. What the frame asked for may have happened anyway.',
     notConnected: 'Connect to the timer to send.',
   },
 };

@@ -23,12 +23,12 @@ export const link = {
   refused: {
     title: 'The port does not open yet.',
     advice:
-      'It is tried again for 15 seconds. Another program may have it; on Linux ModemManager often holds a new adapter for a moment.',
+      'This page tries again for 15 seconds. Another program may have the port. On Linux, ModemManager often holds a new adapter for a moment.',
   },
   waiting: {
     title: 'No answer yet.',
     advice:
-      'Press the switch of the timer briefly and hold it closer than 20 cm. This page keeps asking and goes on as soon as it answers.',
+      'Press the switch of the timer briefly and hold it closer than 20 cm. This page keeps asking and goes on as soon as the timer answers.',
   },
   /** Something comes, and it is no timer's. */
   heard: {
@@ -37,11 +37,11 @@ export const link = {
       advice: `Lines of text come at ${rate} baud, such as “${sample}”. Choose another port. If the timer is here too, wake it: this page keeps asking.`,
     }),
     noise: (_: string, rate: number) => ({
-      title: 'No timer answers, but bytes come that no timer sends.',
-      advice: `Heard at ${rate} baud. Something else talks on this port, or light disturbs the infra-red head: shade it, wake the timer and hold it closer than 20 cm, or choose another port.`,
+      title: 'No timer answers. Bytes come that no timer sends.',
+      advice: `They come at ${rate} baud. Something else talks on this port, or light disturbs the infra-red head. Shade the head, wake the timer and hold it closer than 20 cm, or choose another port.`,
     }),
     echo: () => ({
-      title: 'Only the question of this page comes back.',
+      title: 'Only what this page sends comes back.',
       advice:
         'The timer sleeps or is too far away, or something else is on this port. Press the switch of the timer briefly and hold it closer than 20 cm, or choose another port.',
     }),
@@ -49,14 +49,14 @@ export const link = {
   chooseAnother: 'Choose another port',
   /** What came in the place of an answer. */
   itSaid: (bytes: string, text: string) => `What came: ${bytes} (“${text}”).`,
-  trySelectBare: 'Try it without a true checksum',
+  trySelectBare: 'Try it without a correct checksum',
   away: {
     title: 'The adapter is unplugged.',
     advice: 'Plug it in: the connection comes back by itself. What you typed is kept.',
   },
   brokenOff: {
-    title: 'The connection to the adapter broke off.',
-    advice: 'It is tried again by itself. What you typed is kept.',
+    title: 'The connection to the adapter was lost.',
+    advice: 'This page tries again by itself. What you typed is kept.',
   },
   asked: (count: number) => `asked ${count} ${count === 1 ? 'time' : 'times'}`,
   status: {
@@ -66,7 +66,7 @@ export const link = {
     searching: 'Looking for the timer',
     waiting: 'Waiting for the timer',
     away: 'Adapter unplugged',
-    brokenOff: 'Connection broken off',
+    brokenOff: 'Connection lost',
     closing: 'Disconnecting',
   },
   stop: 'Stop',
@@ -79,7 +79,7 @@ export const ports = {
   forget: 'Forget',
   forgetNamed: (name: string) => `Forget ${name}`,
   settings: 'Serial settings',
-  settingsHint: 'Only for an adapter that needs something special. Left alone, the rate is found by asking.',
+  settingsHint: 'Only for an adapter that needs special settings. Otherwise this page finds the rate by itself.',
   rate: 'Rate',
   findRate: 'Find it',
   baud: (rate: number) => `${rate} baud`,
@@ -97,14 +97,14 @@ const quirkNames: Record<QuirkCode, string> = {
   'unlock-reply-6a': 'It answers “unlock motor” with the letter of “move servos”.',
   'memory-unknown': 'It does not say which memory is current.',
   'memory-impossible': 'It names a current memory that it cannot have.',
-  'bare-checksum': 'Its reply about the idle throttle has no true checksum.',
-  'times-big-endian': 'Its times fall, and would rise with their bytes exchanged.',
+  'bare-checksum': 'Its reply about the idle throttle has no correct checksum.',
+  'times-big-endian': 'Its times fall. With the two bytes of each swapped they would rise.',
   'servo-first': 'It takes the servo before the function when a position is written.',
   'servo-unanswered': 'It did not answer when a position was written.',
   'times-rounded': 'It rounds times.',
   'memories-from-one': 'It counts its memories from 1.',
-  'positions-unchanged': 'It acknowledged positions and did not keep them.',
-  echo: 'The adapter returns what is sent.',
+  'positions-unchanged': 'It acknowledged positions but did not keep them.',
+  echo: 'The adapter sends back what it is sent.',
   'idle-throttle-unanswered': 'It did not answer when asked for its idle throttle.',
   'idle-throttle-malformed': 'Its reply about the idle throttle has no value.',
 };
@@ -133,25 +133,25 @@ export const about = {
   count: (name: string, count: number) => `${name} ${count}`,
   none: 'none',
   damage: 'Damage seen on the line',
-  crowd: 'Another timer or programmer may be in the beam: since then two readings have to agree.',
-  notConnected: 'No timer is connected. What is taken for true of the timers at known adapters stands here.',
-  found: 'What it does in its own way',
-  nothingFound: 'Nothing so far: it does all that was asked in the usual way.',
+  crowd: 'Another timer or programmer may be in the beam. Since then two readings must agree.',
+  notConnected: 'No timer is connected.',
+  found: 'What it did differently',
+  nothingFound: 'Nothing so far: it has done all that was asked in the usual way.',
   quirkNames,
-  assumed: 'What is taken for true of it',
-  assumedHint: 'Remembered for this port and this kind of timer as a first guess for the next time.',
+  assumed: 'What is known to differ',
+  assumedHint: 'Remembered for this port and this kind of timer, as a first guess the next time.',
   nothingAssumed: 'Nothing.',
   /** A kind of timer at a port, as it is remembered. */
   kindAt: (timer: string, port: string) => `${timer} at ${port}`,
   not: ': no',
-  forget: 'Forget what was assumed',
-  forgetOf: (kind: string) => `Forget what was assumed of ${kind}`,
-  others: 'What is taken for true of timers at known adapters',
+  forget: 'Forget what is known to differ',
+  forgetOf: (kind: string) => `Forget what is known to differ: ${kind}`,
+  others: 'What is known to differ on timers at known adapters',
   assumptions: {
-    bigEndianTimes: 'Times have their bytes exchanged',
+    bigEndianTimes: 'The two bytes of each time are swapped',
     servoFirst: 'A position is written with the servo before the function',
     memoriesFromOne: 'Memories are counted from 1',
-    bareChecksumRequests: '“Select memory” and “write idle throttle” go out without a true checksum',
+    bareChecksumRequests: '“Select memory” and “write idle throttle” are sent without a correct checksum',
     positionsNeedMove: 'Positions are kept only where the servos stand',
   },
 };

@@ -8,9 +8,9 @@ export const nextFlight = {
   will: (memory: string) => `${memory} will fly next.`,
   /** While there is no connection. */
   last: (memory: string) =>
-    `${memory} was current when the timer was heard last: it flies next unless something else has changed it.`,
-  original: (original: string) => `At connect it was ${original}.`,
-  originalUnknown: 'Which one it was at connect is not known.',
+    `${memory} was current when the timer last answered. It flies next unless something else has changed that.`,
+  original: (original: string) => `When you connected it was ${original}.`,
+  originalUnknown: 'It is not known which one it was when you connected.',
   unknown: 'It is not known which memory flies next.',
   asked: (memory: string) => `${memory} was selected last.`,
   back: (original: string) => `Back to ${original}`,
@@ -19,8 +19,8 @@ export const nextFlight = {
     back: (original: string) => `Back to ${original} and disconnect`,
     disconnect: 'Disconnect',
     stay: 'Stay connected',
-    as: (memory: string) => `${memory} flies next, as at connect.`,
-    failed: (original: string) => `It was not possible to go back to ${original}. The timer is still connected.`,
+    as: (memory: string) => `${memory} flies next, as when you connected.`,
+    failed: (original: string) => `Going back to ${original} did not work. The timer is still connected.`,
   },
 };
 
@@ -33,10 +33,10 @@ export const look = {
   either: 'Either',
   or: 'or',
   /** @param current the memory that flies next. */
-  lead: (current: string) => `Shown to be looked at. What you edit and write is ${current}, which flies next.`,
+  lead: (current: string) => `For looking only. What you edit and write is ${current}, which flies next.`,
   look: (memory: string) => `Look at ${memory}`,
-  hint: (memory: string, current: string) => `Looking selects ${memory}, reads it and goes back to ${current}.`,
-  noWayBack: 'This timer does not say which memory is current: nobody could tell which one to go back to.',
+  hint: (memory: string, current: string) => `This selects ${memory}, reads it and goes back to ${current}.`,
+  noWayBack: 'This timer does not say which memory is current, so this page would not know which one to go back to.',
   fly: (memory: string) => `Make ${memory} fly next`,
   looking: (memory: string) => `Looking at ${memory}`,
   show: (memory: string) => `Show ${memory}`,
@@ -55,17 +55,17 @@ export const memories = {
   plans: {
     'back-up': {
       title: 'Back up all memories',
-      lead: 'Each memory is made current in turn and read. Then the one that is current now is made current again.',
+      lead: 'Each memory is selected in turn and read. At the end the memory that flies next now will fly next again.',
     },
     copy: {
       title: 'Copy a memory',
       lead: (from: string, to: string) =>
-        `${to} will hold the times and positions that ${from} holds, by a reading just now. What ${to} holds is backed up first. Then the memory that is current now is made current again.`,
+        `${to} will hold the times and positions of ${from}, as read just now. What ${to} holds now is backed up first. At the end the memory that flies next now will fly next again.`,
     },
     restore: {
       title: 'Restore a backup',
       lead: (names: string, time: string) =>
-        `${names} will hold what they held on ${time}. What they hold now is backed up first. Then the memory that is current now is made current again.`,
+        `This writes into ${names} what was backed up on ${time}. What is there now is backed up first. At the end the memory that flies next now will fly next again.`,
     },
   },
   start: { 'back-up': 'Back up', copy: 'Copy', restore: 'Restore' },
@@ -85,11 +85,11 @@ export const memories = {
   ends: {
     verified: (memory: string) => `${memory} verified.`,
     untouched: (memory: string) => `Nothing was written into ${memory}.`,
-    differs: (memory: string) => `${memory}: not everything was taken. Look at it before you fly it.`,
+    differs: (memory: string) => `${memory}: the timer did not take every value. Look at it before you fly it.`,
     unknown: (memory: string) => `It is not known what ${memory} holds. Do not fly it before it is read.`,
   },
   again: 'Show the difference again…',
   notKept:
-    'This browser does not keep them: its storage is full or switched off. They are gone when this page is closed.',
-  stopped: { title: 'Stopped.', advice: 'What was not written yet is as it was.' },
+    'This browser does not keep them: its storage is full or switched off. They are gone when you close this page.',
+  stopped: { title: 'Stopped.', advice: 'What was not yet written is as it was.' },
 };

@@ -12,16 +12,16 @@ export interface Said {
 export const connection: Record<ConnectionErrorCode, Said> = {
   unsupported: unsupportedHere,
   insecure: {
-    title: 'The browser withholds serial ports from this page.',
+    title: 'The browser does not give serial ports to this page.',
     advice: 'Open it by its https address. Everything but the connection works here too.',
   },
   policy: {
     title: 'The server of this page forbids serial ports.',
-    advice: 'Open its own address in a tab of its own. Everything but the connection works here too.',
+    advice: 'Open this page by its own address, in a tab of its own. Everything but the connection works here too.',
   },
   'nothing-chosen': {
     title: 'No port was chosen.',
-    advice: 'Click Connect again and pick the adapter of the timer; if it is not in the list, the steps below help.',
+    advice: 'Click Connect again and choose the adapter of the timer. If it is not in the list, the steps below help.',
   },
   'not-allowed': {
     title: 'The browser does not allow serial ports here.',
@@ -30,11 +30,11 @@ export const connection: Record<ConnectionErrorCode, Said> = {
   busy: {
     title: 'The port cannot be opened.',
     advice:
-      'Most often something else has it. Close other programs and tabs that talk to the timer, or plug the adapter in again, then click Connect again.',
+      'Most often another program has it. Close other programs and tabs that talk to the timer, or unplug the adapter and plug it in again. Then click Connect again.',
   },
   'bad-settings': {
     title: 'The adapter does not take these settings.',
-    advice: 'Choose another rate, or leave the rate to be found, then connect again.',
+    advice: 'Choose another rate, or let this page find it. Then click Connect again.',
   },
   unplugged: {
     title: 'The adapter is not plugged in.',
@@ -47,7 +47,7 @@ export const connection: Record<ConnectionErrorCode, Said> = {
   lost: {
     title: 'The connection is gone.',
     advice:
-      'The port failed again and again, each time it was opened. Plug the adapter in again and click Connect: what you typed is kept.',
+      'The port failed each time it was opened. Unplug the adapter, plug it in again and click Connect. What you typed is kept.',
   },
 };
 
@@ -59,11 +59,11 @@ export const timer: Record<TimerErrorCode, Said> = {
   },
   'bad-reply': {
     title: 'The timer answered something that cannot be.',
-    advice: 'Try again. If it comes again, copy the line below and tell the maintainers.',
+    advice: 'Try again. If it happens again, copy the line below and send it to the maintainers.',
   },
   unstable: {
-    title: 'The line is too noisy to be believed.',
-    advice: 'Too much came damaged. Move the infra-red head closer, shade it from the sun, and try again.',
+    title: 'The line is too noisy to trust.',
+    advice: 'Too many bytes were damaged. Move the infra-red head closer, shade it from the sun, and try again.',
   },
   crowded: {
     title: 'More than one timer seems to answer.',
@@ -77,28 +77,28 @@ export const timer: Record<TimerErrorCode, Said> = {
   'memory-unknown': {
     title: 'This timer does not say which memory is current.',
     advice:
-      'Other memories are not selected: nobody could tell which one to come back to. The current one can be read and written.',
+      'So this page selects no other memory: it would not know which one to come back to. You can read and write the current one.',
   },
   'memory-left': {
-    title: 'Another memory may be current now than before.',
+    title: 'Another memory may fly next than before.',
     advice:
-      'The timer could not be set back to it, and would fly with the other one. Connect again and select the right memory before you fly.',
+      'This page could not go back to the one that was current. Connect again and make the right memory fly next before you fly.',
   },
   'other-timer': {
-    title: 'Another timer answers than before.',
-    advice: 'It is asked what it is, and read. Look at what it holds before you write.',
+    title: 'This is not the timer that answered before.',
+    advice: 'This page identifies it and reads it. Look at what it holds before you write.',
   },
   stale: {
-    title: 'The timer holds something else than was shown.',
+    title: 'The timer does not hold what was shown.',
     advice: 'Nothing was written. Look at what it holds now before you write.',
   },
   changed: {
-    title: 'The timer holds other values than were read.',
+    title: 'The timer does not hold what was read before.',
     advice: 'Something else changed it, or this is another timer. Look at the marked fields before you write again.',
   },
   undecided: {
-    title: 'It is not certain how this timer counts its times.',
-    advice: 'They fall as they are read, and would rise with their bytes exchanged. Nothing was written.',
+    title: 'It is not certain in which order this timer sends the bytes of a time.',
+    advice: 'The times fall. With the two bytes of each swapped they would rise. Nothing was written.',
   },
   'port-lost': {
     title: 'The connection is gone.',
@@ -120,7 +120,7 @@ export const notes = {
   },
   'edits-kept': {
     title: 'Earlier edits for this memory are back.',
-    advice: 'The timer was read and does not hold them. Take a look, then write or undo them.',
+    advice: 'The timer was read and does not hold them. Look at them, then write or undo them.',
   },
   'edits-moved': {
     title: 'The timer holds something else than when you made your edits.',
@@ -140,28 +140,29 @@ export const notes = {
   },
   'other-kind': {
     title: 'Another kind of timer is at this port now.',
-    advice: 'The screen shows what it holds. Edits for the other one are kept until it is read again.',
+    advice:
+      'The screen shows what it holds. Your edits for the other one are kept. They come back when you read it again.',
   },
   'write-completed': {
     title: 'The interrupted write is complete.',
-    advice: 'The timer was read afresh and holds all that was to be written.',
+    advice: 'The timer was read again and holds all that was to be written.',
   },
   'nothing-written': {
     title: 'Nothing was written.',
     advice: 'You stopped before the first value went out. What you typed is kept.',
   },
   'select-unanswered': {
-    title: 'The timer did not take the choice of memory.',
+    title: 'The timer did not answer when a memory was selected.',
     advice:
-      'It answers other requests. Hold the head closer and try again. If it comes again, it may want this request without a true checksum: that can be tried here, and stands under “About this timer”.',
+      'It answers other requests. Hold the infra-red head closer and try again. If it happens again, this timer may want the request without a correct checksum. You can try that here, and later under “About this timer”.',
   },
   strays: {
     title: 'Answers came that nobody asked for.',
     advice:
-      'All was read again until two readings agreed. Keep other timers and programmers out of the beam of the infra-red head.',
+      'Everything was read again until two readings agreed. Keep other timers and programmers out of the beam of the infra-red head.',
   },
   'taken-over': {
-    title: 'Another tab of this program has taken the port over.',
+    title: 'Another tab of this page has taken the port over.',
     advice: 'What you typed here is kept.',
   },
   'not-kept': {
@@ -169,7 +170,7 @@ export const notes = {
     advice: 'Its storage is full or switched off. Write to the timer before you close the page.',
   },
   unexpected: {
-    title: 'Something went wrong in this program.',
-    advice: 'Nothing more was sent. Load the page again; what you typed is kept.',
+    title: 'Something went wrong in this page.',
+    advice: 'Nothing more was sent. Load the page again. What you typed is kept.',
   },
 } satisfies Record<string, Said>;

@@ -3,14 +3,14 @@ const plural = (count: number, one: string, many: string): string => `${count} $
 /** What an earlier job left behind on a timer. */
 export const recovery = {
   title: 'An earlier write was interrupted',
-  when: (memory: string, time: string) => `It was begun on ${time}, into ${memory}.`,
+  when: (memory: string, time: string) => `It started on ${time}, into ${memory}.`,
   nothing: (missing: number) =>
     `The timer holds what it held before: nothing was written, ${plural(missing, 'change is', 'changes are')} missing.`,
   part: (written: number, missing: number) =>
     `The timer holds ${plural(written, 'value', 'values')} of that write; ${plural(missing, 'value is', 'values are')} still as before.`,
   foreign: (count: number) =>
-    `The timer holds ${plural(count, 'value', 'values')} that neither that write nor what was there before explains. Is it another timer, or did something else change it?`,
-  sure: 'Timers of one kind look alike: go on only if this is the timer of that write.',
+    `The timer holds ${plural(count, 'value', 'values')} that neither was there before nor came from that write. Is it another timer, or did something else change it?`,
+  sure: 'This page cannot tell timers of one kind apart. Go on only if this is the timer of that write.',
   finish: 'Finish it…',
   goBack: 'Go back…',
   leave: 'Leave it as it is',
@@ -21,18 +21,18 @@ export const recovery = {
   goal: 'To be written',
   held: 'Timer holds now',
   elsewhere: (memory: string) =>
-    `A write into ${memory} of a timer of this kind was interrupted. What became of it can be seen when ${memory} is current: that is then what flies next.`,
-  show: (memory: string) => `Make ${memory} current and look`,
-  leftTitle: 'Another memory is current than before',
+    `A write into ${memory} of a timer of this kind was interrupted. To see what ${memory} holds now, make it fly next.`,
+  show: (memory: string) => `Make ${memory} fly next and look`,
+  leftTitle: 'Another memory flies next than before',
   left: (original: string, current: string) =>
-    `A job over several memories was interrupted: ${current} is current, and would fly next. Before the job it was ${original}.`,
-  makeCurrent: (memory: string) => `Make ${memory} current again`,
+    `A job on several memories was interrupted. Now ${current} flies next. Before the job it was ${original}.`,
+  makeCurrent: (memory: string) => `Make ${memory} fly next again`,
   unknownMemory: 'an unknown memory',
 };
 
 export const backups = {
   title: 'Backups',
-  empty: 'Before each write what the timer holds is kept here, without asking.',
+  empty: 'Before each write this page keeps here what the timer holds.',
   reasons: { write: 'before a write', memories: 'all memories' },
   entry: (timer: string, memory: string) => `${timer}, ${memory}`,
   set: (timer: string, count: number) => `${timer}, ${plural(count, 'memory', 'memories')}`,

@@ -17,25 +17,26 @@ const slotName = (slot: number, kind: 'start' | 'function' | 'dt'): string =>
   kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : `Function ${slot}`;
 
 const findings: Record<FindingCode, (params: Params) => string> = {
-  'time-not-whole': () => 'A time is whole hundredths of a second.',
+  'time-not-whole': () => 'A time must be a whole number of hundredths of a second.',
   'time-out-of-range': ({ max }) => `A time can be at most ${max}.`,
-  'position-not-whole': () => 'A position is a whole number of steps.',
-  'position-out-of-range': ({ min, max }) => `A position is ${min} to ${max} steps.`,
-  'throttle-not-whole': () => 'The idle throttle is a whole number.',
-  'throttle-out-of-range': ({ min, max }) => `The idle throttle is ${min} to ${max}.`,
+  'position-not-whole': () => 'A position must be a whole number of steps.',
+  'position-out-of-range': ({ min, max }) => `A position must be ${min} to ${max} steps.`,
+  'throttle-not-whole': () => 'The idle throttle must be a whole number.',
+  'throttle-out-of-range': ({ min, max }) => `The idle throttle must be ${min} to ${max}.`,
   'position-as-read': ({ value, max }) =>
     `Read as ${value}, past the last step ${max}. It stays as it is unless you change it.`,
   'time-falls': ({ previous }) => `This comes before the function above it, at ${previous}.`,
   'time-repeats': ({ previous }) => `The same time as the function above it, ${previous}.`,
   'position-never-reached': ({ previous }) =>
-    `The same time as the function above it, ${previous}: the positions of that one are never reached.`,
-  'motor-stop-after-dt': ({ dt }) => `The motor stops after DT, at ${dt}: the model comes down with the motor running.`,
-  'motor-run-long': ({ limit }) => `The motor runs longer than ${limit}, the most that F1Q allows.`,
-  'time-outside-manual': ({ min, max }) => `The manual gives ${min} to ${max}.`,
+    `The same time as the function above it, ${previous}. The positions of the function above are never reached.`,
+  'motor-stop-after-dt': ({ dt }) => `The motor stops after DT (${dt}): the model comes down with the motor running.`,
+  'motor-run-long': ({ limit }) => `The motor runs longer than ${limit}, the limit for F1Q.`,
+  'time-outside-manual': ({ min, max }) => `The manual allows ${min} to ${max}.`,
   'time-too-fine': ({ step }) => `The manual gives steps of ${step}: the timer may round.`,
   'dt-short': ({ limit }) => `DT is shorter than ${limit}.`,
-  'throttle-unusual': ({ limit }) => `More than ${limit} is unusual; the unit is not known.`,
-  'class-unknown': ({ timerClass }) => `This timer calls itself “${timerClass}”: no rules of a class were checked.`,
+  'throttle-unusual': ({ limit }) => `More than ${limit} is unusual. The unit is not known.`,
+  'class-unknown': ({ timerClass }) =>
+    `This timer calls its class “${timerClass}”. That class is not known, so its rules were not checked.`,
 };
 
 const unreadable: Record<UnreadableReason, string> = {
@@ -94,7 +95,7 @@ export const en = {
     lead: 'Read what the timer holds, change it, write it, and see it verified. Everything stays on this device.',
     connectHint: 'Plug in the adapter, wake the timer with a short press of its switch, and hold it closer than 20 cm.',
     simulatedTitle: 'No timer at hand?',
-    simulatedLead: 'Try a simulated timer. It answers as a real one does, at the speed of a real line.',
+    simulatedLead: 'Try a simulated timer. It answers as a timer does, at the speed of a real line.',
     simulated: (name: string) => `Try a simulated ${name} timer`,
   },
   program: {
@@ -124,7 +125,8 @@ export const en = {
     notConnected: 'Click Connect at the top to read and write.',
     findings: 'Checks',
     noFindings: 'Nothing unusual.',
-    absolute: 'Times count from launch. For this class the manuals are not clear whether they are intervals.',
+    absolute:
+      'Times are shown as counted from launch. The manuals of this class do not say clearly whether they are intervals.',
     severity: { error: 'Cannot be written', serious: 'Serious', warning: 'Unusual' },
     reading: 'Reading the timer',
     selecting: 'Changing the memory',
@@ -149,19 +151,19 @@ export const en = {
       },
     },
     unkept: {
-      title: 'This device could not keep a copy of what the timer holds now.',
+      title: 'This device could not keep a backup of what the timer holds now.',
       advice: 'Nothing was written yet. Write without it?',
     },
-    withoutCopy: 'Write without a copy',
+    withoutCopy: 'Write without a backup',
     notWithout: 'Do not write',
     safety: 'The propeller is off or the model is held, and the timer is not armed.',
-    acknowledge: 'I have read this and want to write it all the same.',
+    acknowledge: 'I have read this and want to write it anyway.',
     move: {
-      why: 'This timer seems to keep positions only where its servos stand. Without the following it will probably not keep these.',
+      why: 'This timer seems to keep positions only where its servos stand. Unless the servos move, it will probably not keep these.',
       label: 'Move the servos to each function before its positions are stored',
       hint: 'The servos will move then: hold the model safely, with nothing in their way.',
       unkept: {
-        title: 'The positions were acknowledged and not kept.',
+        title: 'The timer acknowledged the positions but did not keep them.',
         advice:
           'This timer probably keeps them only where its servos stand. Write again, and let the servos move to each function.',
       },
@@ -175,7 +177,7 @@ export const en = {
       read: 'Reading',
       write: 'Writing',
       verify: 'Reading back',
-      repair: 'Putting right',
+      repair: 'Correcting',
     },
     stopping: 'Stopping after this request',
     verified: { title: 'Verified.', advice: 'The timer was read back after writing and held what was wanted.' },
@@ -187,13 +189,13 @@ export const en = {
     wanted: 'To be written',
     readBack: 'Read back',
     differs: {
-      title: 'Not everything was taken.',
-      advice: 'The timer was read back and holds other values in these places.',
+      title: 'The timer did not take every value.',
+      advice: 'The timer was read back. It holds other values here:',
     },
     unknown: {
       title: 'It is not certain what the timer holds.',
       advice:
-        'The write was not read back to its end. Read again, and write what still differs. Your changes are kept.',
+        'The write was not read back to its end. Read again, then write what still differs. Your changes are kept.',
     },
     refused: 'Nothing was written.',
     held: 'Timer holds now',
@@ -206,9 +208,9 @@ export const en = {
   byteOrder: {
     title: 'The times of this timer fall.',
     advice:
-      'With the two bytes of each time exchanged they would rise. Compare with what you know of the timer, and choose before you write times.',
+      'With the two bytes of each time swapped they would rise. Compare both with what you know of the timer, and choose before you write times.',
     keep: 'They are right as shown',
-    exchange: 'Exchange and read again',
+    exchange: 'Swap them and read again',
   },
   update: {
     ready: 'A new version is ready.',
@@ -219,7 +221,7 @@ export const en = {
   otherTab: {
     /** @param what empty while that tab has not read a timer. */
     holds: (what: string, since: string) =>
-      `Another tab of this program holds the port${what === '' ? '' : `: ${what}`}, since ${since}.`,
+      `Another tab of this page holds the port${what === '' ? '' : `: ${what}`}, since ${since}.`,
     takeOver: 'Take over',
     asking: 'Asking the other tab',
     writing: 'It is writing just now. Wait until it has finished.',
@@ -247,14 +249,14 @@ export const en = {
   theme,
   timeline: {
     title: 'Timeline',
-    compareWith: 'Behind it',
+    compareWith: 'Compare with',
     compareNothing: 'Nothing',
     picture: 'Servo positions over time',
     description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
       `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,
-    keys: 'Left and right go from mark to mark, plus and minus zoom, 0 shows all, Shift with an arrow moves along.',
+    keys: 'Left and right go from mark to mark. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view.',
     keysToEdit:
-      'Left and right go from mark to mark, plus and minus zoom, 0 shows all, Shift with an arrow moves along. Enter goes to the handles, which the arrows move; Escape comes back.',
+      'Left and right go from mark to mark. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view. Enter goes to the handles: the arrows move them, Escape comes back.',
     ask: 'Point or tap to read',
     front: 'Servo with handles',
     stands: (servo: string, position: number | string) => `${servo} ${position}`.trim(),
@@ -264,18 +266,18 @@ export const en = {
     zero: '0 s',
     tools: 'View',
     even: 'Even seconds',
-    zoomIn: 'Closer',
-    zoomOut: 'Further',
+    zoomIn: 'Zoom in',
+    zoomOut: 'Zoom out',
     fit: 'Show all',
     asTable: 'As a table',
     tableCaption: 'When each function begins and ends, and where the servos stand',
     from: 'From',
     until: 'Until',
     motorRuns: 'Motor runs',
-    passing: { passed: 'passed over', back: 'not known' },
-    passedOver: (slot: string, next: string) => `${slot} is passed over: ${next} comes at the same time.`,
+    passing: { passed: 'skipped', back: 'not known' },
+    passedOver: (slot: string, next: string) => `${slot} is skipped: ${next} comes at the same time.`,
     goesBack: (next: string, slot: string) =>
-      `${next} comes before ${slot}: what the timer does in the shaded part is not known. The dotted lines lead back in the order of the numbers.`,
+      `${next} comes before ${slot}. It is not known what the timer does in the shaded part. The dotted lines go back in the order of the functions.`,
     more: (count: number) => `And ${count} more.`,
   },
   preview: {
@@ -283,7 +285,7 @@ export const en = {
     honest: 'A preview of the program, not of the timer: angles are not to scale.',
     play: 'Play',
     pause: 'Pause',
-    back: 'Event before',
+    back: 'Previous event',
     forward: 'Next event',
     speed: 'Speed',
     times: (speed: number) => `${speed}×`,

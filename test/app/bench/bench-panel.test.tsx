@@ -75,11 +75,11 @@ describe('the bench', () => {
     expect(unlockButton().hasAttribute('disabled')).toBe(true);
   });
 
-  it('says that the servos may have moved all the same, when no answer comes', async () => {
+  it('says that the servos may have moved anyway, when no answer comes', async () => {
     const { timer, adapter } = await opened();
     adapter.answersAt = 1;
     await press('Function 4');
-    expect(screen.getByText(/No answer came: the servos may have moved to function 4 all the same/)).toBeTruthy();
+    expect(screen.getByText(/No answer came. The servos may have moved to function 4 anyway/)).toBeTruthy();
     expect(timer.core.slot).toBe(10);
   });
 
@@ -96,7 +96,7 @@ describe('the bench', () => {
     await press('Jump…');
     expect(jumps()).toBe(0);
     await press('Send the jump now');
-    expect([jumps(), screen.queryByText('The jump was acknowledged.') !== null]).toEqual([1, true]);
+    expect([jumps(), screen.queryByText('The timer acknowledged the jump.') !== null]).toEqual([1, true]);
   });
 });
 
@@ -193,7 +193,7 @@ describe('servos that follow', () => {
   it('are offered to be moved to a function that is edited, under its row', async () => {
     const app = await opened();
     await flip();
-    expect(note()).toContain('Where the servos stand is not known here.');
+    expect(note()).toContain('It is not known where the servos stand.');
     await type('Function 4, S2', '70');
     expect(positions(app)).toEqual([55, 115]);
     const offer = screen.getByRole('button', { name: 'Move the servos to function 4' });
@@ -249,15 +249,15 @@ describe('servos that follow', () => {
     await flip();
     await press('Read again');
     expect(note()).toContain(
-      'Following has stopped: something else was done with the timer. The timer was read since.',
+      'Following has stopped: something else was done with the timer. The timer has been read since.',
     );
     await press('Dismiss');
     expect(note()).not.toContain('has stopped');
     await flip();
     timer.core.onAnswer = ({ name }) => name === 'SETSERVO' && timer.core.sleep();
     await type('Function 4, S2', '70');
-    expect(note()).toContain('a command was not acknowledged. The timer was not read since.');
-    expect(note()).toContain('the servos may have moved to function 4 all the same');
+    expect(note()).toContain('the timer did not acknowledge a command. The timer has not been read since.');
+    expect(note()).toContain('The servos may have moved to function 4 anyway');
   });
 
   it('ask before they do so without a backup', async () => {

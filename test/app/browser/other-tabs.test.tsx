@@ -287,12 +287,12 @@ describe('the notice about another tab', () => {
 
   it('says which it is and since when', () => {
     shown(async () => 'released');
-    expect(screen.getByText('Another tab of this program holds the port: F1Q, M2, since 09:05.')).toBeTruthy();
+    expect(screen.getByText('Another tab of this page holds the port: F1Q, M2, since 09:05.')).toBeTruthy();
   });
 
   it('says since when also of one that has read no timer yet', () => {
     render(<OtherTabNotice tab={{ ...tab, what: '' }} onTakeOver={async () => 'released'} />);
-    expect(screen.getByText('Another tab of this program holds the port, since 09:05.')).toBeTruthy();
+    expect(screen.getByText('Another tab of this page holds the port, since 09:05.')).toBeTruthy();
   });
 
   it.each<[TakeOver, RegExp]>([

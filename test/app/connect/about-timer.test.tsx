@@ -27,12 +27,12 @@ function about(): HTMLElement {
   return summary.closest('details') as HTMLElement;
 }
 
-describe('what was assumed of a timer can be forgotten', () => {
+describe('what is known to differ can be forgotten', () => {
   it('while nothing is connected', async () => {
     const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
     expect(within(about()).getByText(/^F1Q, firmware 536 at FTDI adapter$/)).toBeTruthy();
-    expect(within(about()).getByText('Times have their bytes exchanged')).toBeTruthy();
-    await press('Forget what was assumed of F1Q, firmware 536 at FTDI adapter');
+    expect(within(about()).getByText('The two bytes of each time are swapped')).toBeTruthy();
+    await press('Forget what is known to differ: F1Q, firmware 536 at FTDI adapter');
     expect(quirksKept(bench)).toEqual({});
     expect(within(about()).getByText('Nothing.')).toBeTruthy();
   });
@@ -40,7 +40,7 @@ describe('what was assumed of a timer can be forgotten', () => {
   it('while the adapter is not plugged in', async () => {
     const bench = await opened({ store: kept() });
     about();
-    await press(/^Forget what was assumed of F1Q/);
+    await press(/^Forget what is known to differ: F1Q/);
     expect(quirksKept(bench)).toEqual({});
   });
 
@@ -49,7 +49,7 @@ describe('what was assumed of a timer can be forgotten', () => {
     bench.timer.core.sleep();
     await press('Connect');
     about();
-    await press(/^Forget what was assumed of F1Q/);
+    await press(/^Forget what is known to differ: F1Q/);
     expect(quirksKept(bench)).toEqual({});
     bench.timer.core.press();
     await idle();
@@ -67,7 +67,7 @@ describe('what was assumed of a timer can be forgotten', () => {
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
     mute = false;
     about();
-    await press('Forget what was assumed');
+    await press('Forget what is known to differ');
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
     expect(bench.editor.baseline.value?.times).toEqual(core.content.times);
     expect(quirksKept(bench)).not.toMatchObject({ [KIND]: { bigEndianTimes: true } });
@@ -77,7 +77,7 @@ describe('what was assumed of a timer can be forgotten', () => {
     const bench = await connected({ store: kept({ 'timer/B/411/8/2': { servoFirst: true } }), info: FTDI });
     bench.timer.core.answered.length = 0;
     about();
-    await press('Forget what was assumed of F1B, firmware 411 at FTDI adapter');
+    await press('Forget what is known to differ: F1B, firmware 411 at FTDI adapter');
     expect(quirksKept(bench)).toEqual({ [KIND]: {} });
     expect(bench.timer.core.answered).toEqual([]);
   });
@@ -128,7 +128,7 @@ describe('what is no timer', () => {
     const bench = await opened({ info: FTDI, quirks: { echo: true }, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
-    expect(screen.getByText('Only the question of this page comes back.')).toBeTruthy();
+    expect(screen.getByText('Only what this page sends comes back.')).toBeTruthy();
     bench.serial.choose(null);
     await press('Choose another port');
     expect(bench.session.link.state.value.status).toBe('waiting');
@@ -148,14 +148,14 @@ describe('what is no timer', () => {
 });
 
 describe('a choice of memory that is not answered', () => {
-  it('is said, with what to try, and works without a true checksum when the pilot says so', async () => {
+  it('is said, with what to try, and works without a correct checksum when the pilot says so', async () => {
     const bench = await connected({ quirks: { bareChecksumRequests: true } });
     await run(bench.session.selectMemory(2));
     await idle();
-    expect(screen.getByText('The timer did not take the choice of memory.')).toBeTruthy();
+    expect(screen.getByText('The timer did not answer when a memory was selected.')).toBeTruthy();
     expect(bench.session.link.state.value.status).toBe('on');
     expect(bench.editor.baseline.value?.memory).toBe(0);
-    await press('Try it without a true checksum');
+    await press('Try it without a correct checksum');
     await run(bench.session.selectMemory(2));
     expect(bench.timer.core.memory).toBe(2);
     expect(bench.editor.baseline.value?.memory).toBe(2);

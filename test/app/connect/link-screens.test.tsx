@@ -163,20 +163,20 @@ describe('the serial settings', () => {
 });
 
 describe('about the timer', () => {
-  it('stands what it does in its own way, and how it is reached', async () => {
+  it('stands what it did differently, and how it is reached', async () => {
     await connected({ info: FTDI, quirks: { timersReplyAs66: true } });
     fireEvent.click(screen.getByText('About this timer'));
     expect(screen.getByText('It answers “read times” with the letter of “write times”.')).toBeTruthy();
-    expect(screen.queryByText('Nothing so far: it does all that was asked in the usual way.')).toBeNull();
+    expect(screen.queryByText('Nothing so far: it has done all that was asked in the usual way.')).toBeNull();
     const facts = screen.getAllByRole('definition').map(({ textContent }) => textContent);
     expect(facts).toContain('10 functions, 4 memories, 3 servos');
     expect(facts.some((fact) => fact?.startsWith('FTDI adapter'))).toBe(true);
   });
 
-  it('stands what is taken for true of it, which a click changes and a fresh reading follows', async () => {
+  it('stands what is known to differ, which a click changes and a fresh reading follows', async () => {
     const { session } = await connected();
     fireEvent.click(screen.getByText('About this timer'));
-    const box = screen.getByRole<HTMLInputElement>('checkbox', { name: 'Times have their bytes exchanged' });
+    const box = screen.getByRole<HTMLInputElement>('checkbox', { name: 'The two bytes of each time are swapped' });
     expect(box.checked).toBe(false);
     fireEvent.click(box);
     await idle();
@@ -262,7 +262,7 @@ describe('what an interrupted job left behind', () => {
     expect(textContent).not.toContain('click Connect');
   });
 
-  it('offers to make the memory current again that was', async () => {
+  it('offers to make the memory fly next again that did', async () => {
     const { adapter, timer, session, memories } = await connected();
     timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.core.memory === 2 && adapter.unplug();
     await press('Back up all…');
@@ -271,9 +271,9 @@ describe('what an interrupted job left behind', () => {
     expect([memories.current.value, session.notice.value?.code]).toEqual([null, 'memory-left']);
     adapter.replug();
     await idle();
-    expect(screen.getByRole('region', { name: 'Another memory is current than before' })).toBeTruthy();
-    await press('Make M1 current again');
+    expect(screen.getByRole('region', { name: 'Another memory flies next than before' })).toBeTruthy();
+    await press('Make M1 fly next again');
     expect(timer.core.memory).toBe(0);
-    expect(screen.queryByRole('region', { name: 'Another memory is current than before' })).toBeNull();
+    expect(screen.queryByRole('region', { name: 'Another memory flies next than before' })).toBeNull();
   });
 });

@@ -97,7 +97,7 @@ describe('the rows', () => {
     await idle();
     expect(rows()[0]?.slice(1)).toEqual([
       'from the timer',
-      'Line error: framing A byte did not end as it should: another rate, or a weak signal.',
+      'Line error: framing A byte did not end as it should: the rate is wrong, or the signal is weak.',
       '',
     ]);
     expect(messagesShown()[1]).toMatch(/^Damaged: checksum/);
@@ -125,7 +125,7 @@ describe('the rows', () => {
 describe('on a fresh page', () => {
   it('stands that nothing was on the line yet, and what can be done all the same', async () => {
     await panelOf(await appBench());
-    expect(screen.getByText(/^Nothing was on the line yet/)).toBeTruthy();
+    expect(screen.getByText(/^Nothing has been on the line yet/)).toBeTruthy();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(['Load…', 'Copy report']);
     expect(screen.queryByRole('table')).toBeNull();
   });
@@ -139,7 +139,7 @@ describe('on a fresh page', () => {
     expect(rows()).toHaveLength(3);
     expect(button('Replay it as a timer').disabled).toBe(false);
     fireEvent.click(button('Back to the live line'));
-    expect(await screen.findByText(/^Nothing was on the line yet/)).toBeTruthy();
+    expect(await screen.findByText(/^Nothing has been on the line yet/)).toBeTruthy();
   });
 
   it('a report is copied', async () => {
@@ -335,10 +335,10 @@ describe('a frame by hand', () => {
   });
 
   it.each([
-    ['SETMEMORY', 'What the timer holds changes.'],
+    ['SETMEMORY', 'This changes what the timer holds.'],
     ['MOVETOFUNC', 'Servos may move.'],
-    ['UNLOCK', 'a propeller may start.'],
-    ['JUMP2', 'servos may move, a propeller may start, and what the timer holds may change.'],
+    ['UNLOCK', 'the propeller may start.'],
+    ['JUMP2', 'servos may move, the propeller may start, and what the timer holds may change.'],
   ])('that may do more is asked for twice, with what may happen: %s', async (name, warning) => {
     const { timer } = await opened();
     await unfold('Send a frame by hand');

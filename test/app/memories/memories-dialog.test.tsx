@@ -51,7 +51,7 @@ describe('copying a memory', () => {
     const { timer } = await reviewed();
     timer.core.memories[2]?.times.splice(10, 1, 30_000);
     await write();
-    expect(lines()).toContain('The timer holds something else than was shown.');
+    expect(lines()).toContain('The timer does not hold what was shown.');
     expect(lines()).toContain('Nothing was written into M3.');
     await press('Show the difference again…');
     expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
@@ -65,7 +65,7 @@ describe('copying a memory', () => {
       'It is not known what M3 holds: DT time is 6:00 min or 3:00 min. Do not fly it before it is read.',
     );
     expect(dialog('Copy a memory').getByRole('status').textContent).toBe(
-      'It is not known which memory flies next. At connect it was M1.',
+      'It is not known which memory flies next. When you connected it was M1.',
     );
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
     await idle(0);

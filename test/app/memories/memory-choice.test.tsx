@@ -82,7 +82,7 @@ describe('the memories', () => {
     await fly('M3');
     expect([timer.core.memory, choices()]).toEqual([2, ['M1', 'M2', '* M3, flies next', 'M4']]);
     expect(field('DT').value).toBe('4:00');
-    expect(said()).toEqual(['M3 flies next. At connect it was M1.Back to M1']);
+    expect(said()).toEqual(['M3 flies next. When you connected it was M1.Back to M1']);
     await press('Back to M1');
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
     expect(screen.queryByRole('alert')).toBeNull();
@@ -96,7 +96,9 @@ describe('the memories', () => {
     await press('Make M3 fly next');
     expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
     expect(screen.getByText('No answer yet.')).toBeTruthy();
-    expect(said()).toEqual(['It is not known which memory flies next. M3 was selected last. At connect it was M1.']);
+    expect(said()).toEqual([
+      'It is not known which memory flies next. M3 was selected last. When you connected it was M1.',
+    ]);
     timer.core.press();
     await idle();
     expect([timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
@@ -124,7 +126,7 @@ describe('the memories', () => {
     await press('Make M2 fly next');
     expect(timer.core.memory).toBe(1);
     expect(said()).toEqual([
-      'It is not known which memory flies next. M2 was selected last. Which one it was at connect is not known.',
+      'It is not known which memory flies next. M2 was selected last. It is not known which one it was when you connected.',
     ]);
   });
 
@@ -158,12 +160,12 @@ describe('a look that cannot go back', () => {
     await press('Look at M3');
     expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
     expect(app.session.notice.value).toEqual({ kind: 'timer', code: 'memory-left' });
-    expect(said()).toEqual(['It is not known which memory flies next. At connect it was M1.']);
+    expect(said()).toEqual(['It is not known which memory flies next. When you connected it was M1.']);
     app.timer.core.onAnswer = undefined;
     app.timer.core.press();
     await idle();
     expect(choices()).toEqual(['M1', 'M2', '* M3, flies next', 'M4']);
-    await press('Make M1 current again');
+    await press('Make M1 fly next again');
     expect([app.timer.core.memory, choices()]).toEqual([0, ['* M1, flies next', 'M2', 'M3', 'M4']]);
     expect(screen.queryByRole('alert')).toBeNull();
   });
@@ -182,7 +184,7 @@ describe('Disconnect', () => {
     const app = await connected();
     await fly('M3');
     await press('Disconnect');
-    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. At connect it was M1.');
+    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. When you connected it was M1.');
     expect(app.session.link.state.value.status).toBe('on');
     await press('Back to M1 and disconnect');
     expect([app.session.link.state.value.status, app.timer.core.memory, selected(app)]).toEqual(['off', 0, [2, 0]]);
@@ -211,11 +213,11 @@ describe('Disconnect', () => {
     await press('Disconnect');
     app.timer.core.sleep();
     await press('Back to M1 and disconnect');
-    expect(dialog().getByRole('alert').textContent).toContain('It was not possible to go back to M1.');
+    expect(dialog().getByRole('alert').textContent).toContain('Going back to M1 did not work.');
     expect(dialog().getByRole('status').textContent).toContain('It is not known which memory flies next.');
     app.timer.core.press();
     await idle();
-    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. At connect it was M1.');
+    expect(dialog().getByRole('status').textContent).toBe('M3 will fly next. When you connected it was M1.');
     await press('Back to M1 and disconnect');
     expect([app.session.link.state.value.status, app.timer.core.memory]).toEqual(['off', 0]);
   });
@@ -235,7 +237,7 @@ describe('Disconnect', () => {
     await fly('M2');
     await press('Disconnect');
     expect(dialog().getByRole('status').textContent).toBe(
-      'It is not known which memory flies next. M2 was selected last. Which one it was at connect is not known.',
+      'It is not known which memory flies next. M2 was selected last. It is not known which one it was when you connected.',
     );
     expect(dialog().queryByRole('button', { name: /^Back to/ })).toBeNull();
     dialog().getByRole('button', { name: 'Disconnect' }).click();

@@ -67,7 +67,7 @@ describe('what a frame says', () => {
     [
       'a content that does not fit',
       frameEntry('in', encodeFrame(0x62, [1, 2, 3])),
-      'Read times, reply · GETTIMERS: Cannot be read: its length does not fit.',
+      'Read times, reply · GETTIMERS: Cannot be read: its length is wrong.',
     ],
     [
       'a value that cannot be',
@@ -77,13 +77,13 @@ describe('what a frame says', () => {
     [
       'a timer that cannot be',
       frameEntry('in', encodeFrame(0x6c, [1, 2, 3, 4, 5, 6, 7, 8, 9])),
-      'Identify, reply · GETSWVER: Cannot be read: no timer can say this of itself.',
+      'Identify, reply · GETSWVER: Cannot be read: no timer can describe itself like this.',
     ],
     ['noise', damage('noise', 'ff'), 'Noise: These bytes belong to no frame.'],
     [
       'a wrong sum',
       damage('checksum', '00 00 00 00 00 03 6b 6c 45'),
-      'Damaged: checksum: A frame with another checksum than its bytes give.',
+      'Damaged: checksum: The checksum of this frame does not fit its bytes.',
     ],
     ['an error of the line', lineError('break'), 'Line error: break: The line was held down for longer than a byte.'],
   ])('%s', (_, entry, expected) => {

@@ -125,8 +125,8 @@ describe('the table', () => {
   });
 
   it.each([
-    ['Function 2, S1', '131', 'A position is 0 to 130 steps.'],
-    ['Function 2, S1', '-1', 'A position is 0 to 130 steps.'],
+    ['Function 2, S1', '131', 'A position must be 0 to 130 steps.'],
+    ['Function 2, S1', '-1', 'A position must be 0 to 130 steps.'],
     ['Function 2, S1', 'six', 'Not a whole number of steps.'],
     ['Function 2, S1', '1.5', 'Not a whole number of steps.'],
     ['Function 2, S1', '', 'Empty: type a value.'],
@@ -181,7 +181,7 @@ describe('the table', () => {
     await type('Idle throttle', '256');
     const figure = field('Idle throttle').closest('.figure');
     const seen = [...(figure?.querySelectorAll(':not(.visually-hidden)') ?? [])].map(({ textContent }) => textContent);
-    expect(seen).toContain('The idle throttle is 0 to 255.');
+    expect(seen).toContain('The idle throttle must be 0 to 255.');
   });
 
   it('puts a field back with Escape', async () => {
@@ -311,7 +311,7 @@ describe('writing', () => {
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await idle();
     expect(button('Write 1 change').disabled).toBe(true);
-    expect(within(screen.getByRole('dialog')).getByText(/The motor stops after DT, at 3:00/)).toBeTruthy();
+    expect(within(screen.getByRole('dialog')).getByText(/The motor stops after DT \(3:00\)/)).toBeTruthy();
     fireEvent.click(screen.getByRole('checkbox', { name: /^I have read this/ }));
     await idle();
     expect(button('Write 1 change').disabled).toBe(false);
@@ -324,7 +324,7 @@ describe('writing', () => {
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await press('Write 1 change');
     const dialog = within(screen.getByRole('dialog'));
-    expect(dialog.getByRole('alert').textContent).toContain('Not everything was taken.');
+    expect(dialog.getByRole('alert').textContent).toContain('The timer did not take every value.');
     expect(dialog.getByRole('row', { name: /Function 2, S1/ }).textContent).toMatch(/7\s*35\s*differs/);
   });
 
@@ -336,7 +336,9 @@ describe('writing', () => {
     expect(move(), 'nothing is known yet').toBeNull();
     fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
     await press('Write 1 change');
-    expect(screen.getByRole('alert').textContent).toContain('The positions were acknowledged and not kept.');
+    expect(screen.getByRole('alert').textContent).toContain(
+      'The timer acknowledged the positions but did not keep them.',
+    );
     await press('Write again…');
     expect(move()?.checked).toBe(false);
     const hint = document.getElementById(move()?.getAttribute('aria-describedby') ?? '');
@@ -412,12 +414,12 @@ describe('after a loss', () => {
     expect(field('DT time').value).toBe('4:00');
   });
 
-  it('says only that the connection broke off while the plug may be in, and tries again by itself', async () => {
+  it('says only that the connection was lost while the plug may be in, and tries again by itself', async () => {
     const { adapter, port } = await connected();
     port.device.error('lost');
     await idle(100);
-    expect(screen.getByText('The connection to the adapter broke off.')).toBeTruthy();
-    expect(screen.getByText('Connection broken off')).toBeTruthy();
+    expect(screen.getByText('The connection to the adapter was lost.')).toBeTruthy();
+    expect(screen.getByText('Connection lost')).toBeTruthy();
     expect(screen.queryByText(/unplugged/)).toBeNull();
     await idle();
     expect(screen.getByText('The timer is back.')).toBeTruthy();
@@ -426,7 +428,7 @@ describe('after a loss', () => {
     adapter.unplug();
     await idle();
     expect(screen.getByText('The adapter is unplugged.')).toBeTruthy();
-    expect(screen.queryByText(/broke off/)).toBeNull();
+    expect(screen.queryByText(/was lost|Connection lost/)).toBeNull();
   });
 });
 

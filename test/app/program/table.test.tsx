@@ -110,7 +110,7 @@ describe('stepping', () => {
     expect(field('Function 1 time').value).toBe('10.60');
     await key('ArrowDown', { altKey: true, shiftKey: true });
     expect(field('Function 1 time').value).toBe('9.60');
-    await press('Undo stepping of Function 1 time');
+    await press('Undo stepping Function 1 time');
     expect(field('Function 1 time').value).toBe('10.50');
   });
 
@@ -259,11 +259,11 @@ describe('intervals', () => {
     field('Function 3 interval').focus();
     await key('d', { ctrlKey: true });
     expect(screen.getByRole('alert').textContent).toBe(
-      'Nothing was changed. Function 2 time: The text in this field is no value. Put it right first.',
+      'Nothing was changed. Function 2 time: The text in this field is not a value. Correct it first.',
     );
     await paste('1\n1');
     const dialog = within(screen.getByRole('dialog', { name: 'Paste' }));
-    expect(dialog.getByText(/^Row 1, column 1, “1”: It counts from a time whose text is no value/)).toBeTruthy();
+    expect(dialog.getByText(/^Row 1, column 1, “1”: It counts from a time that cannot be read/)).toBeTruthy();
     await press('Cancel');
     expect(editor.changes.value).toEqual([]);
   });
@@ -427,8 +427,8 @@ describe('many fields at once', () => {
     await press('Put column back');
     expect([field('Function 2, S1').value, field('Function 2, S3').value]).toEqual(['35', '95']);
     await press('Undo putting back S1');
-    await press('Undo copy of S1 to S3');
-    await press('Undo reversal of S1');
+    await press('Undo copying S1 to S3');
+    await press('Undo reversing S1');
     expect(screen.getByText(/^As in the timer, read \d\d:\d\d$/)).toBeTruthy();
   });
 
@@ -447,7 +447,9 @@ describe('many fields at once', () => {
 
   it('all that is later is shifted, DT only when asked', async () => {
     await connected();
-    fireEvent.change(screen.getByRole('combobox', { name: 'This and all later, from' }), { target: { value: '2' } });
+    fireEvent.change(screen.getByRole('combobox', { name: 'This and all later ones, from' }), {
+      target: { value: '2' },
+    });
     fireEvent.input(field('By, in seconds'), { target: { value: '0,3' } });
     await press('Later');
     expect(['Function 1', 'Function 2', 'Function 9', 'DT'].map((row) => field(`${row} time`).value)).toEqual([
@@ -539,8 +541,8 @@ describe('DT', () => {
     fireEvent.input(field('New preset'), { target: { value: '2:30' } });
     fireEvent.submit(field('New preset').closest('form') as HTMLFormElement);
     await press('Remove 10 min');
-    fireEvent.input(field('DT is short below'), { target: { value: '3:30' } });
-    fireEvent.change(field('DT is short below'), { target: { value: '3:30' } });
+    fireEvent.input(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
+    fireEvent.change(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
     await press('Done');
     expect(screen.getByRole('button', { name: 'DT 2:30 min' })).toBeTruthy();
     expect(screen.getByText('Short DT')).toBeTruthy();
@@ -554,8 +556,8 @@ describe('DT', () => {
     const { models } = await connected();
     const before = models.preferences.presets.value;
     await press('Change presets');
-    fireEvent.change(field('DT is short below'), { target: { value: '3:30' } });
-    await submitFrom('DT is short below');
+    fireEvent.change(field('Warn if DT is shorter than'), { target: { value: '3:30' } });
+    await submitFrom('Warn if DT is shorter than');
     expect(screen.queryByRole('alert')).toBeNull();
     await submitFrom('New preset');
     expect(screen.getByRole('alert').textContent).toContain('Empty');
@@ -699,7 +701,7 @@ describe('the checks', () => {
     await enter('Function 3 time', '10.50');
     await press('Set to 11.1 s: Function 3 time');
     expect(field('Function 3 time').value).toBe('11.10');
-    await press('Undo correction of Function 3 time');
+    await press('Undo correcting Function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');
   });
 

@@ -104,7 +104,7 @@ describe('the timeline', () => {
     await app.session.backups.add(backup as Parameters<typeof app.session.backups.add>[0], 'write', false);
     app.editor.type(S1, '99');
     await idle();
-    const choice = screen.getByRole<HTMLSelectElement>('combobox', { name: /Behind it/ });
+    const choice = screen.getByRole<HTMLSelectElement>('combobox', { name: /Compare with/ });
     fireEvent.change(choice, { target: { value: 'nothing' } });
     await idle();
     expect(legend()).toBeUndefined();

@@ -425,7 +425,7 @@ describe('reading', () => {
 
   it('says which functions are passed over', () => {
     shown(programOf('Q', [1000, 200, 400, 400, 18000]));
-    expect(screen.getByText('Function 2 is passed over: Function 3 comes at the same time.')).toBeTruthy();
+    expect(screen.getByText('Function 2 is skipped: Function 3 comes at the same time.')).toBeTruthy();
   });
 
   it('has the same as a table', async () => {
@@ -439,7 +439,7 @@ describe('reading', () => {
       ['Function', 'From', 'Until', 'S1', 'S2', 'S3'],
       ['Start', '0.00 s', '2.00 s', '10', '20', '30'],
       ['Function 1', '2.00 s', '4.00 s', '11', '21', '31'],
-      ['Function 2', '4.00 s', 'passed over', '12', '22', '32'],
+      ['Function 2', '4.00 s', 'skipped', '12', '22', '32'],
       ['Function 3', '4.00 s', '3:00', '13', '23', '33'],
       ['DT', '3:00', '', '14', '24', '34'],
       ['Motor runs', '0.00 s', '10.00 s', ''],

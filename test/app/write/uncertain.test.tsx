@@ -57,7 +57,7 @@ describe('after a write whose answer never came', () => {
     expect(described('DT time')).toContain('last read 3:00, not certain now');
     expect(document.body.textContent).not.toContain('Timer holds');
     expect(document.querySelector('.uncertain-behind .overlay')).not.toBeNull();
-    expect(screen.getByText('Marked fields differ from what was last read, which is not certain now.')).toBeTruthy();
+    expect(screen.getByText('Marked fields differ from what was last read. That is not certain now.')).toBeTruthy();
   });
 
   it('it stays through Close, Stop, Undo all and Disconnect', async () => {
@@ -115,7 +115,7 @@ describe('after a write whose answer never came', () => {
   it('it goes by the word of the pilot, who is asked twice', async () => {
     await press('Close');
     await press('Forget this…');
-    expect(band()).toContain('Forget it only if you have read it elsewhere');
+    expect(band()).toContain('Forget it only if you have read that timer elsewhere');
     await press('Keep it');
     expect(band()).toContain(ELSEWHERE);
     await press('Forget this…');
@@ -172,7 +172,7 @@ describe('what is said of what is known', () => {
     expect(band()).toBeNull();
     await type('DT time', 'x');
     expect(screen.queryByText(/^As in the timer/)).toBeNull();
-    expect(screen.getByText('1 field is no value yet')).toBeTruthy();
+    expect(screen.getByText('1 field has no value yet')).toBeTruthy();
   });
 
   it('is kept with the edits through a reload', async () => {
@@ -206,9 +206,9 @@ describe('the dialog of a write', () => {
     bench.store.broken = true;
     await write();
     expect(screen.getByRole('dialog').textContent).toContain(
-      'This device could not keep a copy of what the timer holds now.',
+      'This device could not keep a backup of what the timer holds now.',
     );
-    await press('Write without a copy');
+    await press('Write without a backup');
     expect(bench.timer.core.content.times[10]).toBe(36_000);
     expect(screen.getByRole('alert').textContent).toMatch(/M1 verified .* DT 6:00 min · .* · 1 change$/);
   });

@@ -108,7 +108,7 @@ describe('the flight preview', () => {
   it('goes from event to event', async () => {
     shown();
     const seen: (string | null)[] = [];
-    for (const name of ['Next event', 'Next event', 'Next event', 'Next event', 'Event before', 'Event before']) {
+    for (const name of ['Next event', 'Next event', 'Next event', 'Next event', 'Previous event', 'Previous event']) {
       await press(name);
       seen.push(said());
     }
