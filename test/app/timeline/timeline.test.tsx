@@ -420,7 +420,7 @@ describe('reading', () => {
     shown(programOf('Q', [1000, 500, 200, 600, 18000]), { cursor: 300 });
     expect(document.querySelector('.timeline-readout')?.textContent).toBe('3.00 s Not known: the times fall');
     expect(document.querySelectorAll('.unknown rect')).toHaveLength(1);
-    expect(screen.getByText(/^Function 2 comes before Function 1: what the timer does/)).toBeTruthy();
+    expect(screen.getByText(/^Function 2 comes before Function 1. It is not known what the timer does/)).toBeTruthy();
   });
 
   it('says which functions are passed over', () => {
