@@ -63,7 +63,7 @@ export function createModels({
   const keeping = new Keeping(options.tab, lacks);
   const storage = limited(options.storage, keeping);
   const session = new Session({ ...options, storage });
-  keeping.onReturn(() => void session.bringBack());
+  keeping.onReturn(() => void session.keptWork.bringBack());
   const write = new WriteFlow(session);
   const memories = new Memories(session);
   const isWriting = (): boolean =>

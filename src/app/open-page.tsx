@@ -37,7 +37,7 @@ export function openPage(root: HTMLElement): AppModels | null {
   const { session, write, memories, follow, update, keeping, theme } = models;
   tried(() => theme.follow(document, doors.dark));
   render(<App models={models} />, root);
-  void session.start();
+  void session.keptWork.start();
 
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
   effect(() => {
@@ -49,11 +49,11 @@ export function openPage(root: HTMLElement): AppModels | null {
   keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
   document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
   addEventListener('pagehide', () => {
-    session.keepNow();
+    session.keptWork.keepNow();
     session.backups.flush();
   });
   // A page that is put away on a phone may be ended without another word.
-  document.addEventListener('visibilitychange', () => document.hidden && session.keepNow());
+  document.addEventListener('visibilitychange', () => document.hidden && session.keptWork.keepNow());
   // What another tab has found out, or left behind, since this one was looked at last.
   document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   onWake(() => session.link.recheck());

@@ -43,7 +43,7 @@ async function typeAndWait(bench: AppBench, text: string): Promise<boolean> {
 function expectNothingLost(bench: AppBench, store: FaultyStore, typed: string, restored: boolean, said: boolean): void {
   expect(screen.getByRole('table', { name: /^Time and servo positions/ }), 'drawn').toBeTruthy();
   expect(bench.editor.textOf(S1), 'typed').toBe(typed);
-  if (bench.session.editsKept.value) expect(kept(store), 'claimed to be kept').toContain(Number(typed));
+  if (bench.session.keptWork.kept.value) expect(kept(store), 'claimed to be kept').toContain(Number(typed));
   else expect(said, 'said').toBe(true);
   // What was left by the page before was seen before it was typed over, or is still there.
   if (!restored) expect(kept(store), 'left before').toContain(7);
@@ -55,7 +55,7 @@ describe.each(EACH)('where %s %s', (door, fault) => {
     store.fail(door, fault);
     const bench = await appBench({ store, started: false, plug: { granted: true } });
     render(<App models={bench.models} />);
-    void bench.session.start();
+    void bench.session.keptWork.start();
     expect(screen.getByRole('button', { name: 'Connect' }), 'before anything has answered').toBeTruthy();
     await idle(200);
     void bench.session.connect();
@@ -92,7 +92,7 @@ describe('in any order of the answers', () => {
         await idle(1500);
       };
       const [a, b, c, d, e, ...rest] = releases as [number, number, number, number, number];
-      void bench.session.start();
+      void bench.session.keptWork.start();
       await step(a);
       void bench.session.connect();
       await step(b);
@@ -129,7 +129,11 @@ function expectNoFalseWord({ session, editor, write, timer }: AppBench, before: 
   if (value?.step === 'done' && value.report.result === 'verified') {
     expect(holds(value.shown.goal), `verified, ${why}`).toBe(true);
   }
-  if (session.notice.value?.code === 'nothing-written' || value?.step === 'refused' || value?.step === 'unkept') {
+  if (
+    session.notices.current.value?.code === 'nothing-written' ||
+    value?.step === 'refused' ||
+    value?.step === 'unkept'
+  ) {
     expect(holds(before), `nothing was written, ${why}`).toBe(true);
   }
   if (known.state === 'read') expect(holds(known.program), `read, ${why}`).toBe(true);

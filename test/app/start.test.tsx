@@ -28,7 +28,7 @@ function hold(store: MemoryStore, how: () => Promise<unknown>): () => void {
 async function drawn(options: BenchOptions): Promise<AppBench> {
   const bench = await appBench({ ...options, started: false });
   render(<App models={bench.models} />);
-  void bench.session.start();
+  void bench.session.keptWork.start();
   await idle(0);
   expect(screen.getByRole('button', { name: 'Connect' })).toBeTruthy();
   return bench;
@@ -184,5 +184,5 @@ it('a channel to the other tabs that throws stops nothing', async () => {
   bench.adapter.port.open = () => Promise.reject(new DOMException('taken', 'NetworkError'));
   await run(bench.session.connect());
   await idle();
-  expect([bench.session.notice.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
+  expect([bench.session.notices.current.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
 });

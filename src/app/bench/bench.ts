@@ -1,7 +1,8 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions, Session } from '../session/session.js';
+import type { JobOptions } from '../session/job-runner.js';
+import type { Session } from '../session/session.js';
 import { ServoStand } from './servo-stand.js';
 
 /** What may happen on the bench when the timer is told so. */
@@ -28,7 +29,10 @@ export class Bench {
     this.stand = new ServoStand(session);
     this.ready = computed(
       () =>
-        session.connection.value !== null && session.safety.confirmed.value && !session.busy.value && !isElsewhere(),
+        session.connection.value !== null &&
+        session.safety.confirmed.value &&
+        !session.runner.busy.value &&
+        !isElsewhere(),
     );
     session.connection.subscribe(() => {
       // What may have happened is said until something else is done: the timer may be back before it was read.
@@ -36,8 +40,7 @@ export class Bench {
     });
     session.safety.confirmed.subscribe((safe) => {
       // What waits for its turn on the wire does not go out any more.
-      const job = session.job.peek();
-      if (!safe && job?.kind === 'bench') job.stop.abort();
+      if (!safe && session.runner.job.peek()?.kind === 'bench') void session.runner.stop();
     });
     session.servoMoves.count.subscribe(() => {
       batch(() => {
@@ -88,6 +91,6 @@ export class Bench {
   async #act(action: BenchAction): Promise<boolean> {
     if (!this.ready.value) return false;
     this.done.value = null;
-    return await this.#session.run('bench', null, (connection, options) => this.carryOut(action, connection, options));
+    return await this.#session.runner.run('bench', (connection, options) => this.carryOut(action, connection, options));
   }
 }

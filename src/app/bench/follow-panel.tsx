@@ -164,7 +164,7 @@ function Decide({ session, write, follow }: DecideProps) {
       </button>
       <button
         type="button"
-        disabled={session.busy.value || session.editor.blocked.value}
+        disabled={session.runner.busy.value || session.editor.blocked.value}
         onClick={() => {
           session.editor.apply(setValues({ code: 'restore', params: {} }, follow.trials.takeBack()));
           void write.open();

@@ -3,7 +3,8 @@ import { differences, fieldKey, type ProgramField, sameLayout, type TimerProgram
 import { MAX_POSITION } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
-import type { JobOptions, Session } from '../session/session.js';
+import type { JobOptions } from '../session/job-runner.js';
+import type { Session } from '../session/session.js';
 import { within } from '../storage/limit.js';
 import type { Bench } from './bench.js';
 import { Trials } from './trials.js';
@@ -213,7 +214,7 @@ export class Follow {
   }
 
   async #end(reason: EndReason | null): Promise<void> {
-    const { connection, editor, job, busy } = this.#session;
+    const { connection, editor, runner } = this.#session;
     batch(() => {
       this.#start.value = null;
       this.#unkept.value = null;
@@ -228,10 +229,10 @@ export class Follow {
       this.#ended.value = reason && { reason, held };
     });
     // Another job reads by itself.
-    const other = job.peek();
+    const other = runner.job.peek();
     if (other && other.kind !== 'bench') return;
     const bound = this.#bound;
-    if (busy.peek()) await this.#idle();
+    if (runner.busy.peek()) await runner.ended();
     if (bound && connection.peek() === bound) await this.#session.read();
   }
 
@@ -246,19 +247,20 @@ export class Follow {
     void this.#rested.value;
     this.#note();
     const next = this.#next();
-    if (next !== null && !this.#session.busy.value && !this.#isElsewhere()) untracked(() => void this.#go(next));
+    if (next !== null && !this.#session.runner.busy.value && !this.#isElsewhere()) untracked(() => void this.#go(next));
   }
 
   #reasonToEnd(): EndReason | null {
-    const { editor, connection, job, memoryOpen, safety } = this.#session;
+    const { editor, connection, runner, nextFlight, safety } = this.#session;
+    const job = runner.job.value;
     const working = editor.working.value;
     if (!connection.value || connection.value !== this.#bound) return 'lost';
     if (!safety.confirmed.value) return 'unsafe';
     // While another memory is being selected it is open where a position would be stored.
-    if (job.value?.kind === 'select') return 'memory';
-    if (job.value && job.value.kind !== 'bench') return 'job';
+    if (job?.kind === 'select') return 'memory';
+    if (job && job.kind !== 'bench') return 'job';
     const isSame = working && this.trials.current.value && this.#session.workKey(working) === this.#followed;
-    return memoryOpen.value || !isSame ? 'memory' : null;
+    return nextFlight.open.value || !isSame ? 'memory' : null;
   }
 
   /** Notes which positions have changed, and when. */
@@ -313,7 +315,7 @@ export class Follow {
   /** Moves the servos to a function, unless they stand there; stores what is due there; and moves them to what is stored now. */
   async #go(slot: number): Promise<void> {
     const { stand } = this.#bench;
-    await this.#session.run('bench', null, async (connection, options) => {
+    await this.#session.runner.run('bench', async (connection, options) => {
       // Whatever has ended it in the meantime: the next command does not go out. Whether it was stopped the client asks itself.
       const isOff = (): boolean => !this.#on.peek() || this.#bound !== connection;
       const move = () => this.#bench.carryOut({ kind: 'move', slot }, connection, options);
@@ -360,19 +362,6 @@ export class Follow {
       knowledge.acknowledged(before.memory);
       editor.acknowledge(field, pending.value);
       this.#bench.stand.moved(connection, field.slot);
-    });
-  }
-
-  /** Settles when the job under way has ended. */
-  #idle(): Promise<void> {
-    return new Promise((resolve) => {
-      const stop = this.#session.busy.subscribe((busy) => {
-        if (busy) return;
-        queueMicrotask(() => {
-          stop();
-          resolve();
-        });
-      });
     });
   }
 }

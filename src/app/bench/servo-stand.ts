@@ -29,7 +29,7 @@ export class ServoStand {
     this.at = computed(() => {
       const last = this.#last.value;
       const held = session.editor.baseline.value;
-      if (!last || !held || session.memoryOpen.value || session.connection.value !== last.connection) return null;
+      if (!last || !held || session.nextFlight.open.value || session.connection.value !== last.connection) return null;
       const isSame = session.workKey(held) === last.key && String(held.positions) === String(last.positions);
       return isSame ? last.slot : null;
     });

@@ -37,7 +37,7 @@ interface AtHandProps {
 function AtHand({ session, connection }: AtHandProps) {
   const { aboutTimer: about, header } = messages.value;
   // What a job or a write has found out is told when it ends.
-  const busy = session.busy.value;
+  const busy = session.runner.busy.value;
   const { client, identity, settings, portKey } = connection;
   const { functions, memories, servos } = identity;
   const errors = [...client.lineErrors].map(([kind, count]) => about.count(about.lineErrorNames[kind], count));
@@ -124,7 +124,7 @@ function Remembered({ session, assumed }: { readonly session: Session; readonly 
         type="button"
         class="quiet"
         aria-label={about.forgetOf(kind)}
-        disabled={session.busy.value}
+        disabled={session.runner.busy.value}
         onClick={() => void session.forgetAssumed(assumed)}
       >
         {about.forget}

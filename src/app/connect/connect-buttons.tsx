@@ -7,7 +7,7 @@ import type { Session } from '../session/session.js';
  */
 export function ConnectButtons({ session, large = false }: { readonly session: Session; readonly large?: boolean }) {
   const { header, program } = messages.value;
-  const notice = session.notice.value;
+  const notice = session.notices.current.value;
   const timerClass = session.editor.working.value?.identity.timerClass;
   const again = session.simulated.value
     ? (['Q', 'B'] as const).find((simulated) => simulated === timerClass)

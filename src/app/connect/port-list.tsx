@@ -41,7 +41,7 @@ function PortRow({ session, port }: { readonly session: Session; readonly port: 
           type="button"
           class="quiet"
           aria-label={words.forgetNamed(name)}
-          disabled={session.busy.value}
+          disabled={session.runner.busy.value}
           onClick={() => void session.link.forget(port)}
         >
           {words.forget}

@@ -59,7 +59,7 @@ export class FrameForm {
   );
   /** Whether there is a frame, and a wire that is free for it. */
   readonly ready: ReadonlySignal<boolean> = computed(
-    () => this.frame.value !== null && this.#session.connection.value !== null && !this.#session.busy.value,
+    () => this.frame.value !== null && this.#session.connection.value !== null && !this.#session.runner.busy.value,
   );
   readonly #session: Session;
   /** The connection on which it was asked for once. Another one may be to another timer. */
@@ -127,7 +127,7 @@ export class FrameForm {
       if (mayStore) session.editor.fresh.value = false;
       if (!maySelect) return;
       // Until the reading below has said which memory is current it is not known which one flies next.
-      session.memoryOpen.value = true;
+      session.nextFlight.doubt();
       session.nextFlight.leave(null);
     });
     try {
@@ -136,7 +136,7 @@ export class FrameForm {
       this.#result.value = { reply: await answer };
     } catch (error) {
       // A lost port says so itself, once.
-      if (session.connection.value === connection) session.report(error);
+      if (session.connection.value === connection) session.notices.report(error);
     } finally {
       this.#sending.value = false;
     }

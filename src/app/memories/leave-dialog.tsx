@@ -32,13 +32,14 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
     return (
       <RunningStep
         label={program.selecting}
-        progress={session.job.value?.progress ?? null}
+        progress={session.runner.job.value?.progress ?? null}
         onStop={() => leaving.stay()}
       />
     );
   }
   const originalName = original.value === null ? null : memoryName(original.value);
-  const canGoBack = word.value !== null && originalName !== null && session.connection.value && !session.busy.value;
+  const canGoBack =
+    word.value !== null && originalName !== null && session.connection.value && !session.runner.busy.value;
   return (
     <>
       {question.failed && originalName && (

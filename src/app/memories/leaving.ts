@@ -1,5 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
-import type { Job, Session } from '../session/session.js';
+import type { JobKind } from '../session/job-runner.js';
+import type { Session } from '../session/session.js';
 import type { Memories } from './memories.js';
 
 /** What the pilot is asked before the connection ends. */
@@ -11,7 +12,7 @@ export interface Question {
 }
 
 /** Jobs that select memories. */
-const SELECTING: ReadonlySet<Job['kind']> = new Set(['select', 'look', 'memories']);
+const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 
 /** Ends the connection, and not before the pilot knows which memory will fly. */
 export class Leaving {
@@ -32,12 +33,10 @@ export class Leaving {
 
   /** Disconnects; asks before where another memory flies next than at connect. */
   async disconnect(): Promise<void> {
-    const { job, nextFlight } = this.#session;
+    const { runner, nextFlight } = this.#session;
+    const job = runner.job.value;
     // What has selected another memory is given the time to come back: the port would be closed on its way.
-    if (job.value && SELECTING.has(job.value.kind) && !job.value.stop.signal.aborted) {
-      job.value.stop.abort();
-      await this.#jobEnd();
-    }
+    if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
     if (nextFlight.word.value) this.#question.value = { goingBack: false, failed: false };
     else await this.#session.disconnect();
   }
@@ -61,19 +60,7 @@ export class Leaving {
 
   /** Stays connected; while the way back is under way, stops it. */
   stay(): void {
-    if (this.#question.value?.goingBack) this.#session.job.value?.stop.abort();
+    if (this.#question.value?.goingBack) void this.#session.runner.stop();
     else this.#question.value = null;
-  }
-
-  #jobEnd(): Promise<void> {
-    return new Promise((resolve) => {
-      const stop = effect(() => {
-        if (this.#session.job.value) return;
-        queueMicrotask(() => {
-          stop();
-          resolve();
-        });
-      });
-    });
   }
 }

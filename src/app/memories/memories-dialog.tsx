@@ -163,7 +163,7 @@ function Result({ session, memories, current }: ResultProps) {
           again
             ? {
                 label: unkept ? write.move.again : words.again,
-                disabled: !session.connection.value || session.busy.value,
+                disabled: !session.runner.ready.value,
                 onClick: () => void memories.open(plan),
               }
             : null
@@ -176,11 +176,11 @@ function Result({ session, memories, current }: ResultProps) {
 /** Which memory flies next after all this, as soon as that is known. */
 function Current({ session }: { readonly session: Session }) {
   const { nextFlight, memoryName } = messages.value;
-  const { memoryOpen, connection, busy, editor } = session;
+  const { nextFlight: next, connection, runner, editor } = session;
   const memory = editor.baseline.value?.memory ?? null;
-  const word = session.nextFlight.word.value;
-  if (busy.value) return null;
-  const isKnown = connection.value && !memoryOpen.value && memory !== null;
+  const word = next.word.value;
+  if (runner.busy.value) return null;
+  const isKnown = connection.value && !next.open.value && memory !== null;
   const said = word
     ? nextFlightText(word, connection.value ? 'now' : 'last')
     : isKnown

@@ -11,7 +11,7 @@ import type { Memories } from './memories.js';
 export function MemoriesOverview({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { overview: words } = messages.value;
   const baseline = session.editor.baseline.value;
-  const ready = session.connection.value !== null && !session.busy.value;
+  const ready = session.connection.value !== null && !session.runner.busy.value;
   if (!baseline || baseline.memory === null || baseline.identity.memories < 2) return null;
   const contents = Array.from({ length: baseline.identity.memories }, (_, memory) => ({
     memory,
@@ -33,7 +33,7 @@ export function MemoriesOverview({ session, memories }: { readonly session: Sess
               memories={memories}
               key={memory}
               {...{ memory, known, ready }}
-              isCurrent={!session.memoryOpen.value && memory === baseline.memory}
+              isCurrent={!session.nextFlight.open.value && memory === baseline.memory}
             />
           ))}
         </ul>

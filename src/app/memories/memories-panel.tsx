@@ -8,7 +8,7 @@ import type { Memories } from './memories.js';
 export function MemoriesPanel({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { memories: words, memoryName } = messages.value;
   const baseline = session.editor.baseline.value;
-  const ready = session.connection.value !== null && !session.busy.value;
+  const ready = session.connection.value !== null && !session.runner.busy.value;
   if (!baseline || baseline.memory === null) return null;
   const { memory, identity } = baseline;
   const others = Array.from({ length: identity.memories }, (_, index) => index).filter((index) => index !== memory);
@@ -83,7 +83,7 @@ function BackupRow({ session, memories, set, following }: BackupRowProps) {
         {isSet && (
           <button
             type="button"
-            disabled={!fits || session.connection.value === null || session.busy.value}
+            disabled={!fits || session.connection.value === null || session.runner.busy.value}
             onClick={() => memories.open({ kind: 'restore', backups: [...set].reverse() })}
           >
             {all.restoreAll}

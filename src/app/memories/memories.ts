@@ -2,8 +2,9 @@ import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { type Progress, TimerError, type TimerErrorCode } from '../../client/index.js';
 import { type Change, differences, sameKind, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import type { JobOptions } from '../session/job-runner.js';
 import type { Known } from '../session/knowledge.js';
-import type { JobOptions, Session } from '../session/session.js';
+import type { Session } from '../session/session.js';
 import type { Backup } from '../storage/index.js';
 import { MemoryWalk } from './memory-walk.js';
 
@@ -80,8 +81,8 @@ export class Memories {
   readonly current = signal<MemoriesStep | null>(null, { name: 'memories' });
   /** A memory that is not the current one and that the pilot looks at, by what was last read of it; null: none. */
   readonly looking: ReadonlySignal<number | null> = computed(() => {
-    const { memoryOpen, editor } = this.#session;
-    const current = memoryOpen.value ? null : (editor.baseline.value?.memory ?? null);
+    const { nextFlight, editor } = this.#session;
+    const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
     return this.#picked.value === current ? null : this.#picked.value;
   });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
@@ -110,10 +111,11 @@ export class Memories {
   /** Reads a memory and makes the one current again that was. */
   async look(memory: number): Promise<void> {
     this.#picked.value = memory;
-    await this.#session.run('look', memory, async (connection, options) => {
+    const work = async (connection: TimerConnection, options: JobOptions): Promise<void> => {
       await this.#walk.read(connection, { ...options, memories: [memory] });
-    });
-    await this.#walk.findCurrent();
+    };
+    await this.#session.runner.run('look', work, memory);
+    await this.#session.readIfOpen();
   }
 
   /** Makes a memory the one that flies next, and shows it. Edits of the one that is left are kept. */
@@ -125,8 +127,8 @@ export class Memories {
 
   /** Shows what is about to be done: what a copy or a restoring changes is read for that. */
   async open(plan: Plan): Promise<void> {
-    const { connection, busy, servoMoves } = this.#session;
-    if (!connection.value || busy.value) return;
+    const { connection, runner, servoMoves } = this.#session;
+    if (!connection.value || runner.busy.value) return;
     servoMoves.ask();
     if (plan.kind === 'back-up') {
       this.current.value = { step: 'review', plan, connection: connection.value, changes: [] };
@@ -142,7 +144,7 @@ export class Memories {
       const ends = targetsOf(plan).map((memory) => this.#endOf(memory, null));
       this.current.value = { step: 'done', plan, outcome: { ...NOTHING, ends, stopped: end.stopped }, kept: true };
     }
-    await this.#walk.findCurrent();
+    await this.#session.readIfOpen();
   }
 
   /** The browser keeps no copy: writes without one, or not at all. */
@@ -165,7 +167,7 @@ export class Memories {
   dismiss(): void {
     const { value } = this.current;
     if (value?.step === 'running') {
-      this.#session.job.value?.stop.abort();
+      void this.#session.runner.stop();
       this.current.value = { ...value, stopping: true };
     } else if (value?.step === 'unkept') value.answer(false);
     else this.current.value = null;
@@ -193,8 +195,8 @@ export class Memories {
     } else if (stopped === 'aborted' && begun.size === 0) this.#nothingWritten();
     else this.current.value = { step: 'done', plan, outcome, kept: this.#kept };
     // What was written may be what is on the screen.
-    if (begun.size > 0) this.#session.memoryOpen.value = true;
-    await this.#walk.findCurrent();
+    if (begun.size > 0) this.#session.nextFlight.doubt();
+    await this.#session.readIfOpen();
   }
 
   /** Runs a job and says by code what stopped it. */
@@ -212,11 +214,11 @@ export class Memories {
         step: 'running',
         plan,
         progress,
-        stopping: session.job.value?.stop.signal.aborted ?? false,
+        stopping: session.runner.job.value?.stopping ?? false,
       };
     };
     running(null);
-    const good = await session.run('memories', null, async (on, options) => {
+    const good = await session.runner.run('memories', async (on, options) => {
       const onProgress = (progress: Progress): void => {
         options.onProgress(progress);
         running(progress);
@@ -343,7 +345,7 @@ export class Memories {
 
   #nothingWritten(): void {
     this.current.value = null;
-    this.#session.notice.value ??= { kind: 'note', code: 'nothing-written' };
+    this.#session.notices.sayIfSilent('nothing-written');
   }
 
   /** @param begun what was shown of a memory in which the write began; null where it did not. */

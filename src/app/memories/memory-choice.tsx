@@ -8,15 +8,16 @@ import { NextFlightLine } from './next-flight-line.js';
 /** Which memory flies next, in words, and which one is shown. To choose one only shows it: nothing is sent. */
 export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, memoryName, nextFlight } = messages.value;
-  const { editor, job, memoryOpen, connection, busy } = session;
+  const { editor, nextFlight: next, connection, runner } = session;
   const name = useId();
   const identity = editor.identity.value;
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   if (!identity) return null;
   const isConnected = connection.value !== null;
-  const current = memoryOpen.value ? null : memory;
-  const shown = memories.looking.value ?? (job.value?.kind === 'select' ? job.value.memory : current);
-  const isOpen = memoryOpen.value && !busy.value && isConnected;
+  const job = runner.job.value;
+  const current = next.open.value ? null : memory;
+  const shown = memories.looking.value ?? (job?.kind === 'select' ? job.memory : current);
+  const isOpen = next.open.value && !runner.busy.value && isConnected;
   return (
     <fieldset class="memories">
       <legend>{program.memory}</legend>
@@ -43,7 +44,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
         })}
       </div>
       {memory === null && <p class="hint">{program.memoryUnknown}</p>}
-      {isOpen && !session.nextFlight.word.value && <p class="bad-text">{program.memoryOpen}</p>}
+      {isOpen && !next.word.value && <p class="bad-text">{program.memoryOpen}</p>}
       <NextFlightLine session={session} memories={memories} />
     </fieldset>
   );

@@ -16,13 +16,13 @@ interface MemoryLookProps {
 /** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const { look: words, memoryName, program } = messages.value;
-  const { editor, memoryOpen, connection, busy } = session;
+  const { editor, nextFlight, runner } = session;
   const name = memoryName(memory);
   const known = session.knowledge.of(memory);
-  const current = memoryOpen.value ? null : (editor.baseline.value?.memory ?? null);
+  const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
   // Not while a job runs; but the focus stays, which a disabled button would lose.
-  const isBusy = busy.value || !connection.value;
-  const noWayBack = !memoryOpen.value && current === null;
+  const isBusy = !runner.ready.value;
+  const noWayBack = !nextFlight.open.value && current === null;
   return (
     <section class="memory-look" aria-labelledby="look-title">
       <div role="status">

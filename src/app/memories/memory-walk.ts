@@ -2,7 +2,8 @@ import { TimerError } from '../../client/index.js';
 import type { TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions, Session } from '../session/session.js';
+import type { JobOptions } from '../session/job-runner.js';
+import type { Session } from '../session/session.js';
 
 /** Away from the memory that is current and back to it: what is noted on the way, and what is known at its end. */
 export class MemoryWalk {
@@ -36,34 +37,22 @@ export class MemoryWalk {
 
   /** Another memory is about to be selected: the one to come back to is noted. */
   async leave(identity: Identity, original: number): Promise<void> {
-    const { recovery, simulated, memoryOpen, nextFlight } = this.#session;
+    const { recovery, simulated, nextFlight } = this.#session;
     this.#original = original;
     // A job that has not come back before is remembered until its own original is current again.
     const isNoted = recovery.offer.value?.kind === 'memories';
     if (!isNoted && !(await recovery.leave(identity, original, simulated.value))) this.kept = false;
-    memoryOpen.value = true;
     nextFlight.leave(null);
   }
 
   /** The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer answers by now. */
   async wasRestored(identity: Identity, original: number | null, stopped: unknown): Promise<void> {
-    const { recovery, simulated, memoryOpen, nextFlight, editor } = this.#session;
+    const { recovery, simulated, nextFlight, editor } = this.#session;
     const wasLeft = this.#original !== null;
     this.#original = null;
     const isOpen = stopped instanceof TimerError && ['memory-left', 'other-timer'].includes(stopped.code);
     if (original === null || isOpen) return;
-    nextFlight.found(original);
-    memoryOpen.value = original !== editor.baseline.value?.memory;
+    nextFlight.found(original, original === editor.baseline.value?.memory);
     if (wasLeft && recovery.offer.value?.kind !== 'memories') await recovery.wasRestored(identity, simulated.value);
-  }
-
-  /** Asks which memory is current where a job has left that open. */
-  async findCurrent(): Promise<void> {
-    const { notice, memoryOpen, connection } = this.#session;
-    if (!memoryOpen.value || !connection.value) return;
-    const said = notice.value;
-    await this.#session.read();
-    // A reading that has nothing to say does not take back what stopped the job.
-    notice.value ??= said;
   }
 }

@@ -9,7 +9,7 @@ export function NextFlightLine({ session, memories }: { readonly session: Sessio
   const word = session.nextFlight.word.value;
   const isConnected = session.connection.value !== null;
   // While a job goes from memory to memory there is nothing to say yet. What an interrupted job left says so itself.
-  if (!word || session.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
+  if (!word || session.runner.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
   const { original } = word;
   return (
     <div class="notice bad next-flight" role="alert">

@@ -13,7 +13,7 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
   const identity = editor.identity.value;
   // What the servos follow is sent one by one: an undo between two commands is followed too.
   const off = useComputed(
-    () => (session.busy.value && session.job.value?.kind !== 'bench') || write.current.value !== null,
+    () => (session.runner.busy.value && session.runner.job.value?.kind !== 'bench') || write.current.value !== null,
   );
   const isOff = off.value;
   useEffect(() => {

@@ -22,7 +22,7 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
       type="button"
       class={isBlocked ? 'blocked' : editor.changes.value.length > 0 ? 'primary' : ''}
       // Not while a job runs; but the focus stays, also for when the dialog is closed.
-      aria-disabled={session.busy.value}
+      aria-disabled={session.runner.busy.value}
       aria-describedby={isBlocked ? NOTE : undefined}
       disabled={session.connection.value === null}
       onClick={press}

@@ -40,13 +40,15 @@ export class Link {
   readonly #state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
   readonly #ports = signal<readonly KnownPort[]>([], { name: 'ports' });
   readonly #settings = signal<SerialSettings | null>(null, { name: 'settings' });
+  /** A way to a timer was asked for, and is looked for. */
+  readonly #beginning = signal(false, { name: 'beginning' });
   readonly state: ReadonlySignal<LinkState> = this.#state;
   readonly connection: ReadonlySignal<TimerConnection | null> = computed(() =>
     this.state.value.status === 'on' ? this.state.value.connection : null,
   );
   /** Something is under way that nobody has to wait for by hand. */
-  readonly busy: ReadonlySignal<boolean> = computed(() =>
-    ['choosing', 'opening', 'searching'].includes(this.state.value.status),
+  readonly busy: ReadonlySignal<boolean> = computed(
+    () => this.#beginning.value || ['choosing', 'opening', 'searching'].includes(this.#state.value.status),
   );
   /** A timer that does not answer, or its adapter, is waited for: until it is there, or the pilot stops it. */
   readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
@@ -122,6 +124,21 @@ export class Link {
   /** The pilot sets how the next port is opened; null: as it was opened last. */
   setSettings(settings: SerialSettings | null): void {
     this.#settings.value = settings;
+  }
+
+  /**
+   * Goes to a timer, and is busy from the first moment.
+   * @param find looks for the way, which may take its time.
+   */
+  async begin(find: () => Promise<() => Promise<void>>): Promise<void> {
+    this.#beginning.value = true;
+    let going: Promise<void>;
+    try {
+      going = (await find())();
+    } finally {
+      this.#beginning.value = false;
+    }
+    await going;
   }
 
   /** Lets the pilot choose a port in the browser's own dialog. From a click. */

@@ -14,48 +14,58 @@ export type NextFlightWord =
  * it, or to read others and come back. So it is remembered which one was current at connect, and said when that is no longer so.
  */
 export class NextFlight {
-  /** The memory that was current when the timer was connected; null when it was not said before another one was selected. */
-  readonly original: ReadonlySignal<number | null>;
-  /** What there is to say; null while the memory of the time of connect is current, or nothing was selected. */
-  readonly word: ReadonlySignal<NextFlightWord | null>;
+  readonly #open = signal(false, { name: 'memoryOpen' });
   readonly #original = signal<number | null>(null, { name: 'original' });
   /** The memory that the timer named last. */
   readonly #current = signal<number | null>(null, { name: 'current' });
   /** Others were selected since the one of the time of connect was current. */
   readonly #left = signal(false, { name: 'left' });
   readonly #asked = signal<number | null>(null, { name: 'asked' });
+  /** None was read since the timer came, or since another one was asked for: the memory on the screen need not be the current one. */
+  readonly open: ReadonlySignal<boolean> = this.#open;
+  /** The memory that was current when the timer was connected; null when it was not said before another one was selected. */
+  readonly original: ReadonlySignal<number | null> = this.#original;
+  /** What there is to say; null while the memory of the time of connect is current, or nothing was selected. */
+  readonly word: ReadonlySignal<NextFlightWord | null> = computed(() => {
+    const original = this.#original.value;
+    const current = this.#open.value ? null : this.#current.value;
+    if (current === original && current !== null) return null;
+    if (current !== null) return { code: 'other', memory: current, original };
+    return this.#left.value ? { code: 'unknown', asked: this.#asked.value, original } : null;
+  });
   #kind: string | null = null;
 
-  /** @param open whether it is open which memory is current. */
-  constructor(open: ReadonlySignal<boolean>) {
-    this.original = this.#original;
-    this.word = computed(() => {
-      const original = this.#original.value;
-      const current = open.value ? null : this.#current.value;
-      if (current === original && current !== null) return null;
-      if (current !== null) return { code: 'other', memory: current, original };
-      return this.#left.value ? { code: 'unknown', asked: this.#asked.value, original } : null;
-    });
-  }
-
   /** A timer is connected. One of the same kind that comes back to the same connection is taken for the same. */
-  met(identity: Identity, simulated: boolean): void {
+  timerCame(identity: Identity, simulated: boolean): void {
     const kind = kindKey(identity, simulated);
-    if (kind !== this.#kind) this.forget();
+    batch(() => {
+      if (kind !== this.#kind) this.forget();
+      this.#open.value = true;
+    });
     this.#kind = kind;
   }
 
   /** Another memory is about to be selected; null when it is not known which. */
   leave(memory: number | null): void {
     batch(() => {
+      this.#open.value = true;
       this.#left.value = true;
       this.#asked.value = memory;
     });
   }
 
-  /** The timer has said which memory is current; null when it does not say. */
-  found(memory: number | null): void {
+  /** Until the next reading the memory on the screen need not be the current one, or not be what the timer holds. */
+  doubt(): void {
+    this.#open.value = true;
+  }
+
+  /**
+   * The timer has said which memory is current; null when it does not say.
+   * @param onScreen whether it is the one on the screen.
+   */
+  found(memory: number | null, onScreen = true): void {
     batch(() => {
+      this.#open.value = !onScreen;
       this.#current.value = memory;
       if (memory === null) return;
       if (!this.#left.value) this.#original.value ??= memory;

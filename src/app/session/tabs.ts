@@ -14,7 +14,7 @@ export class Tabs {
   /** @param isWriting whether bytes are moving that must not be cut off. */
   constructor(session: Session, isWriting: () => boolean, channel: TabChannel | null) {
     this.#session = session;
-    session.notice.subscribe((notice) => {
+    session.notices.current.subscribe((notice) => {
       this.holder.value = null;
       if (notice?.kind === 'connection' && notice.code === 'busy' && notice.portKey) void this.#find(notice.portKey);
     });
@@ -31,7 +31,7 @@ export class Tabs {
       onReleaseAsked: async () => {
         if (isWriting()) return false;
         await session.disconnect();
-        session.say('taken-over');
+        session.notices.say('taken-over');
         return true;
       },
     });
@@ -46,7 +46,7 @@ export class Tabs {
 
   async #find(portKey: string): Promise<void> {
     const [tab] = await this.#tabs.holders(portKey);
-    const { value } = this.#session.notice;
+    const { value } = this.#session.notices.current;
     if (tab && value?.kind === 'connection' && value.code === 'busy') this.holder.value = tab;
   }
 

@@ -37,14 +37,14 @@ export function CommandBar({ session, write, bench, follow }: CommandBarProps) {
         <WriteButton session={session} write={write} />
         <button
           type="button"
-          aria-disabled={session.busy.value}
+          aria-disabled={session.runner.busy.value}
           disabled={!connected}
           onClick={() => void session.read()}
         >
           {program.read}
         </button>
         {editor.dirty.value && (
-          <button type="button" class="quiet" disabled={session.busy.value} onClick={() => editor.revertAll()}>
+          <button type="button" class="quiet" disabled={session.runner.busy.value} onClick={() => editor.revertAll()}>
             {program.undoAll}
           </button>
         )}

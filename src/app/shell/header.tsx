@@ -5,6 +5,7 @@ import { LinkNotice } from '../connect/link-notice.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { messages, timerName } from '../messages/index.js';
+import type { JobKind } from '../session/job-runner.js';
 import type { Keeping } from '../session/keeping.js';
 import type { Link } from '../session/link.js';
 import type { Session } from '../session/session.js';
@@ -58,17 +59,19 @@ export function Header({ session, memories, leaving, keeping, aside, update, tab
   );
 }
 
+const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look']);
+
 function JobProgress({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, look, memoryName } = messages.value;
-  const job = session.job.value;
-  // A write and a job over several memories have a dialog of their own, and what is done on the bench is said there.
-  if (!job || job.kind === 'bench' || job.kind === 'write' || memories.current.value) return null;
+  const job = session.runner.job.value;
+  // What the others do is said where they were begun.
+  if (!job || !SAID_HERE.has(job.kind) || memories.current.value) return null;
   const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
   return (
     <ProgressLine
       label={looking || (job.kind === 'select' ? program.selecting : program.reading)}
       progress={job.progress}
-      onStop={() => job.stop.abort()}
+      onStop={() => void session.runner.stop()}
     />
   );
 }

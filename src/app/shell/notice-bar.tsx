@@ -4,7 +4,7 @@ import { OtherTabNotice } from '../connect/other-tab-notice.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
-import type { Notice } from '../session/notice.js';
+import type { Notice } from '../session/notices.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import type { Tabs } from '../session/tabs.js';
@@ -35,7 +35,7 @@ interface NoticeBarProps {
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
 export function NoticeBar({ session, keeping, aside, update, tabs, platform }: NoticeBarProps) {
   const { dismiss, link, update: words } = messages.value;
-  const notice = session.notice.value;
+  const notice = session.notices.current.value;
   const take = update.take.value;
   const holder = tabs.holder.value;
   return (
@@ -64,13 +64,13 @@ export function NoticeBar({ session, keeping, aside, update, tabs, platform }: N
           {notice.code === 'select-unanswered' && (
             <button
               type="button"
-              disabled={session.busy.value || session.connection.value === null}
+              disabled={session.runner.busy.value || session.connection.value === null}
               onClick={() => void session.assume({ bareChecksumRequests: true })}
             >
               {link.trySelectBare}
             </button>
           )}
-          <button type="button" class="quiet" onClick={() => session.dismissNotice()}>
+          <button type="button" class="quiet" onClick={() => session.notices.dismiss()}>
             {dismiss}
           </button>
           {notice.kind === 'connection' && <ConnectionHelp code={notice.code} platform={platform} info={notice.port} />}
@@ -89,14 +89,14 @@ function ByteOrderChoice({ session }: { readonly session: Session }) {
       <div class="buttons">
         <button
           type="button"
-          disabled={session.busy.value}
+          disabled={session.runner.busy.value}
           onClick={() => void session.assume({ bigEndianTimes: false })}
         >
           {byteOrder.keep}
         </button>
         <button
           type="button"
-          disabled={session.busy.value}
+          disabled={session.runner.busy.value}
           onClick={() => void session.assume({ bigEndianTimes: true })}
         >
           {byteOrder.exchange}

@@ -46,7 +46,7 @@ export function ProgramPage({ session, write, memories, bench, follow, preferenc
     pointed.value = field;
   }, []);
   // What is typed while another memory is asked for would go into the one that is left.
-  const leaving = useComputed(() => session.job.value?.kind === 'select').value;
+  const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
   const looking = memories.looking.value;
   if (!identity) return null;
   return (

@@ -21,7 +21,7 @@ export class UpdateOffer {
   /** What a new version waits for once it was taken; null when it can begin. */
   readonly waitsFor: ReadonlySignal<'port' | 'edits' | null> = computed(() => {
     if (this.#session.link.state.value.status !== 'off') return 'port';
-    return this.#session.editsKept.value ? null : 'edits';
+    return this.#session.keptWork.kept.value ? null : 'edits';
   });
 
   /** Calls back once, as soon as no port is open or being opened and a reload would lose nothing that was typed: at once if so. */

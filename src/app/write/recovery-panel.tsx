@@ -36,7 +36,7 @@ interface InterruptedWriteProps {
 
 function InterruptedWrite({ session, finishWrite, offer: { record, part, read } }: InterruptedWriteProps) {
   const { recovery: words } = messages.value;
-  const busy = session.busy.value || !session.connection.value;
+  const busy = session.runner.busy.value || !session.connection.value;
   const isForeign = part.extent === 'foreign';
   const said = {
     nothing: words.nothing(part.missing.length),
@@ -105,7 +105,7 @@ function WriteElsewhere({
       <h2 id="recovery-title">{words.title}</h2>
       <p>{words.elsewhere(memoryName(memory))}</p>
       <div class="buttons">
-        <button type="button" disabled={session.busy.value} onClick={() => void session.selectMemory(memory)}>
+        <button type="button" disabled={session.runner.busy.value} onClick={() => void session.selectMemory(memory)}>
           {words.show(memoryName(memory))}
         </button>
         <NotNow recovery={session.recovery} />
@@ -129,7 +129,7 @@ function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
         <button
           type="button"
           class="primary"
-          disabled={session.busy.value}
+          disabled={session.runner.busy.value}
           onClick={() => void session.selectMemory(record.original)}
         >
           {words.makeCurrent(memoryName(record.original))}

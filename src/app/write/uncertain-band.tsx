@@ -92,7 +92,7 @@ function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
 function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words, memoryName } = messages.value;
   const { memory } = one;
-  const busy = session.busy.value;
+  const busy = session.runner.busy.value;
   if (isHere(session, one)) {
     const isCurrent = memory === null || session.editor.working.value?.memory === memory;
     return (

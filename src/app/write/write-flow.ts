@@ -3,7 +3,8 @@ import { type Progress, TimerError, type WriteReport } from '../../client/index.
 import { type Change, differences, type Finding, type TimerProgram } from '../../program/index.js';
 import { CodecError } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions, Session } from '../session/session.js';
+import type { JobOptions } from '../session/job-runner.js';
+import type { Session } from '../session/session.js';
 
 /** What the dialog has shown: this is written, or nothing is. */
 export interface Shown {
@@ -93,7 +94,7 @@ export class WriteFlow {
     const { shown } = current;
     const isAsShown = editor.baseline.value === shown.baseline && editor.working.value === shown.goal;
     if (!isAsShown || editor.blocked.value) return this.#review('edits');
-    const end = await this.#session.perform('write', null, async (connection, options) => {
+    const end = await this.#session.runner.perform('write', async (connection, options) => {
       try {
         await this.#write(shown, connection, options);
       } catch (error) {
@@ -105,7 +106,7 @@ export class WriteFlow {
     const { value } = this.current;
     if (end.good) {
       if (value?.step === 'done' && value.report.stopped?.code === 'no-answer') {
-        this.#session.report(value.report.stopped);
+        this.#session.notices.report(value.report.stopped);
       }
       return;
     }
@@ -138,7 +139,7 @@ export class WriteFlow {
   dismiss(): void {
     const { value } = this.current;
     if (value?.step === 'running') {
-      this.#session.job.value?.stop.abort();
+      void this.#session.runner.stop();
       this.current.value = { ...value, stopping: true };
     } else if (value?.step === 'unkept') {
       value.answer(false);
@@ -217,18 +218,18 @@ export class WriteFlow {
     if (error === null && !lost) return;
     if (!(error instanceof TimerError)) {
       this.current.value = null;
-      if (!lost) session.report(error);
+      if (!lost) session.notices.report(error);
     } else if (error.code === 'stale' && error.details.held && !lost) {
       session.editor.rebase(error.details.held);
       session.knowledge.read(error.details.held);
       this.#review('timer');
     } else if (error.code === 'aborted') {
       this.current.value = null;
-      session.say('nothing-written');
+      session.notices.say('nothing-written');
     } else if (error.code === 'port-lost' || error.code === 'closed') {
       this.current.value = null;
     } else {
-      if (error.code === 'other-memory') session.memoryOpen.value = true;
+      if (error.code === 'other-memory') session.nextFlight.doubt();
       this.current.value = { step: 'refused', error };
     }
   }

@@ -97,7 +97,7 @@ describe('the motor', () => {
   it('is not said to run when the command was stopped before its first byte', async () => {
     const { bench, session, timer } = await safeBench();
     const unlocking = bench.unlock();
-    session.job.value?.stop.abort();
+    session.runner.stop();
     expect(await run(unlocking)).toBe(false);
     expect([timer.core.motorLocked, bench.done.value]).toEqual([true, null]);
   });
@@ -230,7 +230,7 @@ describe('following', () => {
     const app = await followingBench({ latency: 20 });
     set(app, S2, 70);
     await vi.advanceTimersByTimeAsync(5);
-    expect(app.session.busy.value).toBe(true);
+    expect(app.session.runner.busy.value).toBe(true);
     await run(app.follow.stop());
     expect(app.timer.core.answered.map(({ name }) => name)).toEqual([
       'SETSERVO',
@@ -368,12 +368,12 @@ describe('following', () => {
   it('is off as soon as another memory is asked for, also when that is stopped', async () => {
     const app = await followingBench();
     app.timer.core.onAnswer = ({ name }) => {
-      if (name === 'SETMEMORY') app.session.job.value?.stop.abort();
+      if (name === 'SETMEMORY') app.session.runner.stop();
     };
     await run(app.session.selectMemory(1));
     app.timer.core.onAnswer = undefined;
     const { memory } = app.timer.core;
-    expect([app.follow.on.value, app.session.memoryOpen.value]).toEqual([false, false]);
+    expect([app.follow.on.value, app.session.nextFlight.open.value]).toEqual([false, false]);
     expect(app.editor.working.value?.memory, 'what is shown is current').toBe(memory);
     set(app, S2, 66);
     await idle();
@@ -389,7 +389,7 @@ describe('following', () => {
     };
     await run(app.memories.start());
     expect([following.length, following.includes(true)]).toEqual([4, false]);
-    expect(app.session.memoryOpen.value).toBe(false);
+    expect(app.session.nextFlight.open.value).toBe(false);
   });
 
   it('leaves the choice open for a value of which it is not known whether it was stored', async () => {

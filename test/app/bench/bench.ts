@@ -112,7 +112,7 @@ export async function appBench({
     reload,
   });
   const { session } = models;
-  if (started) await session.start();
+  if (started) await session.keptWork.start();
   return {
     ...models,
     models,

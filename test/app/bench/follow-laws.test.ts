@@ -204,7 +204,7 @@ it('every movement on the wire was asked for by a click or by the switch, and wh
         connection = app.session.connection.value;
         expect(app.follow.going.value && !isOn, 'the switch is off with the servos').toBe(false);
         const at = app.bench.stand.at.value;
-        if (at === null || app.session.busy.value) continue;
+        if (at === null || app.session.runner.busy.value) continue;
         const { core } = app.timer;
         expect([at, core.servos]).toEqual([core.slot, core.content.positions.map((row) => row[at])]);
       }

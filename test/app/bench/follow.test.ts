@@ -149,7 +149,7 @@ describe('servos that follow', () => {
     const app = await following({ latency: 50 });
     set(app, [S2, 70], [position(0, 6), 7]);
     await vi.advanceTimersByTimeAsync(10);
-    expect(app.session.busy.value).toBe(true);
+    expect(app.session.runner.busy.value).toBe(true);
     app.follow.bring(6);
     await idle();
     expect(told(app)).toEqual(['S4.1=70', 'M4', 'M6', 'S6.0=7', 'M6']);

@@ -149,7 +149,7 @@ describe.each([
     await run(connect(bench));
     return bench;
   }
-  const notice = ({ session }: AppBench): string | undefined => session.notice.value?.code;
+  const notice = ({ session }: AppBench): string | undefined => session.notices.current.value?.code;
 
   it('keep what is typed in each by itself, also over a reload', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];

@@ -188,7 +188,7 @@ describe('a frame by hand', () => {
     adapter.unplug();
     await run(sending);
     expect(session.connection.value).toBeNull();
-    expect(session.notice.value?.kind, 'nothing is said of the frame').not.toBe('timer');
+    expect(session.notices.current.value?.kind, 'nothing is said of the frame').not.toBe('timer');
     expect([form.step.value, form.result.value]).toEqual(['edit', null]);
   });
 });

@@ -95,7 +95,7 @@ describe('backing up all memories', () => {
     expect(made.store.backups.records.size).toBe(4);
     expect([made.timer.core.memory, selected(made).at(-1)]).toEqual([1, 1]);
     expect([contents(made), made.store.unfinished.records.size]).toEqual([before, 0]);
-    expect([made.editor.working.value?.memory, made.session.busy.value]).toEqual([1, false]);
+    expect([made.editor.working.value?.memory, made.session.runner.busy.value]).toEqual([1, false]);
   });
 
   it('has noted the memory to come back to before another is selected', async () => {
@@ -141,7 +141,7 @@ describe('backing up all memories', () => {
     const made = await connectedBench({ quirks: { memoryReplyEmpty: true } });
     await job(made, { kind: 'back-up' });
     expect([selected(made), made.memories.current.value, kept(made)]).toEqual([[], null, []]);
-    expect(made.session.notice.value).toEqual({ kind: 'timer', code: 'memory-unknown' });
+    expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-unknown' });
   });
 });
 
@@ -241,7 +241,7 @@ describe('a browser that does not keep everything', () => {
     expect(made.memories.current.value?.step).toBe('unkept');
     made.memories.dismiss();
     await run(writing);
-    expect(made.session.notice.value).toEqual({ kind: 'note', code: 'nothing-written' });
+    expect(made.session.notices.current.value).toEqual({ kind: 'note', code: 'nothing-written' });
   });
 });
 
@@ -380,7 +380,7 @@ describe('a plug that is pulled in the middle', () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
     await job(made, plan);
-    expect(made.session.notice.value).toEqual({ kind: 'timer', code: 'memory-left' });
+    expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
     made.timer.core.onAnswer = undefined;
     made.memories.dismiss();
     const left = made.timer.core.memory;

@@ -50,7 +50,7 @@ describe('the memories', () => {
     expect([...(row?.children ?? [])].map(({ textContent }) => textContent)[1]).toBe('4:00 min');
     expect(held.queryAllByRole('textbox')).toEqual([]);
     expect(choices()).toEqual(['M1, flies next', 'M2', '* M3', 'M4']);
-    expect([app.session.notice.value, app.session.nextFlight.word.value]).toEqual([null, null]);
+    expect([app.session.notices.current.value, app.session.nextFlight.word.value]).toEqual([null, null]);
     await press('Show M1');
     expect(field('DT time').value, 'edits are as they were').toBe('5:00');
   });
@@ -108,7 +108,7 @@ describe('the memories', () => {
 
   it('can be chosen again, the one before too, after a failure that leaves open which is current', async () => {
     const { timer, session } = await connected();
-    session.memoryOpen.value = true;
+    session.nextFlight.doubt();
     await idle(0);
     expect(choices()).toEqual(['M1', 'M2', 'M3', 'M4']);
     expect(screen.getByText(/^It is not known which memory flies next/)).toBeTruthy();
@@ -159,7 +159,7 @@ describe('a look that cannot go back', () => {
     };
     await press('Look at M3');
     expect([away > 0, app.timer.core.memory]).toEqual([true, 2]);
-    expect(app.session.notice.value).toEqual({ kind: 'timer', code: 'memory-left' });
+    expect(app.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
     expect(said()).toEqual(['It is not known which memory flies next. When you connected it was M1.']);
     app.timer.core.onAnswer = undefined;
     app.timer.core.press();

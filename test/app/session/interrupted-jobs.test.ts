@@ -9,7 +9,7 @@ const S3: ProgramField = { kind: 'position', servo: 2, slot: 4 };
 type Name = 'GETSWVER' | 'SETTIMERS' | 'SETSERVO';
 
 function notice({ session }: AppBench): string | undefined {
-  return session.notice.value?.code;
+  return session.notices.current.value?.code;
 }
 
 function offer({ session }: AppBench) {

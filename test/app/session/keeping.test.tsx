@@ -74,7 +74,7 @@ describe('a backup that is deleted', () => {
   it('does not come back by looking again', async () => {
     const bench = await shown();
     bench.session.backups.remove(some(bench, 'a'));
-    await run(bench.session.bringBack());
+    await run(bench.session.keptWork.bringBack());
     expect(listed(bench)).toEqual(['c', 'b']);
   });
 });
@@ -87,7 +87,7 @@ describe('what is kept is looked for again when the storage does again what it d
     bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     await idle(1000);
     const looks = vi.spyOn(bench.session.backups, 'load');
-    void bench.session.bringBack();
+    void bench.session.keptWork.bringBack();
     await idle(10_000);
     expect(looks.mock.calls.length).toBeGreaterThan(0);
     expect(looks.mock.calls.length).toBeLessThanOrEqual(11);

@@ -12,7 +12,7 @@ function status({ session }: AppBench): string {
 }
 
 function notice({ session }: AppBench): string | undefined {
-  return session.notice.value?.code;
+  return session.notices.current.value?.code;
 }
 
 /** Lets one step after another happen until the link stands there. */
@@ -32,7 +32,7 @@ const READ_ALL = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM', 'GETMEMO
 describe('connect', () => {
   it('lets the pilot choose, opens, asks what it is, and shows what it holds', async () => {
     const bench = await connectedBench();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', undefined, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['on', undefined, false]);
     expect(bench.editor.baseline.value?.positions).toEqual([
       CAPTURED_POSITIONS,
       CAPTURED_POSITIONS,
@@ -70,7 +70,7 @@ describe('connect', () => {
     const bench = await appBench();
     set(bench, true);
     await run(bench.session.connect());
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['off', code, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['off', code, false]);
     expect(bench.port.device.opened).toBeNull();
     set(bench, false);
     await run(bench.session.connect());
@@ -82,7 +82,7 @@ describe('connect', () => {
     bench.port.device.busy = true;
     const connecting = bench.session.connect();
     await idle(14_000);
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['opening', undefined, true]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['opening', undefined, true]);
     bench.port.device.busy = false;
     await run(connecting);
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
@@ -98,11 +98,11 @@ describe('connect', () => {
     set(bench, true);
     await run(bench.session.connect());
     await idle();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual([wanted, undefined, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual([wanted, undefined, false]);
     expect(bench.editor.working.value).toBeNull();
     set(bench, false);
     await idle();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', undefined, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['on', undefined, false]);
     expect(answered(bench).filter((name) => name !== 'GETSWVER')).toEqual(READ_ALL.slice(0, -1));
   });
 
@@ -157,14 +157,14 @@ describe('connect', () => {
 describe('when the first read does not come to its end', () => {
   it.each([
     ['the timer fell asleep', ({ timer }: AppBench) => timer.core.sleep(), ({ timer }: AppBench) => timer.core.press()],
-    ['the pilot stopped it', ({ session }: AppBench) => session.job.value?.stop.abort(), () => {}],
+    ['the pilot stopped it', ({ session }: AppBench) => session.runner.stop(), () => {}],
   ])('because %s, it is read by itself or by Connect', async (_, hinder, mend) => {
     const bench = await appBench();
     bench.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETMEMORY') hinder(bench);
     };
     await run(bench.session.connect());
-    expect([bench.editor.working.value, bench.session.memoryOpen.value]).toEqual([null, true]);
+    expect([bench.editor.working.value, bench.session.nextFlight.open.value]).toEqual([null, true]);
     bench.timer.core.onAnswer = undefined;
     mend(bench);
     await run(bench.session.connect());
@@ -175,7 +175,7 @@ describe('when the first read does not come to its end', () => {
 
   it('trying a simulated timer gives the port back', async () => {
     const bench = await appBench();
-    bench.timer.core.onAnswer = () => bench.session.job.value?.stop.abort();
+    bench.timer.core.onAnswer = () => bench.session.runner.stop();
     await run(bench.session.connect());
     await run(bench.session.trySimulated('Q'));
     expect(bench.session.simulated.value).toBe(true);
@@ -188,7 +188,7 @@ describe('a lost port', () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await idle();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['away', undefined, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['away', undefined, false]);
     expect(bench.editor.working.value, 'the program stays on the screen').not.toBeNull();
     bench.timer.core.answered.length = 0;
     bench.adapter.replug();
@@ -246,11 +246,11 @@ describe('a lost port', () => {
     bench.adapter.unplugAfter(bytes);
     expect(await run(bench.session.read())).toBe(false);
     await idle();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['away', undefined, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['away', undefined, false]);
     expect(bench.editor.textOf(S1)).toBe('7');
     bench.adapter.replug();
     await idle();
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['on', 'back-same', false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['on', 'back-same', false]);
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
@@ -272,7 +272,7 @@ describe('a lost port', () => {
     bench.timer.core.answered.length = 0;
     await run(bench.session.connect());
     await idle();
-    expect([status(bench), bench.session.busy.value]).toEqual(['on', false]);
+    expect([status(bench), bench.session.runner.busy.value]).toEqual(['on', false]);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
     expect(bench.editor.baseline.value?.times[10]).toBe(18000);
   });
@@ -282,7 +282,7 @@ describe('disconnect', () => {
   it('closes the port, and keeps what was typed', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
-    bench.session.say('back-same');
+    bench.session.notices.say('back-same');
     await run(bench.session.disconnect());
     expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
     expect(bench.editor.textOf(S1)).toBe('7');
@@ -415,7 +415,7 @@ describe('read again', () => {
     bench.editor.type(S1, '7');
     bench.timer.core.sleep();
     expect(await run(bench.session.read())).toBe(false);
-    expect([status(bench), notice(bench), bench.session.busy.value]).toEqual(['waiting', undefined, false]);
+    expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['waiting', undefined, false]);
     await idle();
     expect([status(bench), notice(bench)]).toEqual(['waiting', undefined]);
     bench.timer.core.answered.length = 0;
@@ -434,9 +434,9 @@ describe('read again', () => {
 
   it('that is stopped says nothing and leaves the wire usable', async () => {
     const bench = await connectedBench();
-    bench.timer.core.onAnswer = () => bench.session.job.value?.stop.abort();
+    bench.timer.core.onAnswer = () => bench.session.runner.stop();
     await run(bench.session.read());
-    expect([status(bench), notice(bench), bench.session.job.value]).toEqual(['on', undefined, null]);
+    expect([status(bench), notice(bench), bench.session.runner.job.value]).toEqual(['on', undefined, null]);
     bench.timer.core.onAnswer = undefined;
     await run(bench.session.read());
     expect(notice(bench)).toBeUndefined();
@@ -507,7 +507,7 @@ describe('after a reload', () => {
     await idle(0);
     store.before = () => undefined;
     before.editor.type(S1, '9');
-    before.session.keepNow();
+    before.session.keptWork.keepNow();
     const after = await appBench({ store: store.next() });
     expect(after.editor.textOf(S1)).toBe('9');
   });
@@ -565,12 +565,12 @@ describe('a job', () => {
     const bench = await connectedBench();
     const failure = new RangeError('not foreseen');
     const end = await run(
-      bench.session.perform('bench', null, async () => {
+      bench.session.runner.perform('bench', async () => {
         throw failure;
       }),
     );
     expect([end, notice(bench)]).toEqual([{ good: false, error: failure, lost: false }, undefined]);
-    expect(await run(bench.session.perform('bench', null, async () => {}))).toEqual({ good: true });
+    expect(await run(bench.session.runner.perform('bench', async () => {}))).toEqual({ good: true });
   });
 
   it('does not begin where another one holds the wire, or there is none', async () => {
@@ -578,10 +578,10 @@ describe('a job', () => {
     const reading = bench.session.read();
     const begun: string[] = [];
     const work = async () => void begun.push('work');
-    expect(await bench.session.perform('bench', null, work)).toEqual({ good: false, error: null, lost: false });
+    expect(await bench.session.runner.perform('bench', work)).toEqual({ good: false, error: null, lost: false });
     await run(reading);
     await run(bench.session.disconnect());
-    expect(await bench.session.perform('bench', null, work)).toEqual({ good: false, error: null, lost: true });
+    expect(await bench.session.runner.perform('bench', work)).toEqual({ good: false, error: null, lost: true });
     expect(begun).toEqual([]);
   });
 
@@ -591,7 +591,7 @@ describe('a job', () => {
       bench.session.safety.confirm();
       let fault: unknown = null;
       await run(
-        bench.session.perform('bench', null, async (_, options) => {
+        bench.session.runner.perform('bench', async (_, options) => {
           options.stillOn();
           change();
           await idle(10);
@@ -605,7 +605,7 @@ describe('a job', () => {
       return fault;
     };
     expect(await stillOn(() => {})).toBeNull();
-    expect(await stillOn(() => bench.session.job.value?.stop.abort())).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => bench.session.runner.stop())).toMatchObject({ code: 'aborted' });
     expect(await stillOn(() => bench.session.safety.withdraw())).toMatchObject({ code: 'aborted' });
     expect(await stillOn(() => bench.adapter.unplug())).toMatchObject({ code: 'closed' });
   });

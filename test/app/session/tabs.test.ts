@@ -47,7 +47,7 @@ function status({ session }: AppBench): string {
 describe('a port that another tab holds', () => {
   it('is named with what that tab shows', async () => {
     const { first, second } = await twoTabs();
-    expect([status(first), status(second), second.session.notice.value?.code]).toEqual(['on', 'off', 'busy']);
+    expect([status(first), status(second), second.session.notices.current.value?.code]).toEqual(['on', 'off', 'busy']);
     expect(second.tabs.holder.value).toMatchObject({ what: 'F1Q, M1', writing: false });
     expect(first.tabs.holder.value).toBeNull();
   });
@@ -60,13 +60,17 @@ describe('a port that another tab holds', () => {
     const taking = second.tabs.takeOver(holder);
     await idle();
     expect(await taking).toBe('released');
-    expect([status(first), first.session.notice.value?.code, first.port.device.opened]).toEqual([
+    expect([status(first), first.session.notices.current.value?.code, first.port.device.opened]).toEqual([
       'off',
       'taken-over',
       null,
     ]);
     expect(first.editor.textOf({ kind: 'position', servo: 0, slot: 2 }), 'what was typed is kept').toBe('7');
-    expect([status(second), second.session.notice.value, second.tabs.holder.value]).toEqual(['on', null, null]);
+    expect([status(second), second.session.notices.current.value, second.tabs.holder.value]).toEqual([
+      'on',
+      null,
+      null,
+    ]);
     expect(second.editor.working.value?.times[10]).toBe(18000);
   });
 
@@ -102,6 +106,6 @@ describe('a tab without others', () => {
     await idle();
     await connecting;
     await idle(1000);
-    expect([bench.session.notice.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
+    expect([bench.session.notices.current.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
   });
 });

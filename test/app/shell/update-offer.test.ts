@@ -7,7 +7,7 @@ describe('a new version of the page', () => {
     const begin = vi.fn();
     update.whenFree(begin);
     await idle();
-    expect([update.waitsFor.value, session.editsKept.value, begin.mock.calls.length]).toEqual(['port', true, 0]);
+    expect([update.waitsFor.value, session.keptWork.kept.value, begin.mock.calls.length]).toEqual(['port', true, 0]);
     await run(session.disconnect());
     await idle();
     expect([update.waitsFor.value, begin.mock.calls.length]).toEqual([null, 1]);

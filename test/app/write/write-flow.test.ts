@@ -45,7 +45,7 @@ describe('a write', () => {
     await run(bench.write.open());
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
     expect(bench.editor.textOf(S3)).toBe('99');
-    expect(bench.session.notice.value?.code).toBe('edits-moved');
+    expect(bench.session.notices.current.value?.code).toBe('edits-moved');
   });
 
   it('decides what was in conflict', async () => {
@@ -65,7 +65,7 @@ describe('a write', () => {
     bench.editor.type(S1, '7');
     bench.timer.core.memory = 2;
     await run(bench.write.open());
-    expect(bench.session.notice.value?.code).toBe('edits-set-aside');
+    expect(bench.session.notices.current.value?.code).toBe('edits-set-aside');
     expect(bench.write.current.value).toBeNull();
   });
 
@@ -166,7 +166,7 @@ describe('a write', () => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && bench.write.dismiss();
     await run(bench.write.start());
-    expect([bench.write.current.value, bench.session.notice.value]).toEqual([
+    expect([bench.write.current.value, bench.session.notices.current.value]).toEqual([
       null,
       { kind: 'note', code: 'nothing-written' },
     ]);
@@ -184,7 +184,7 @@ describe('a write', () => {
     await run(bench.write.start());
     await idle();
     expect(bench.session.link.state.value.status).toBe('away');
-    expect(bench.session.notice.value).toBeNull();
+    expect(bench.session.notices.current.value).toBeNull();
     expect(sets(bench)).toHaveLength(written);
     if (extent === 'part') {
       expect(bench.write.current.value).toMatchObject({
@@ -230,7 +230,7 @@ describe('a write', () => {
     const { client } = bench.session.connection.value ?? {};
     if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
     await run(bench.write.start());
-    expect([bench.write.current.value, bench.session.notice.value?.code]).toEqual([null, 'unexpected']);
+    expect([bench.write.current.value, bench.session.notices.current.value?.code]).toEqual([null, 'unexpected']);
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
@@ -415,7 +415,7 @@ describe('what was confirmed is what is written', () => {
       change(bench);
       release();
       await run(writing);
-      expect([bench.session.notice.value?.code, sets(bench)]).toEqual(['nothing-written', []]);
+      expect([bench.session.notices.current.value?.code, sets(bench)]).toEqual(['nothing-written', []]);
       expect([bench.session.knowledge.uncertain.value, bench.store.unfinished.records.size]).toEqual([[], 0]);
     }
   });
@@ -454,7 +454,7 @@ describe('what was confirmed is what is written', () => {
     expect(bench.write.current.value).toMatchObject({ step: 'refused', error: { code: 'other-timer' } });
     expect([sets(bench), bench.session.connection.value?.identity.timerClass]).toEqual([[], 'B']);
     expect(bench.editor.identity.value?.timerClass).toBe('B');
-    expect(bench.session.notice.value?.code).toBe('other-kind');
+    expect(bench.session.notices.current.value?.code).toBe('other-kind');
   });
 
   it('leaves the dialog when the connection is another by then', async () => {

@@ -1,0 +1,78 @@
+import { effect, type ReadonlySignal } from '@preact/signals';
+import type { Draft } from '../storage/index.js';
+import type { Drafts } from './drafts.js';
+import type { Session } from './session.js';
+
+/** Milliseconds between two looks at what is kept, when something came back during the first. */
+const LOOK_AGAIN = 1000;
+
+/** What the pilot works on is kept as it is typed; what a reload or a crash has interrupted is brought back. */
+export class KeptWork {
+  /** Whether all that was typed would be there after a reload. */
+  readonly kept: ReadonlySignal<boolean>;
+  readonly #session: Session;
+  readonly #drafts: Drafts;
+  readonly #show: (draft: Draft) => void;
+  #looking: Promise<void> | null = null;
+  #lookAgain = false;
+
+  /** @param show shows what was kept, where nothing is on the screen. */
+  constructor(session: Session, drafts: Drafts, show: (draft: Draft) => void) {
+    this.#session = session;
+    this.#drafts = drafts;
+    this.#show = show;
+    this.kept = drafts.kept;
+  }
+
+  /** Keeps from now on what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
+  async start(): Promise<void> {
+    const { editor, standing, simulated } = this.#session;
+    effect(() => {
+      const content = editor.snapshot();
+      const readAt = standing.value.at;
+      if (content) this.#drafts.keep({ ...content, readAt }, simulated.value);
+    });
+    await this.bringBack();
+  }
+
+  /** Keeps at once what was typed: the page is left, or may be. */
+  keepNow(): void {
+    this.#drafts.flush();
+  }
+
+  /** Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile. */
+  bringBack(): Promise<void> {
+    // One look at a time; what comes back meanwhile is looked for once more.
+    this.#lookAgain = this.#looking !== null;
+    this.#looking ??= this.#bringBack().finally(() => {
+      this.#looking = null;
+      // Not at once: a shelf that answers one call and fails another would keep the page busy for ever.
+      if (this.#lookAgain) setTimeout(() => void this.bringBack(), LOOK_AGAIN);
+    });
+    return this.#looking;
+  }
+
+  async #bringBack(): Promise<void> {
+    const { knowledge, backups, link, aside } = this.#session;
+    // What other tabs have under way is told by the number of this one, which comes with the edits.
+    const known = this.#bringBackEdits().then(() => knowledge.refresh());
+    await Promise.all([known, backups.load(), link.start()]);
+    this.#drafts.keepAgain();
+    await aside.load();
+  }
+
+  async #bringBackEdits(): Promise<void> {
+    const { editor, engaged } = this.#session;
+    const wanted = (): boolean => editor.working.value === null && !engaged.value;
+    const draft = await this.#drafts.latest(wanted);
+    if (draft) this.#show(draft);
+    else if (wanted()) void this.#bringBackLate(wanted);
+  }
+
+  async #bringBackLate(wanted: () => boolean): Promise<void> {
+    const draft = await this.#drafts.leftBehind(wanted);
+    if (!draft) return;
+    this.#show(draft);
+    await this.#session.knowledge.refresh();
+  }
+}

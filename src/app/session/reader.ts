@@ -1,0 +1,166 @@
+import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import { differences, type TimerProgram } from '../../program/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import type { Editor } from '../editing/editor.js';
+import type { Draft } from '../storage/index.js';
+import type { Drafts } from './drafts.js';
+import type { InterruptedJobs } from './interrupted-jobs.js';
+import type { JobOptions, JobRunner } from './job-runner.js';
+import type { Knowledge } from './knowledge.js';
+import type { Link } from './link.js';
+import type { NextFlight } from './next-flight.js';
+import type { Notices } from './notices.js';
+import { kindKey, programKey } from './record-keys.js';
+import type { Safety } from './safety.js';
+
+/** What a reading changes, or depends on. */
+interface ReaderParts {
+  readonly editor: Editor;
+  readonly drafts: Drafts;
+  readonly link: Link;
+  readonly runner: JobRunner;
+  readonly notices: Notices;
+  readonly safety: Safety;
+  readonly knowledge: Knowledge;
+  readonly recovery: InterruptedJobs;
+  readonly nextFlight: NextFlight;
+}
+
+/** Reads the timer, and shows what it holds with the edits that belong to it. */
+export class Reader {
+  readonly #simulated = signal(false, { name: 'simulated' });
+  readonly #byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
+  /** Whether the program on the screen is of the simulated timer. */
+  readonly simulated: ReadonlySignal<boolean> = this.#simulated;
+  /** It is open how this timer writes its times: the pilot has to choose before they are written. */
+  readonly byteOrderOpen: ReadonlySignal<boolean> = this.#byteOrderOpen;
+  readonly #parts: ReaderParts;
+  /** The timer was away, or silent, and the next reading is of one that has come back. */
+  #wasAway = false;
+  /** The timer was another tab's. */
+  #inherits = false;
+  #firstReading: Promise<unknown> = Promise.resolve();
+
+  constructor(parts: ReaderParts) {
+    this.#parts = parts;
+  }
+
+  /** The next timer comes from another tab, which has let go of it: its edits come along. */
+  inherit(): void {
+    this.#inherits = true;
+  }
+
+  /** The timer is away, or silent: the next one may be it. */
+  timerAway(): void {
+    this.#wasAway = true;
+  }
+
+  /** Nobody waits for the timer any more. */
+  timerGone(): void {
+    this.#wasAway = false;
+  }
+
+  /** A timer has said what it is: reads what it holds. */
+  timerCame({ identity }: TimerConnection): void {
+    const { safety, knowledge, recovery, nextFlight, link } = this.#parts;
+    batch(() => {
+      safety.withdraw();
+      this.#byteOrderOpen.value = false;
+      nextFlight.timerCame(identity, link.simulated.value);
+      knowledge.meet();
+      recovery.meet();
+    });
+    this.#firstReading = Promise.all([link.remember(), this.read()]);
+  }
+
+  /** Settles when the timer that has come last was read, well or not. */
+  async settled(): Promise<void> {
+    await this.#firstReading;
+  }
+
+  /**
+   * Reads the current memory again. Edits stay.
+   * @returns whether it was read.
+   */
+  async read(): Promise<boolean> {
+    return await this.#parts.runner.run('read', async ({ client }, options) =>
+      this.#show(await client.readProgram(options), options),
+    );
+  }
+
+  /**
+   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When it is stopped or
+   * fails on the way, the memory that is current by then is read.
+   */
+  async selectMemory(memory: number): Promise<boolean> {
+    const { runner, nextFlight } = this.#parts;
+    const select = async ({ client }: TimerConnection, options: JobOptions): Promise<void> => {
+      nextFlight.leave(memory);
+      await client.selectMemory(memory, options);
+      await this.#show(await client.readProgram(options), options);
+    };
+    const good = await runner.run('select', select, memory);
+    if (!good) await this.readIfOpen();
+    return good;
+  }
+
+  /** Reads where a job has left it open which memory is current. What stopped that job is still said. */
+  async readIfOpen(): Promise<void> {
+    const { notices, nextFlight, link } = this.#parts;
+    if (nextFlight.open.value && link.connection.value) await notices.keepThrough(() => this.read());
+  }
+
+  /** Shows what was kept of an earlier page, as the program of no timer. */
+  showDraft(draft: Draft): void {
+    const { editor, knowledge, notices } = this.#parts;
+    // At one stroke: it must not be kept as the work on a real timer in between.
+    batch(() => {
+      if (!editor.restore(draft)) return;
+      this.#simulated.value = draft.simulated;
+      if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
+      notices.sayIfSilent('edits-restored');
+    });
+  }
+
+  /** Shows what was read, with the edits that belong to it. */
+  async #show(read: TimerProgram, { stillOn }: JobOptions): Promise<void> {
+    const at = Date.now();
+    const { editor, drafts, link, knowledge, recovery, nextFlight, notices } = this.#parts;
+    const simulated = link.simulated.value;
+    const before = editor.working.value;
+    const held = editor.baseline.value;
+    const same = before !== null && programKey(before, this.#simulated.value) === programKey(read, simulated);
+    const otherKind =
+      before !== null && kindKey(before.identity, this.#simulated.value) !== kindKey(read.identity, simulated);
+    const setAside = before !== null && !same && editor.dirty.value;
+    // Together: a storage that does not answer is waited for once.
+    const [draft] = await Promise.all([
+      same ? undefined : drafts.of(read, simulated, this.#inherits),
+      knowledge.refresh(),
+    ]);
+    this.#inherits = false;
+    stillOn();
+    const isBack = this.#wasAway;
+    this.#wasAway = false;
+    batch(() => {
+      const completed = knowledge.read(read, at);
+      recovery.look(read, simulated);
+      // What an interrupted write explains is told by the offer to finish it, and by nothing else.
+      const explained = recovery.offer.value?.kind === 'write';
+      if (!same) editor.clear();
+      if (draft) editor.restore(draft);
+      const moved = editor.rebase(read);
+      nextFlight.found(read.memory);
+      this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
+      this.#simulated.value = simulated;
+      if (completed) notices.say('write-completed');
+      else if (moved && !explained) notices.say('edits-moved');
+      else if (draft && editor.dirty.value && !explained) notices.say('edits-kept');
+      else if (isBack && otherKind) notices.say('other-kind');
+      else if (setAside) notices.say('edits-set-aside');
+      else if (isBack && same && held && !explained) {
+        notices.say(differences(held, read).length === 0 ? 'back-same' : 'back-changed');
+      }
+    });
+  }
+}
