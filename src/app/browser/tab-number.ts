@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { loadSetting, saveSetting } from './settings.js';
 
@@ -39,8 +39,9 @@ export const tabMemory: TabMemory = {
  * say who has which, the tab takes a number that nobody else can have, and nothing of another tab.
  */
 export class TabNumber {
+  readonly #told = signal(true, { name: 'tabsTold' });
   /** Whether the browser tells its tabs apart; false as soon as it has failed to say it. */
-  readonly told = signal(true, { name: 'tabsTold' });
+  readonly told: ReadonlySignal<boolean> = this.#told;
   readonly #locks: Locks | null;
   readonly #memory: TabMemory;
   /** The browser has left a question open. */
@@ -50,7 +51,7 @@ export class TabNumber {
   constructor(locks: Locks | null, memory: TabMemory) {
     this.#locks = locks;
     this.#memory = memory;
-    if (!locks) this.told.value = false;
+    if (!locks) this.#told.value = false;
   }
 
   get value(): number {
@@ -136,7 +137,7 @@ export class TabNumber {
       };
       const giveUp = setTimeout(() => {
         this.#silent = true;
-        this.told.value = false;
+        this.#told.value = false;
         end('unknown');
       }, ANSWER_WAIT);
       const work = (lock: unknown): Promise<void> | undefined => {
@@ -149,7 +150,7 @@ export class TabNumber {
       const failed = (error?: unknown): void => {
         // Waited for in vain: that is an answer.
         const isAnswer = (error as { name?: unknown } | undefined)?.name === 'AbortError';
-        if (!isAnswer) this.told.value = false;
+        if (!isAnswer) this.#told.value = false;
         end(isAnswer ? 'held' : 'ifAvailable' in options && number === 1 ? 'taken' : 'unknown');
       };
       const request = async (): Promise<unknown> =>

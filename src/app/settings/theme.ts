@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals';
+import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import type { Query } from '../browser/doors.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
@@ -16,10 +16,11 @@ const BARS: Readonly<Record<Exclude<ThemeName, 'system'>, string>> = {
 
 /** The look that the pilot has chosen. */
 export class Theme {
-  readonly chosen = signal<ThemeName>(loadSetting('theme', v.picklist(THEMES)) ?? 'system');
+  readonly #chosen = signal<ThemeName>(loadSetting('theme', v.picklist(THEMES)) ?? 'system');
+  readonly chosen: ReadonlySignal<ThemeName> = this.#chosen;
 
   choose(name: ThemeName): void {
-    this.chosen.value = name;
+    this.#chosen.value = name;
     saveSetting('theme', name);
   }
 

@@ -3,8 +3,9 @@ import type { Session } from '../session/session.js';
 
 /** A new version of the page, which waits until the pilot takes it, no port is open and what was typed is kept. */
 export class UpdateOffer {
+  readonly #take = signal<(() => void) | null>(null, { name: 'update' });
   /** Takes the new version; null while there is none, or once it was taken. */
-  readonly take = signal<(() => void) | null>(null, { name: 'update' });
+  readonly take: ReadonlySignal<(() => void) | null> = this.#take;
   readonly #session: Session;
 
   constructor(session: Session) {
@@ -12,8 +13,8 @@ export class UpdateOffer {
   }
 
   readonly offer = (take: () => void): void => {
-    this.take.value = () => {
-      this.take.value = null;
+    this.#take.value = () => {
+      this.#take.value = null;
       take();
     };
   };
