@@ -24,7 +24,7 @@ import {
   SILENT_AT_FIRST,
   UNANSWERED,
 } from './retry-policy.js';
-import type { Wire } from './wire.js';
+import type { Outcome, Wire } from './wire.js';
 
 /** How much is done to get an answer. */
 export interface RetryPolicy {
@@ -44,6 +44,16 @@ export interface Belief<Answer> extends RetryPolicy {
   readonly before?: Answer | undefined;
   /** Never believes a single answer. */
   readonly twice?: boolean | undefined;
+}
+
+/** What went wrong on the line in some span of time. */
+export interface Disturbance {
+  /** How often damage was seen: bytes that belong to no frame, errors of the line, impossible replies. */
+  readonly damage: number;
+  /** How many frames came that nobody asked for. */
+  readonly strays: number;
+  /** How many requests went out again, fences included. */
+  readonly repeats: number;
 }
 
 /** Harmless requests, in the order in which they are tried as a fence. */
@@ -69,9 +79,8 @@ export class Exchange {
   #silentSince = Number.NEGATIVE_INFINITY;
   /** Whether the timer that answers has to be the one that was identified. */
   #isMet = true;
-  /** How often damage, and frames that nobody asked for, had been seen when the job began. */
-  #damageBefore = 0;
-  #straysBefore = 0;
+  /** What has gone wrong since the job began. */
+  #seen: () => Disturbance;
 
   /** What the timer said of itself: the layout of all that follows. Null until it has. */
   identity: Identity | null = null;
@@ -82,6 +91,7 @@ export class Exchange {
     this.#clock = clock;
     this.#timing = timing;
     this.budget = new Budget(clock, timing);
+    this.#seen = this.watch();
   }
 
   /** Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed. */
@@ -89,14 +99,16 @@ export class Exchange {
     return this.#wire.damage > 0 || this.#wire.strays > 0;
   }
 
-  /** How often damage was seen. */
-  get damage(): number {
-    return this.#wire.damage;
-  }
-
-  /** How many frames came that nobody asked for. */
-  get strays(): number {
-    return this.#wire.strays;
+  /** @returns what tells, whenever it is called, what has gone wrong from now until then. */
+  watch(): () => Disturbance {
+    const wire = this.#wire;
+    const { damage, strays } = wire;
+    const { repeatsInAll } = this.budget;
+    return () => ({
+      damage: wire.damage - damage,
+      strays: wire.strays - strays,
+      repeats: this.budget.repeatsInAll - repeatsInAll,
+    });
   }
 
   /** Whether the timer is there: it has answered, and did not fall silent since. */
@@ -111,9 +123,8 @@ export class Exchange {
 
   /** A job of these exchanges begins: from now on nothing is asked that could end later than such a job may. */
   begin(names: readonly CommandName[]): void {
-    this.#damageBefore = this.#wire.damage;
-    this.#straysBefore = this.#wire.strays;
     this.budget.begin(names, this.identity);
+    this.#seen = this.watch();
   }
 
   /**
@@ -138,25 +149,24 @@ export class Exchange {
     signal?: AbortSignal,
     { before, twice = before !== undefined, ...policy }: Belief<ReplyOf<R['name']>> = {},
   ): Promise<ReplyOf<R['name']>> {
-    const { strays } = this;
+    const seen = this.watch();
     let previous = before === undefined ? undefined : JSON.stringify(before);
-    const { damage } = this;
     for (let i = 0; i < READS; i++) {
       const reply = await this.ask(request, signal, policy);
       const text = JSON.stringify(reply);
       if (text === previous) return reply;
-      if (!twice && !this.damaged && this.strays === strays) return reply;
+      if (!twice && !this.damaged) return reply;
       previous = text;
     }
-    throw this.unbelievable(`no two of ${READS} replies agreed`, request.name, damage);
+    throw this.unbelievable(`no two of ${READS} replies agreed`, request.name, seen());
   }
 
   /**
    * What to say when no two answers agreed: too much damage, or somebody else answers too.
-   * @param damage how much had been seen before.
+   * @param seen what went wrong meanwhile.
    */
-  unbelievable(text: string, request: CommandName, damage: number): TimerError {
-    const isCrowded = this.#wire.strays > this.#straysBefore && this.#wire.damage === damage;
+  unbelievable(text: string, request: CommandName, { damage }: Disturbance): TimerError {
+    const isCrowded = this.#seen().strays > 0 && damage === 0;
     return new TimerError(isCrowded ? 'crowded' : 'unstable', text, { request });
   }
 
@@ -200,8 +210,8 @@ export class Exchange {
     throwIfAborted(signal);
     if (this.#wire.unanswered.size > 0 && !(await this.#fence(signal))) await this.#outwait(signal);
     throwIfAborted(signal);
-    const frame = await this.#once(() => this.#wire.send(code, data, this.identity));
-    return frame ?? null;
+    const outcome = await this.#once(() => this.#wire.send(code, data, this.identity));
+    return outcome.kind === 'answer' ? outcome.answer : null;
   }
 
   /** Lets the request that is under way come to its end, and refuses all others with `closed`. */
@@ -217,7 +227,7 @@ export class Exchange {
   ): Promise<Reply> {
     const { name } = request;
     const wire = this.#wire;
-    const { damage } = wire;
+    const seen = this.watch();
     let sent = 0;
     let silent = 0;
     let bad = 0;
@@ -225,41 +235,41 @@ export class Exchange {
     const isIgnored = (): boolean => silent === sent && sent >= (wire.damage > 0 ? tries : unanswered);
     this.#misses = 0;
     this.#silent = 0;
-    while (this.#mayGoOn(request, damage) || (await this.#comesLate(request, damage, signal))) {
+    while (this.#mayGoOn(request, seen()) || (await this.#comesLate(request, seen, signal))) {
       throwIfAborted(signal);
       const mayBeLate = wire.unanswered.size > 0 && !(anyReply && this.#isAlone(COMMANDS[name].request));
       if (mayBeLate && !(await this.#fence(signal))) continue;
       throwIfAborted(signal);
       if (sent > 0) this.budget.countRepeat();
       sent++;
-      const { signs } = wire;
       const misprints = wire.unanswered.size > 0 ? 'no' : strict ? 'known' : 'yes';
-      const reply = await this.#once(() => wire.ask(request, this.identity, misprints));
-      if (reply) return reply;
-      if (wire.badReply !== undefined) {
-        badReply = wire.badReply;
+      const outcome = await this.#once(() => wire.ask(request, this.identity, misprints));
+      if (outcome.kind === 'answer') return outcome.answer;
+      if (outcome.kind === 'silent') silent++;
+      if (outcome.kind === 'bad') {
+        badReply = outcome.error;
         bad++;
       }
-      if (wire.signs === signs) silent++;
       if (!COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored()) break;
     }
     const details = { request: name, sent };
     if (bad > 0 && (bad === sent || bad >= BAD_REPLIES)) {
       throw new TimerError('bad-reply', `the reply to ${name} cannot be right`, details, badReply);
     }
-    const isGone = this.#isSilent(request, damage);
+    const isGone = this.#isSilent(request, seen());
     if (isGone) this.#awake = false;
     const isSentOnce = sent > 0 && !COMMANDS[name].repeatable;
     // What came damaged at any time of the job counts when its time was over before this was asked.
-    if (!isGone && !isSentOnce && !isIgnored() && wire.damage > (sent > 0 ? damage : this.#damageBefore)) {
+    const { damage } = sent > 0 ? seen() : this.#seen();
+    if (!isGone && !isSentOnce && !isIgnored() && damage > 0) {
       throw new TimerError('unstable', `too much damage to get a reply to ${name}`, details);
     }
     throw new TimerError('no-answer', `no reply to ${name}`, { ...details, answersOthers: this.#awake });
   }
 
   /** Whether one more attempt, fence and request, makes sense and still ends in time. */
-  #mayGoOn(request: Request, damage: number): boolean {
-    if (this.#misses >= MISSES || this.#isSilent(request, damage)) return false;
+  #mayGoOn(request: Request, seen: Disturbance): boolean {
+    if (this.#misses >= MISSES || this.#isSilent(request, seen)) return false;
     const fence = this.#wire.unanswered.size > 0 ? longestFence(this.#timing) : 0;
     return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#timing));
   }
@@ -273,40 +283,34 @@ export class Exchange {
    * Before a timer counts as silent, the latest reply that it can give to the first of those requests is waited for: it may be slow.
    * @returns whether something came, and it makes sense to go on.
    */
-  async #comesLate(request: Request, damage: number, signal: AbortSignal | undefined): Promise<boolean> {
+  async #comesLate(request: Request, seen: () => Disturbance, signal: AbortSignal | undefined): Promise<boolean> {
     const left = this.#silentSince + LATEST_REPLY - this.#clock.now();
-    if (left <= 0 || !this.#isSilent(request, damage) || !this.budget.hasTimeFor(left)) return false;
-    const { signs } = this.#wire;
-    await this.#wire.pause(left, signal, true);
+    if (left <= 0 || !this.#isSilent(request, seen()) || !this.budget.hasTimeFor(left)) return false;
+    const isHeard = await this.#wire.pause(left, signal, true);
     throwIfAborted(signal);
-    if (this.#wire.signs === signs) return false;
+    if (!isHeard) return false;
     this.#silent = 0;
-    return this.#mayGoOn(request, damage);
+    return this.#mayGoOn(request, seen());
   }
 
   /** Whether nothing at all has come for so long that nobody is there. For a dangerous request the timer has to be there at once. */
-  #isSilent({ name }: Request, damage: number): boolean {
-    const isPatient = COMMANDS[name].repeatable && (this.#awake || this.#wire.damage > damage);
+  #isSilent({ name }: Request, { damage }: Disturbance): boolean {
+    const isPatient = COMMANDS[name].repeatable && (this.#awake || damage > 0);
     return this.#silent >= (isPatient ? SILENT : SILENT_AT_FIRST);
   }
 
-  async #once<T>(send: () => Promise<T | undefined>): Promise<T | undefined> {
+  async #once<T>(send: () => Promise<Outcome<T>>): Promise<Outcome<T>> {
     if (this.#closed) throw new TimerError('closed', 'this client was closed');
     this.#lastSent = this.#clock.now();
-    const { signs } = this.#wire;
     const asking = send();
     this.#underWay = asking.catch(() => {});
-    const answer = await asking;
-    if (answer !== undefined) {
-      this.#awake = true;
-      this.#misses = 0;
-      this.#silent = 0;
-      return answer;
-    }
-    this.#misses++;
-    this.#silent = this.#wire.signs === signs ? this.#silent + 1 : 0;
+    const outcome = await asking;
+    const isAnswered = outcome.kind === 'answer';
+    if (isAnswered) this.#awake = true;
+    this.#misses = isAnswered ? 0 : this.#misses + 1;
+    this.#silent = outcome.kind === 'silent' ? this.#silent + 1 : 0;
     if (this.#silent === 1) this.#silentSince = this.#lastSent;
-    return undefined;
+    return outcome;
   }
 
   /**
@@ -323,10 +327,10 @@ export class Exchange {
       return true;
     }
     this.budget.countRepeat();
-    const reply = await this.#once(() => this.#wire.ask({ name }, this.identity, 'no'));
-    if (!reply) return false;
+    const outcome = await this.#once(() => this.#wire.ask({ name }, this.identity, 'no'));
+    if (outcome.kind !== 'answer') return false;
     this.#wire.settle();
-    if (reply.name === 'GETSWVER') await this.requireIdentity(signal, reply);
+    if (outcome.answer.name === 'GETSWVER') await this.requireIdentity(signal, outcome.answer);
     return true;
   }
 

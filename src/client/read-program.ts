@@ -45,9 +45,9 @@ export async function readContent(job: ClientJob, stage: Progress['stage'], how:
   const { strict = false, known } = how;
   const progress = new StageProgress(stage, readingPlan(identity, how), job);
   let previous: Content | undefined = known;
-  const { damage } = exchange;
+  const seen = exchange.watch();
   for (let i = 0; i < ATTEMPTS; i++) {
-    const { strays } = exchange;
+    const seenNow = exchange.watch();
     if (strict) {
       await exchange.requireIdentity(signal);
       progress.finished('GETSWVER');
@@ -62,14 +62,13 @@ export async function readContent(job: ClientJob, stage: Progress['stage'], how:
     progress.finished('GETMEMORY');
     await exchange.requireIdentity(signal);
     progress.finished('GETSWVER');
-    const isClean = exchange.strays === strays;
-    const isBelieved = strict ? isClean : content.agreed || (isClean && !exchange.damaged);
+    const isBelieved = strict ? seenNow().strays === 0 : content.agreed || !exchange.damaged;
     if (isSameMemory && isBelieved) {
       return { identity, memory: current.memory, ...content.content };
     }
     previous = strict || !isSameMemory ? known : content.content;
   }
-  throw exchange.unbelievable(`not one of ${ATTEMPTS} readings was undisturbed`, 'GETMEMORY', damage);
+  throw exchange.unbelievable(`not one of ${ATTEMPTS} readings was undisturbed`, 'GETMEMORY', seen());
 }
 
 function required(job: ClientJob, memory: number | null): ReturnType<typeof requireMemory> {
@@ -91,7 +90,7 @@ async function agreedContent(
 ): Promise<{ content: Content; agreed: boolean }> {
   let previous = before;
   let request: CommandName = 'GETTIMERS';
-  const { damage } = job.exchange;
+  const seen = job.exchange.watch();
   for (let i = 0; i < READS; i++) {
     const { content, doubtful } = await readOnce(job, strict, idleThrottle, progress);
     if (previous && textOf(content) === textOf(previous)) {
@@ -102,7 +101,7 @@ async function agreedContent(
     if (previous) request = differing(previous, content);
     previous = content;
   }
-  throw job.exchange.unbelievable(`no two of ${READS} readings agreed`, request, damage);
+  throw job.exchange.unbelievable(`no two of ${READS} readings agreed`, request, seen());
 }
 
 /** @returns what was read, and whether anything speaks against believing it alone. */
@@ -113,8 +112,7 @@ async function readOnce(
   progress: StageProgress,
 ): Promise<{ content: Content; doubtful: boolean }> {
   const { exchange, identity, signal, quirks } = job;
-  const { strays } = exchange;
-  const { repeats } = exchange.budget;
+  const seen = exchange.watch();
   const ask = async <Name extends 'GETTIMERS' | 'GETSERVOPOS'>(name: Name): Promise<ReplyOf<Name>> => {
     const reply = await exchange.ask({ name }, signal, { strict });
     progress.finished(name);
@@ -123,7 +121,7 @@ async function readOnce(
   const { times } = await ask('GETTIMERS');
   const isMisprint = quirks.isMisprintNew('GETTIMERS');
   const { positions } = await ask('GETSERVOPOS');
-  const wasRepeated = exchange.budget.repeats > repeats;
+  const wasRepeated = seen().repeats > 0;
   const wasMalformed = quirks.found.has('idle-throttle-malformed');
   let throttle: number | null = null;
   if (contentQuestions(identity, idleThrottle).includes('GETLOWRPM')) {
@@ -133,7 +131,7 @@ async function readOnce(
   const content = { times, positions, idleThrottle: throttle };
   const isOdd =
     isMisprint || !isByteOrderKnown(job, times) || quirks.found.has('idle-throttle-malformed') !== wasMalformed;
-  return { content, doubtful: exchange.damaged || exchange.strays > strays || wasRepeated || isOdd };
+  return { content, doubtful: exchange.damaged || wasRepeated || isOdd };
 }
 
 /** Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either sleeps. */

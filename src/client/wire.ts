@@ -48,6 +48,20 @@ interface Unanswered {
   readonly size: number;
 }
 
+/**
+ * What became of something that was sent once, when its time was up or its answer came.
+ *
+ * - `answer`: its own answer came.
+ * - `bad`: one came with a right checksum and a content that cannot be; `error` says what.
+ * - `damaged`: bytes came that belong to no frame, or an error of the line.
+ * - `stray`: whole frames came, and none of them was the answer.
+ * - `silent`: nothing came, but perhaps an echo.
+ */
+export type Outcome<Answer> =
+  | { readonly kind: 'answer'; readonly answer: Answer }
+  | { readonly kind: 'bad'; readonly error: unknown }
+  | { readonly kind: 'damaged' | 'stray' | 'silent' };
+
 const NO_BYTES = new Uint8Array(0);
 
 /**
@@ -68,12 +82,12 @@ export class Wire {
   #lastByteAt = Number.NEGATIVE_INFINITY;
   #asked = false;
   #damage = 0;
-  #signs = 0;
   #strays = 0;
   readonly #unanswered = new Map<number, Unanswered>();
   #lastSent: Frame | undefined;
   #heard: (() => void) | undefined;
-  #badReply: unknown;
+  /** What came since the last frame went out. */
+  #came: Exclude<Outcome<never>, { kind: 'answer' }> = { kind: 'silent' };
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
     this.#port = port;
@@ -106,11 +120,6 @@ export class Wire {
     return this.#damage;
   }
 
-  /** How often anything came that shows that somebody is there: a frame that is no echo of one's own, or damage. */
-  get signs(): number {
-    return this.#signs;
-  }
-
   /**
    * How many frames came that nobody asked for: no echo of the last request, not what waits, and not the late reply to a request whose
    * time is up. A second timer or programmer in the beam sends such, or a line that doubles frames. A reply that was taken need not be the
@@ -135,23 +144,13 @@ export class Wire {
     this.#unanswered.clear();
   }
 
-  /** What was wrong with the last reply whose content could not be; cleared by asking. */
-  get badReply(): unknown {
-    return this.#badReply;
-  }
-
   /**
    * Sends a request once and waits for its reply.
    * @param misprints whether a letter that belongs to another command may be taken for the reply's: `known` where this timer was seen
    * to use it.
-   * @returns undefined when no reply came in time.
    * @throws TimerError `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
-  async ask(
-    request: Request,
-    identity: Identity | null,
-    misprints: 'no' | 'known' | 'yes',
-  ): Promise<Reply | undefined> {
+  async ask(request: Request, identity: Identity | null, misprints: 'no' | 'known' | 'yes'): Promise<Outcome<Reply>> {
     const bytes = encodeRequest(request, {
       identity: identity ?? undefined,
       quirks: this.#quirks.assumed,
@@ -164,10 +163,9 @@ export class Wire {
 
   /**
    * Sends any frame once and waits for one with the next letter.
-   * @returns undefined when none came in time.
    * @throws TimerError `port-lost` or `closed`; CodecError when the frame cannot be encoded.
    */
-  async send(code: number, data: ArrayLike<number>, identity: Identity | null): Promise<Frame | undefined> {
+  async send(code: number, data: ArrayLike<number>, identity: Identity | null): Promise<Outcome<Frame>> {
     const bytes = encodeFrame(code, data);
     const command = commandOf(code);
     const size = command?.direction === 'request' ? replySize(command.name, identity) : LONGEST_FRAME;
@@ -189,19 +187,21 @@ export class Wire {
   /**
    * Settles after so many milliseconds, or at once when the port is lost or the signal asks to stop.
    * @param untilHeard also when something comes that shows that somebody is there.
+   * @returns whether something came for which it was told to settle.
    */
-  pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<void> {
-    if (this.#lost || signal?.aborted) return Promise.resolve();
+  pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<boolean> {
+    if (this.#lost || signal?.aborted) return Promise.resolve(false);
     return new Promise((resolve) => {
-      const settle = (): void => {
+      const settle = (isHeard: boolean): void => {
         cancel();
-        signal?.removeEventListener('abort', settle);
+        signal?.removeEventListener('abort', stop);
         this.#heard = undefined;
-        resolve();
+        resolve(isHeard);
       };
-      if (untilHeard) this.#heard = settle;
-      const cancel = this.#options.clock.after(ms, settle);
-      signal?.addEventListener('abort', settle);
+      const stop = (): void => settle(false);
+      if (untilHeard) this.#heard = () => settle(true);
+      const cancel = this.#options.clock.after(ms, stop);
+      signal?.addEventListener('abort', stop);
     });
   }
 
@@ -214,11 +214,11 @@ export class Wire {
     await stopped;
   }
 
-  async #exchange<T>(bytes: Uint8Array, size: number, judge: (frame: Frame) => T | undefined): Promise<T | undefined> {
+  async #exchange<T>(bytes: Uint8Array, size: number, judge: (frame: Frame) => T | undefined): Promise<Outcome<T>> {
     this.#reader.start();
     if (this.#lost) throw this.#lost;
     this.#asked = true;
-    this.#badReply = undefined;
+    this.#came = { kind: 'silent' };
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
     const answered = new Promise<T | undefined>((settle) => {
       const take = (frame: Frame): boolean => {
@@ -237,7 +237,7 @@ export class Wire {
       const answer = await answered;
       if (answer === undefined && this.#lost) throw this.#lost;
       this.#noteDue(bytes, sentAt, answer === undefined);
-      return answer;
+      return answer === undefined ? this.#came : { kind: 'answer', answer };
     } finally {
       cancel();
       this.#waiting = undefined;
@@ -294,7 +294,7 @@ export class Wire {
   #dispatch(frames: readonly Frame[], inTime: boolean): void {
     for (const frame of frames) {
       const isRequest = commandOf(frame.code)?.direction === 'request';
-      if (!isRequest) this.#noteSign();
+      if (!isRequest) this.#noteSign('stray');
       const damage = this.#damage;
       if (this.#waiting?.take(frame) || this.#damage > damage) continue;
       if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
@@ -323,8 +323,9 @@ export class Wire {
     if (isUnanswered || this.#unanswered.has(letter)) this.#unanswered.set(letter, { due, sentAt, size: bytes.length });
   }
 
-  #noteSign(): void {
-    this.#signs++;
+  /** Something came that shows that somebody is there. What tells most of it is kept. */
+  #noteSign(kind: 'stray' | 'damaged'): void {
+    if (this.#came.kind === 'silent' || this.#came.kind === 'stray') this.#came = { kind };
     this.#heard?.();
   }
 
@@ -336,8 +337,8 @@ export class Wire {
       const quirks = this.#quirks.assumed;
       reply = decodeReply(frame, { identity: identity ?? undefined, quirks, pending: request });
     } catch (error) {
-      this.#badReply = error;
       this.#noteDamage();
+      this.#came = { kind: 'bad', error };
       return undefined;
     }
     this.#quirks.noteLetter(request.name, match);
@@ -346,7 +347,7 @@ export class Wire {
 
   /** What was on the line before the first request, such as the noise of plugging in, says nothing about replies. */
   #noteDamage(): void {
-    this.#noteSign();
+    this.#noteSign('damaged');
     if (this.#asked) this.#damage++;
   }
 

@@ -23,8 +23,7 @@ import { isHeld, unasked, verdict, type WriteReport } from './write-report.js';
  * it and what is known of each value.
  */
 export async function writeContent(job: ClientJob, plan: WritePlan): Promise<WriteReport> {
-  const { budget } = job.exchange;
-  const before = budget.repeats;
+  const seen = job.exchange.watch();
   await requireWritable(job, plan);
   const write = new Write(job, plan);
   const stopped = await write.run();
@@ -34,7 +33,7 @@ export async function writeContent(job: ClientJob, plan: WritePlan): Promise<Wri
     ...result,
     held,
     acknowledged,
-    repeats: budget.repeats - before,
+    repeats: seen().repeats,
     // A reply that did not come means nothing once the timer was seen to hold all that was wanted.
     stopped: result.result === 'verified' ? null : stopped,
   };

@@ -15,7 +15,7 @@ export interface Heard {
 }
 
 /** Bytes that are kept. */
-export const SAMPLE = 64;
+const SAMPLE = 64;
 /** So many bytes, or errors of the line, are more than plugging in and a flash of light leave behind. */
 const ENOUGH = 8;
 /** The share of readable bytes from which on they are text. Of bytes that mean nothing about one in three is readable. */

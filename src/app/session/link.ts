@@ -1,6 +1,5 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { AssumedQuirks, LineEntry } from '../../client/index.js';
-import type { Identity } from '../../protocol/index.js';
 import {
   availability,
   DEFAULT_SETTINGS,
@@ -226,11 +225,6 @@ export class Link {
 
   #put(record: PortRecord): void {
     this.#records.value = new Map(this.#records.peek()).set(record.key, record);
-  }
-
-  /** What was remembered of a timer of this kind before it was asked anything. */
-  guessed(identity: Identity, key: string): AssumedQuirks | undefined {
-    return this.#records.peek().get(key)?.quirks[kindKey(identity, false)];
   }
 
   #remembered(key: string): RememberedPort | undefined {
