@@ -14,11 +14,11 @@ import { WriteDialog } from './write/write-dialog.js';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, keeping, aside, update, tabs } = models;
+  const { preferences, keeping, aside, update, portHolder } = models;
   const hasProgram = session.editor.identity.value !== null;
   return (
     <>
-      <Header {...{ session, memories, leaving, keeping, aside, update, tabs, platform }} />
+      <Header {...{ session, memories, leaving, keeping, aside, update, portHolder, platform }} />
       <main>
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
         {hasProgram ? (

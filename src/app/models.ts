@@ -6,10 +6,10 @@ import type { Platform } from './browser/platform.js';
 import { Leaving } from './memories/leaving.js';
 import { Memories } from './memories/memories.js';
 import { Keeping } from './session/keeping.js';
+import { PortHolder } from './session/port-holder.js';
 import { Preferences } from './session/preferences.js';
 import { Session, type SessionOptions } from './session/session.js';
 import type { SetAside } from './session/set-aside.js';
-import { Tabs } from './session/tabs.js';
 import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
@@ -32,7 +32,7 @@ export interface AppModels {
   readonly theme: Theme;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
-  readonly tabs: Tabs;
+  readonly portHolder: PortHolder;
   /** What the pilot sits at: it chooses sentences, nothing else. */
   readonly platform: Platform;
 }
@@ -84,7 +84,7 @@ export function createModels({
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),
-    tabs: new Tabs(session, isWriting, channel),
+    portHolder: new PortHolder(session, isWriting, channel),
     platform,
   };
 }

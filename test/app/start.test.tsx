@@ -184,5 +184,5 @@ it('a channel to the other tabs that throws stops nothing', async () => {
   bench.adapter.port.open = () => Promise.reject(new DOMException('taken', 'NetworkError'));
   await run(bench.session.connect());
   await idle();
-  expect([bench.session.notices.current.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
+  expect([bench.session.notices.current.value?.code, bench.portHolder.tab.value]).toEqual(['busy', null]);
 });

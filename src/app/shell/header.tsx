@@ -8,9 +8,9 @@ import { messages, timerName } from '../messages/index.js';
 import type { JobKind } from '../session/job-runner.js';
 import type { Keeping } from '../session/keeping.js';
 import type { Link } from '../session/link.js';
+import type { PortHolder } from '../session/port-holder.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
-import type { Tabs } from '../session/tabs.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { UncertainBand } from '../write/uncertain-band.js';
@@ -24,12 +24,12 @@ interface HeaderProps {
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly update: UpdateOffer;
-  readonly tabs: Tabs;
+  readonly portHolder: PortHolder;
   readonly platform: Platform;
 }
 
 /** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
-export function Header({ session, memories, leaving, keeping, aside, update, tabs, platform }: HeaderProps) {
+export function Header({ session, memories, leaving, keeping, aside, update, portHolder, platform }: HeaderProps) {
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const top = useRef<HTMLElement>(null);
@@ -54,7 +54,14 @@ export function Header({ session, memories, leaving, keeping, aside, update, tab
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
       <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />
       <JobProgress session={session} memories={memories} />
-      <NoticeBar session={session} keeping={keeping} aside={aside} update={update} tabs={tabs} platform={platform} />
+      <NoticeBar
+        session={session}
+        keeping={keeping}
+        aside={aside}
+        update={update}
+        portHolder={portHolder}
+        platform={platform}
+      />
     </header>
   );
 }

@@ -5,9 +5,9 @@ import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
 import type { Notice } from '../session/notices.js';
+import type { PortHolder } from '../session/port-holder.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
-import type { Tabs } from '../session/tabs.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
 import type { UpdateOffer } from './update-offer.js';
@@ -28,16 +28,16 @@ interface NoticeBarProps {
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly update: UpdateOffer;
-  readonly tabs: Tabs;
+  readonly portHolder: PortHolder;
   readonly platform: Platform;
 }
 
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
-export function NoticeBar({ session, keeping, aside, update, tabs, platform }: NoticeBarProps) {
+export function NoticeBar({ session, keeping, aside, update, portHolder, platform }: NoticeBarProps) {
   const { dismiss, link, update: words } = messages.value;
   const notice = session.notices.current.value;
   const take = update.take.value;
-  const holder = tabs.holder.value;
+  const holder = portHolder.tab.value;
   return (
     <div class="notices" role="status">
       {take && (
@@ -54,7 +54,7 @@ export function NoticeBar({ session, keeping, aside, update, tabs, platform }: N
       <AsideNotice aside={aside} />
       <RemovedNotice backups={session.backups} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
-      {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => tabs.takeOver(holder)} />}
+      {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => portHolder.takeOver(holder)} />}
       {notice && (
         <div class={CALM.has(notice.code) ? 'notice' : 'notice bad'}>
           <NoticeText said={said(notice, platform, session.standing.value.sure === 'not')} />

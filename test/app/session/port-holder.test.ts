@@ -48,16 +48,16 @@ describe('a port that another tab holds', () => {
   it('is named with what that tab shows', async () => {
     const { first, second } = await twoTabs();
     expect([status(first), status(second), second.session.notices.current.value?.code]).toEqual(['on', 'off', 'busy']);
-    expect(second.tabs.holder.value).toMatchObject({ what: 'F1Q, M1', writing: false });
-    expect(first.tabs.holder.value).toBeNull();
+    expect(second.portHolder.tab.value).toMatchObject({ what: 'F1Q, M1', writing: false });
+    expect(first.portHolder.tab.value).toBeNull();
   });
 
   it('is taken over: the other lets go and says so, and this one connects', async () => {
     const { first, second } = await twoTabs();
     first.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
-    const { value: holder } = second.tabs.holder;
+    const { value: holder } = second.portHolder.tab;
     if (!holder) throw new Error('no holder was found');
-    const taking = second.tabs.takeOver(holder);
+    const taking = second.portHolder.takeOver(holder);
     await idle();
     expect(await taking).toBe('released');
     expect([status(first), first.session.notices.current.value?.code, first.port.device.opened]).toEqual([
@@ -66,7 +66,7 @@ describe('a port that another tab holds', () => {
       null,
     ]);
     expect(first.editor.textOf({ kind: 'position', servo: 0, slot: 2 }), 'what was typed is kept').toBe('7');
-    expect([status(second), second.session.notices.current.value, second.tabs.holder.value]).toEqual([
+    expect([status(second), second.session.notices.current.value, second.portHolder.tab.value]).toEqual([
       'on',
       null,
       null,
@@ -81,10 +81,10 @@ describe('a port that another tab holds', () => {
     first.session.safety.confirm();
     let taking: Promise<unknown> = Promise.resolve();
     first.timer.core.onAnswer = ({ name }) => {
-      const { value: holder } = second.tabs.holder;
+      const { value: holder } = second.portHolder.tab;
       if (name !== 'SETSERVO' || !holder) return;
       first.timer.core.sleep();
-      taking = second.tabs.takeOver(holder);
+      taking = second.portHolder.takeOver(holder);
     };
     const writing = first.write.start();
     await idle(100);
@@ -106,6 +106,6 @@ describe('a tab without others', () => {
     await idle();
     await connecting;
     await idle(1000);
-    expect([bench.session.notices.current.value?.code, bench.tabs.holder.value]).toEqual(['busy', null]);
+    expect([bench.session.notices.current.value?.code, bench.portHolder.tab.value]).toEqual(['busy', null]);
   });
 });

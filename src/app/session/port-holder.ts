@@ -1,27 +1,28 @@
-import { signal } from '@preact/signals';
+import { type ReadonlySignal, signal } from '@preact/signals';
 import { type OtherTab, OtherTabs, type TabChannel, type TakeOver } from '../browser/other-tabs.js';
 import { messages, timerName } from '../messages/index.js';
 import type { Session } from './session.js';
 
-/** The other tabs of this program: which of them holds the port that is wanted here, and letting go for one of them. */
-export class Tabs {
-  /** The tab that holds the port which could not be opened. */
-  readonly holder = signal<OtherTab | null>(null, { name: 'holder' });
+/** Another tab of this program that holds the port which is wanted here; and letting go for one that wants the port of this one. */
+export class PortHolder {
+  readonly #tab = signal<OtherTab | null>(null, { name: 'portHolder' });
+  /** The tab that holds the port which could not be opened; null when there is none. */
+  readonly tab: ReadonlySignal<OtherTab | null> = this.#tab;
   readonly #session: Session;
-  readonly #tabs: OtherTabs;
+  readonly #others: OtherTabs;
   #since = 0;
 
   /** @param isWriting whether bytes are moving that must not be cut off. */
   constructor(session: Session, isWriting: () => boolean, channel: TabChannel | null) {
     this.#session = session;
     session.notices.current.subscribe((notice) => {
-      this.holder.value = null;
+      this.#tab.value = null;
       if (notice?.kind === 'connection' && notice.code === 'busy' && notice.portKey) void this.#find(notice.portKey);
     });
     session.connection.subscribe((connection) => {
       if (connection) this.#since = Date.now();
     });
-    this.#tabs = new OtherTabs({
+    this.#others = new OtherTabs({
       channel,
       self: () => {
         const connection = session.connection.peek();
@@ -39,15 +40,15 @@ export class Tabs {
 
   /** Asks that tab for its port, and connects when it has let go. */
   async takeOver(tab: OtherTab): Promise<TakeOver> {
-    const result = await this.#tabs.takeOver(tab);
+    const result = await this.#others.takeOver(tab);
     if (result === 'released') void this.#session.takeOver();
     return result;
   }
 
   async #find(portKey: string): Promise<void> {
-    const [tab] = await this.#tabs.holders(portKey);
+    const [tab] = await this.#others.holders(portKey);
     const { value } = this.#session.notices.current;
-    if (tab && value?.kind === 'connection' && value.code === 'busy') this.holder.value = tab;
+    if (tab && value?.kind === 'connection' && value.code === 'busy') this.#tab.value = tab;
   }
 
   #what(): string {
