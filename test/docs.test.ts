@@ -6,6 +6,7 @@ import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
 import { importsBetween, levels, pictures } from './tools/rooms.js';
+import { flaws, flawsOfPage, strayClasses } from './tools/styles.js';
 
 const texts = [
   ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'test/rig/README.md'],
@@ -115,5 +116,32 @@ describe('the order of the page', () => {
     expect(breaches('program/table.tsx', "import '../bench/b.js';")).toEqual([]);
     expect(breaches('connect/simulated-timer.ts', "import { a } from '../../simulator/index.js';")).toEqual([]);
     expect(breaches('timeline/preview/flight.ts', "import { a } from '../scale.js';")).toEqual([]);
+  });
+});
+
+describe('the styles of the page', () => {
+  it('are as they have to be', () => {
+    expect(flawsOfPage()).toEqual([]);
+  });
+
+  it.each([
+    ['a colour in hexadecimal', 'border: 1px solid #a51717'],
+    ['a colour as a function', 'background: rgb(8 14 20 / 60%)'],
+    ['a colour by name', 'color: white'],
+  ])('refuse %s outside of the tokens', (_, declaration) => {
+    const text = `/* #fff */\n.a:hover {\n  ${declaration};\n}\n`;
+    expect(flaws('line/a.css', text)).toEqual([expect.stringContaining('stands in ui/tokens.css')]);
+    expect(flaws('ui/tokens.css', text)).toEqual([]);
+  });
+
+  it('give a class one home', () => {
+    const texts = new Map([
+      ['ui/modal.css', '.dialog > .buttons {\n  margin: 0;\n}\n'],
+      [
+        'line/a.css',
+        '@media print {\n  .a, dialog:has(.b, .c) .dialog {\n    margin: 0;\n  }\n\n  .dialog {\n    margin: 0;\n  }\n}\n',
+      ],
+    ]);
+    expect(strayClasses(texts)).toEqual(['line/a.css: .dialog has its home in ui/modal.css']);
   });
 });

@@ -10,6 +10,7 @@ import { Header } from './shell/header.js';
 import { ProgramPage } from './shell/program-page.js';
 import { RecoveryPanel } from './write/recovery-panel.js';
 import { WriteDialog } from './write/write-dialog.js';
+import './app.css';
 
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {

@@ -9,6 +9,7 @@ import type { Bench } from './bench.js';
 import { doneText } from './bench-text.js';
 import type { Follow } from './follow.js';
 import { FollowSwitch } from './follow-panel.js';
+import './bench-panel.css';
 
 interface BenchPanelProps {
   readonly session: Session;

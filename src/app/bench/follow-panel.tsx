@@ -8,6 +8,7 @@ import type { WriteFlow } from '../write/write-flow.js';
 import type { Bench } from './bench.js';
 import { doneText, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
+import './follow-panel.css';
 
 interface FollowSwitchProps {
   readonly bench: Bench;

@@ -5,6 +5,7 @@ import { useSteady } from '../ui/use-steady.js';
 import type { Bench } from './bench.js';
 import { slotInSentence, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
+import './servos-here.css';
 
 interface ServosHereProps {
   readonly bench: Bench;

@@ -4,6 +4,7 @@ import { messages, portKeyName, portName, timerName } from '../messages/index.js
 import type { Assumed } from '../session/link.js';
 import { identityOfKind, kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import './about-timer.css';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 

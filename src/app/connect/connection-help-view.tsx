@@ -3,6 +3,7 @@ import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { messages, type Said } from '../messages/index.js';
 import { CopyText } from '../ui/copy-text.js';
 import { type HelpCode, helpFor, type Step } from './connection-help.js';
+import './connection-help-view.css';
 
 interface TroubleHelpProps {
   readonly code: HelpCode;

@@ -5,6 +5,7 @@ import type { Session } from '../session/session.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
+import './link-notice.css';
 
 /** Characters of a line of text that are shown. */
 const LINE = 40;

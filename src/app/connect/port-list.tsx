@@ -3,6 +3,7 @@ import { DEFAULT_SETTINGS, RATES } from '../../serial/index.js';
 import { messages, portName } from '../messages/index.js';
 import type { Link } from '../session/link.js';
 import type { Session } from '../session/session.js';
+import './port-list.css';
 
 /** The adapters that were allowed before and are plugged in, the one used last first. */
 export function PortList({ session }: { readonly session: Session }) {

@@ -6,6 +6,7 @@ import { AboutTimer } from './about-timer.js';
 import { ConnectButtons } from './connect-buttons.js';
 import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
 import { PortList, SerialSettingsForm } from './port-list.js';
+import './start-screen.css';
 
 interface StartScreenProps {
   readonly session: Session;

@@ -8,6 +8,7 @@ import { LineTools } from './line-tools.js';
 import { LineView } from './line-view.js';
 import { RecordingBar } from './recording-bar.js';
 import { SendFrame } from './send-frame.js';
+import './line-panel.css';
 
 /** Everything that was on the line, or in a recording of one. While it is shut nothing of it is drawn. */
 export function LinePanel({ session }: { readonly session: Session }) {

@@ -2,6 +2,7 @@ import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../session/line-log.js';
 import type { LineView } from './line-view.js';
+import './line-table.css';
 
 /** What was on the line, newest first: when, which way, what it means, its bytes. */
 export function LineTable({ view }: { view: LineView }) {

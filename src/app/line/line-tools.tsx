@@ -7,6 +7,7 @@ import { CopyReport } from './copy-report.js';
 import type { LineFilter, LineView } from './line-view.js';
 import { captureText } from './recording.js';
 import { captureNotes } from './report.js';
+import './line-tools.css';
 
 /** What can be done with the log: stop and go, empty, copy, save, load; what is shown of it. */
 export function LineTools({ session, view }: { readonly session: Session; readonly view: LineView }) {

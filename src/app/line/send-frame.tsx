@@ -3,6 +3,7 @@ import { COMMAND_NAMES, COMMANDS, type CommandName, type Frame } from '../../pro
 import { describeFrame, frameName, hexOf, letterOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
 import type { FrameForm } from './frame-form.js';
+import './send-frame.css';
 
 /** The choice that is no command. */
 const OTHER = 'other';
@@ -124,7 +125,7 @@ function Preview({ form }: { form: FrameForm }) {
   const bytes = form.bytes.value;
   if (!frame || !bytes) return null;
   return (
-    <p class="preview">
+    <p class="frame-preview">
       {send.preview} <code>{hexOf(bytes)}</code> <Words form={form} frame={frame} direction="out" />
     </p>
   );

@@ -6,6 +6,7 @@ import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { ValueTable } from '../write/value-table.js';
 import type { Memories } from './memories.js';
+import './memories-overview.css';
 
 /** All memories of the timer as small pictures, once they were read: to pick one, to copy it, to compare two. */
 export function MemoriesOverview({ session, memories }: { readonly session: Session; readonly memories: Memories }) {

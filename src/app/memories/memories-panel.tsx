@@ -3,6 +3,7 @@ import { dateText, messages, timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Backup } from '../storage/index.js';
 import type { Memories } from './memories.js';
+import './memories-panel.css';
 
 /** What can be done with all memories, and the backups that are kept. */
 export function MemoriesPanel({ session, memories }: { readonly session: Session; readonly memories: Memories }) {

@@ -4,6 +4,7 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Memories } from './memories.js';
 import { NextFlightLine } from './next-flight-line.js';
+import './memory-choice.css';
 
 /** Which memory flies next, in words, and which one is shown. To choose one only shows it: nothing is sent. */
 export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {

@@ -6,6 +6,7 @@ import { Timeline } from '../timeline/timeline.js';
 import { SlotTable } from '../ui/slot-table.js';
 import { ValueTable } from '../write/value-table.js';
 import type { Memories } from './memories.js';
+import './memory-look.css';
 
 interface MemoryLookProps {
   readonly session: Session;
@@ -61,7 +62,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
           <SlotTable
             program={known.program}
             caption={words.tableCaption(name)}
-            class="held"
+            class="held-values"
             headings={[program.time]}
             rows={known.program.times.map((time, slot) => ({
               slot,

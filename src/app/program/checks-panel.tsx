@@ -5,6 +5,7 @@ import { fixFor } from '../editing/fixes.js';
 import { fieldLabel, figureText, messages } from '../messages/index.js';
 import { useSteady } from '../ui/use-steady.js';
 import { allNotes } from './field-notes.js';
+import './checks-panel.css';
 
 /** Everything that is to be said about the program, with what puts it right where that is obvious. */
 export function ChecksPanel({ editor }: { readonly editor: Editor }) {

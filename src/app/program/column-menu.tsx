@@ -6,6 +6,7 @@ import type { Edit } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { copyServo, reverseServo } from '../editing/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
+import './column-menu.css';
 
 interface ColumnMenuProps {
   readonly editor: Editor;

@@ -3,6 +3,7 @@ import { useContext, useEffect, useRef } from 'preact/hooks';
 import type { StepOptions } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
 import type { Selection } from './selection.js';
+import './field-tools.css';
 
 export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 

@@ -13,6 +13,7 @@ import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
+import './value-field.css';
 
 /** What was last done in the field. */
 interface Entry {

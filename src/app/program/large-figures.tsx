@@ -2,6 +2,7 @@ import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { ValueField } from './value-field.js';
+import './large-figures.css';
 
 /** DT is always in sight; on Q the motor stop beside it. */
 export function LargeFigures({ session }: { readonly session: Session }) {

@@ -7,6 +7,7 @@ import { changeText, gridLabel, messages, pasteProblemText, spokenTime } from '.
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-band.js';
+import './paste-dialog.css';
 
 /** A text that is to be pasted, and where. */
 export interface Pasting {

@@ -7,6 +7,8 @@ import { formatTime, type Question, readTime } from '../editing/units.js';
 import { messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import { TimeQuestion } from './time-question.js';
+import './presets.css';
+import './tool-fields.css';
 
 interface DtPresetsProps {
   readonly editor: Editor;

@@ -23,6 +23,7 @@ import { Selection } from './selection.js';
 import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
 import { ValueField } from './value-field.js';
+import './program-table.css';
 
 interface ProgramTableProps {
   readonly session: Session;

@@ -3,6 +3,7 @@ import { fieldsIn, type GridRange } from '../editing/grid.js';
 import { messages } from '../messages/index.js';
 import { CopyButton } from '../ui/copy-button.js';
 import type { Selection } from './selection.js';
+import './range-bar.css';
 
 interface RangeBarProps {
   readonly identity: Identity;

@@ -4,6 +4,7 @@ import type { Editor } from '../editing/editor.js';
 import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText, slotLabel } from '../messages/index.js';
+import './tool-fields.css';
 
 /** Moves a function and all later ones in time. */
 export function ShiftTool({ editor }: { readonly editor: Editor }) {

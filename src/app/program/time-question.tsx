@@ -1,5 +1,6 @@
 import type { Question } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
+import './time-question.css';
 
 interface TimeQuestionProps {
   /** Of the field in which the text stands. */

@@ -10,6 +10,7 @@ import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import { KeptLinkages } from '../timeline/preview/linkages.js';
 import { Player } from '../timeline/preview/player.js';
 import { Timeline, type TimelineProps } from '../timeline/timeline.js';
+import './timeline-panel.css';
 
 /** What lies behind the program: what the timer holds, nothing, or a backup by its key. */
 const HELD = 'held';

@@ -5,6 +5,7 @@ import type { StepName } from '../editing/history.js';
 import { messages, stepText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
+import './undo-buttons.css';
 
 /** Undo and redo, with the name of what they would do; by keys everywhere on the page but in texts that are no part of the program. */
 export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {

@@ -13,6 +13,7 @@ import { refuseDrag } from './refuse-drag.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
 import { WasText } from './was-text.js';
+import './value-field.css';
 
 interface ValueFieldProps {
   readonly session: Session;

@@ -1,6 +1,7 @@
 import { messages } from '../messages/index.js';
 import type { Theme } from './theme.js';
 import { THEMES } from './theme.js';
+import './theme-choice.css';
 
 /** How the page looks, one tap each: whoever stands in the sun cannot read a menu. */
 export function ThemeChoice({ theme }: { readonly theme: Theme }) {

@@ -9,6 +9,7 @@ import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { KnownLine } from './known-line.js';
+import './command-bar.css';
 
 interface CommandBarProps {
   readonly session: Session;

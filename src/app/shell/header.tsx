@@ -16,6 +16,7 @@ import { useHeight } from '../ui/use-height.js';
 import { UncertainBand } from '../write/uncertain-band.js';
 import { NoticeBar } from './notice-bar.js';
 import type { UpdateOffer } from './update-offer.js';
+import './header.css';
 
 interface HeaderProps {
   readonly session: Session;

@@ -2,6 +2,7 @@ import { useComputed } from '@preact/signals';
 import type { Follow } from '../bench/follow.js';
 import { clockText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import './known-line.css';
 
 /** How the program on the screen stands to the timer: what differs, or that it is as it was read, and when. */
 export function KnownLine({ session, follow }: { readonly session: Session; readonly follow: Follow }) {

@@ -22,6 +22,7 @@ import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { CommandBar } from './command-bar.js';
+import './program-page.css';
 
 interface ProgramPageProps {
   readonly session: Session;

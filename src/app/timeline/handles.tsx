@@ -8,6 +8,7 @@ import type { HandleKeys } from './key-control.js';
 import { servoClass } from './layers.js';
 import { timeOf } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
+import './handles.css';
 
 export interface HandlesProps {
   readonly arrangement: Arrangement;

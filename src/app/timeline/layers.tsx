@@ -4,6 +4,7 @@ import { type Arrangement, FLAG } from './arrangement.js';
 import { linesOf, spread } from './layout.js';
 import { marksOf, motorStopOf, reachedAt, stagesOf } from './preview/flight.js';
 import { shortTime } from './ticks.js';
+import './layers.css';
 
 interface PictureProps {
   readonly arrangement: Arrangement;
@@ -176,7 +177,7 @@ function Lines({ lines, front }: Pick<Arrangement, 'lines'> & { front: number | 
       {order.map((servo) => {
         const { held, steps, back } = lines[servo] as Arrangement['lines'][number];
         return (
-          <g key={servo} class={`line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
+          <g key={servo} class={`servo-line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
             <path class="steps" d={steps} />
             {back && <path class="back" d={back} />}
             <path class="held" d={held} />

@@ -4,6 +4,7 @@ import { fieldLabel, messages, slotLabel } from '../messages/index.js';
 import { servoClass } from './layers.js';
 import { motorStopOf, reachedAt } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
+import './readout.css';
 
 interface ReadoutProps {
   readonly program: TimerProgram;

@@ -4,6 +4,7 @@ import { formatTime } from '../editing/units.js';
 import { messages, slotLabel } from '../messages/index.js';
 import { SlotTable } from '../ui/slot-table.js';
 import { motorStopOf, stagesOf } from './preview/flight.js';
+import './timeline-table.css';
 
 /** The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is opened. */
 export function TimelineTable({ program }: { program: TimerProgram }) {

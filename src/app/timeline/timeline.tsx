@@ -13,6 +13,7 @@ import { descriptionOf, Moment, MomentLegend, Spoken } from './readout.js';
 import { TimelineNotes, TimelineTable } from './timeline-table.js';
 import { EvenSeconds, Tools } from './tools.js';
 import { TimelineModel } from './view-model.js';
+import './timeline.css';
 
 export interface TimelineProps {
   readonly program: TimerProgram;

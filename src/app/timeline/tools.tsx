@@ -1,5 +1,6 @@
 import { messages } from '../messages/index.js';
 import type { TimelineModel } from './view-model.js';
+import './tools.css';
 
 const ZOOM = 2;
 

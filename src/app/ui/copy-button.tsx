@@ -1,6 +1,8 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { useCopy } from './use-copy.js';
+import './modal.css';
+import './copy-button.css';
 
 interface CopyButtonProps {
   readonly label: string;
@@ -34,7 +36,7 @@ function ByHand({ text, onClose }: { text: string; onClose: () => void }) {
     area.current?.scrollTo(0, 0);
   }, []);
   return (
-    <dialog ref={dialog} class="by-hand" aria-label={line.copyByHand} onClose={onClose}>
+    <dialog ref={dialog} class="dialog by-hand" aria-label={line.copyByHand} onClose={onClose}>
       <p>{line.copyByHand}</p>
       <textarea ref={area} readOnly aria-label={line.copyByHand} rows={12} value={text} />
       <div class="buttons">

@@ -1,5 +1,6 @@
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { PressAndHold } from './press-and-hold.js';
+import './hold-button.css';
 
 interface HoldButtonProps {
   readonly label: string;

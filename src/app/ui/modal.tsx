@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import './modal.css';
 
 interface ModalProps {
   readonly open: boolean;
@@ -33,7 +34,7 @@ export function Modal({ open, title, head, titleId, onEscape, held, children }: 
   return (
     <dialog
       ref={dialog}
-      class="write"
+      class="dialog"
       tabIndex={-1}
       aria-labelledby={titleId}
       onCancel={(event) => {

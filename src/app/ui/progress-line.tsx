@@ -1,5 +1,6 @@
 import type { Progress } from '../../client/index.js';
 import { messages } from '../messages/index.js';
+import './progress-line.css';
 
 interface ProgressLineProps {
   readonly label: string;

@@ -5,6 +5,7 @@ import type { Session } from '../session/session.js';
 import type { FinishWrite } from './finish-write.js';
 import { ValueTable } from './value-table.js';
 import type { WriteFlow } from './write-flow.js';
+import './recovery-panel.css';
 
 interface RecoveryPanelProps {
   readonly session: Session;

@@ -1,5 +1,6 @@
 import { messages } from '../messages/index.js';
 import type { Safety } from '../session/safety.js';
+import './safety-check.css';
 
 /** Said once for each connection, before anything is written or moved. */
 export function SafetyCheck({ safety }: { readonly safety: Safety }) {

@@ -6,6 +6,7 @@ import { keyName } from '../messages/key-figures.js';
 import { openValues, type Uncertain } from '../session/knowledge.js';
 import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import './uncertain-band.css';
 
 /** So many values are named where neither DT nor the motor stop is among them. */
 const NAMED = 2;

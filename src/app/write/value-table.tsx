@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { changeText, fieldLabel, figureText, messages } from '../messages/index.js';
+import './value-table.css';
 
 interface ValueTableProps {
   readonly identity: Identity;

@@ -13,6 +13,7 @@ import { SafetyCheck } from './safety-check.js';
 import { UncertainNote } from './uncertain-band.js';
 import { DifferenceInWords, ValueTable } from './value-table.js';
 import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
+import './write-dialog.css';
 
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {

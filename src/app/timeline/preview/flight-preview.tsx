@@ -10,6 +10,7 @@ import { Player } from './player.js';
 import { PlayerControls } from './player-controls.js';
 import { deflection, type Linkages, SURFACES, type Surface, usualLinkages } from './surfaces.js';
 import { TickSound } from './tick-sound.js';
+import './flight-preview.css';
 
 export interface FlightPreviewProps {
   readonly program: TimerProgram;

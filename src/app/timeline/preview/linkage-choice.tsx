@@ -1,5 +1,6 @@
 import { messages } from '../../messages/index.js';
 import { type Linkages, SURFACES, type Surface } from './surfaces.js';
+import './linkage-choice.css';
 
 interface LinkageChoiceProps {
   readonly servos: number;

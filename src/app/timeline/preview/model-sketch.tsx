@@ -2,6 +2,7 @@ import type { ComponentChildren } from 'preact';
 import { messages } from '../../messages/index.js';
 import { servoClass } from '../layers.js';
 import type { Linkages, Surface } from './surfaces.js';
+import './model-sketch.css';
 
 /** How far a surface turns on the sketch at the end of a servo's way, in degrees. Chosen to be seen; not those of any model. */
 const SWING: Readonly<Record<Surface, number>> = { rudder: 30, tailplane: 24, wing: 14 };

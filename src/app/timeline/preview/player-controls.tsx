@@ -6,6 +6,7 @@ import { stretchedScale } from '../scale.js';
 import { Icon } from '../tools.js';
 import { endOf, eventsBetween, marksOf } from './flight.js';
 import { type Player, SPEEDS } from './player.js';
+import './player-controls.css';
 
 interface PlayerControlsProps {
   readonly program: TimerProgram;

@@ -1,0 +1,79 @@
+// Holds the styles of the page: what a colour or a size is stands in ui/tokens.css alone, and a class means one thing. Part of
+// `npm run lint`.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+
+const page = new URL('../../src/app/', import.meta.url);
+
+/** The one file that may say what a colour or a size is. */
+const TOKENS = 'ui/tokens.css';
+
+const COLOUR =
+  /#[0-9a-f]{3,8}\b|\b(?:rgb|hsl|hwb|lab|lch|oklab|oklch|color|color-mix)a?\(|:[^;]*\b(?:black|white|red|green|blue|gr[ae]y)\b/i;
+
+/**
+ * What is wrong in one file of styles.
+ * @param {string} file from src/app, such as `program/presets.css`
+ * @param {string} text what stands in it
+ * @returns {string[]} a sentence for each
+ */
+export function flaws(file, text) {
+  if (file === TOKENS) return [];
+  return declarationsOf(text).flatMap(([property, value]) => {
+    const said = `${file}: ${property}: ${value}`;
+    return COLOUR.test(`:${value}`) ? [`${said}: a colour stands in ${TOKENS}`] : [];
+  });
+}
+
+/**
+ * The classes that are styled in more than one file: each has one home, the file in which selectors begin with it.
+ * @param {ReadonlyMap<string, string>} texts by file
+ * @returns {string[]} a sentence for each
+ */
+export function strayClasses(texts) {
+  /** @type {Map<string, string>} */
+  const homes = new Map();
+  return [...texts].flatMap(([file, text]) =>
+    [...new Set(selectorsOf(text).map((selector) => /\.([a-z][\w-]*)/.exec(selector)?.[1]))].flatMap((name) => {
+      if (name === undefined) return [];
+      const home = homes.get(name) ?? file;
+      homes.set(name, home);
+      return home === file ? [] : [`${file}: .${name} has its home in ${home}`];
+    }),
+  );
+}
+
+/** All files of styles, with what is wrong in them. */
+export function flawsOfPage() {
+  const files = readdirSync(page, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.css'));
+  const texts = new Map(files.sort().map((file) => [file, readFileSync(new URL(file, page), 'utf8')]));
+  return [...[...texts].flatMap(([file, text]) => flaws(file, text)), ...strayClasses(texts)];
+}
+
+/** @param {string} text @returns {[property: string, value: string][]} */
+function declarationsOf(text) {
+  return [...bare(text).matchAll(/([\w-]+):\s*([^;{}]+);/g)].map(([, property = '', value = '']) => [
+    property,
+    value.replace(/\s+/g, ' '),
+  ]);
+}
+
+/** @param {string} text @returns {string[]} each as it is written, with no commas but in brackets */
+function selectorsOf(text) {
+  return [...bare(text).matchAll(/([^{};]+)\{/g)]
+    .map(([, prelude = '']) => prelude.trim())
+    .filter((prelude) => !prelude.startsWith('@'))
+    .flatMap((prelude) => prelude.split(/,(?![^(]*\))/));
+}
+
+/** @param {string} text */
+function bare(text) {
+  return text.replace(/\/\*.*?\*\//gs, '');
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const found = flawsOfPage();
+  for (const each of found) console.error(each);
+  process.exitCode = found.length > 0 ? 1 : 0;
+}
