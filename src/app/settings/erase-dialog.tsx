@@ -19,7 +19,9 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
       held={current?.step === 'running'}
       onEscape={() => erase.dismiss()}
     >
-      {current?.step === 'review' && <Review session={session} erase={erase} counts={current.counts} />}
+      {current?.step === 'review' && (
+        <Review erase={erase} counts={current.counts} uncertain={session.knowledge.uncertain.value.length > 0} />
+      )}
       {current?.step === 'running' && <p role="status">{words.running}</p>}
       {current?.step === 'failed' && (
         <>
@@ -33,15 +35,14 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
   );
 }
 
-function Review({
-  session,
-  erase,
-  counts,
-}: {
-  readonly session: Session;
+interface ReviewProps {
   readonly erase: Erase;
   readonly counts: Counts;
-}) {
+  /** Whether it is not known of some memory what it holds: that would be forgotten, too. */
+  readonly uncertain: boolean;
+}
+
+function Review({ erase, counts, uncertain }: ReviewProps) {
   const { erase: words, write } = messages.value;
   return (
     <>
@@ -52,7 +53,7 @@ function Review({
         ))}
         <li>{words.rest}</li>
       </ul>
-      {session.knowledge.uncertain.value.length > 0 && (
+      {uncertain && (
         <div class="notice bad" role="alert">
           <p>{words.uncertain}</p>
         </div>

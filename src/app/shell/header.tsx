@@ -5,7 +5,7 @@ import { LinkNotice } from '../connect/link-notice.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { messages, timerName } from '../messages/index.js';
-import type { JobKind } from '../session/job-runner.js';
+import type { JobKind, JobRunner } from '../session/job-runner.js';
 import type { Keeping } from '../session/keeping.js';
 import type { Link } from '../session/link.js';
 import type { PortHolder } from '../session/port-holder.js';
@@ -54,7 +54,7 @@ export function Header({ session, memories, leaving, keeping, aside, update, por
       </div>
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
       <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />
-      <JobProgress session={session} memories={memories} />
+      <JobProgress runner={session.runner} memories={memories} />
       <NoticeBar
         session={session}
         keeping={keeping}
@@ -69,9 +69,9 @@ export function Header({ session, memories, leaving, keeping, aside, update, por
 
 const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look']);
 
-function JobProgress({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
+function JobProgress({ runner, memories }: { readonly runner: JobRunner; readonly memories: Memories }) {
   const { program, look, memoryName } = messages.value;
-  const job = session.runner.job.value;
+  const job = runner.job.value;
   // What the others do is said where they were begun.
   if (!job || !SAID_HERE.has(job.kind) || memories.current.value) return null;
   const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
@@ -79,7 +79,7 @@ function JobProgress({ session, memories }: { readonly session: Session; readonl
     <ProgressLine
       label={looking || (job.kind === 'select' ? program.selecting : program.reading)}
       progress={job.progress}
-      onStop={() => void session.runner.stop()}
+      onStop={() => void runner.stop()}
     />
   );
 }
