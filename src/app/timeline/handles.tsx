@@ -150,7 +150,7 @@ function Handle({
       aria-valuenow={shown(value)}
       aria-valuetext={isTime ? seconds(formatTime(value)) : steps(value)}
       onFocus={() => {
-        model.entered.value = true;
+        model.setEntered(true);
         model.reveal(arrangement.layout.scale.place(timeOf(program, field)));
         onSelect?.(field);
       }}

@@ -102,9 +102,7 @@ function actionOf(
     case 'End':
       return ask(Math.max(...marks));
     case 'Enter':
-      return () => {
-        model.wanted.value = { kind: 'time', slot: 1 };
-      };
+      return () => model.want({ kind: 'time', slot: 1 });
     case 'Escape':
       return now === null ? null : ask(null);
     default:

@@ -60,7 +60,7 @@ export function MomentLegend(props: MomentProps & { readonly front: number; read
       {...{ program, front, overlay }}
       time={model.asked.value ?? cursor}
       onFront={(servo) => {
-        model.front.value = servo;
+        model.bringToFront(servo);
       }}
     />
   );

@@ -91,7 +91,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   useLayoutEffect(() => {
     target.current = svg.current && { svg: svg.current, arrangement, now, onEdit };
     if (!wantedField) return;
-    model.wanted.value = null;
+    model.want(null);
     svg.current?.querySelector<SVGElement>(`[data-field="${fieldKey(wantedField)}"]`)?.focus({ preventScroll: true });
   });
   useEffect(() => {
@@ -116,7 +116,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   }, [onPoint]);
   useEffect(() => {
     if (!selected || selected.kind === 'idleThrottle' || model.moving.peek()) return;
-    if (selected.kind === 'position') model.front.value = selected.servo;
+    if (selected.kind === 'position') model.bringToFront(selected.servo);
     model.reveal(scale.place(timeOf(program, selected)));
   }, [selectedKey]);
 
@@ -159,7 +159,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
           onKeyDown={(event) => pictureKey(event, model, arrangement)}
           onFocusOut={(event) => {
             const next = event.relatedTarget as Node | null;
-            model.entered.value = next !== svg.current && (svg.current?.contains(next) ?? false);
+            model.setEntered(next !== svg.current && (svg.current?.contains(next) ?? false));
           }}
         >
           {picture}

@@ -31,7 +31,7 @@ export function EvenSeconds({ model }: { model: TimelineModel }) {
         type="checkbox"
         checked={model.even.value}
         onChange={(event) => {
-          model.even.value = event.currentTarget.checked;
+          model.setEven(event.currentTarget.checked);
           model.fit();
         }}
       />

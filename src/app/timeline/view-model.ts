@@ -17,8 +17,9 @@ export interface Moving {
 
 /** What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program. */
 export class TimelineModel {
+  readonly #even = signal(false);
   /** Whether every second has the same length. */
-  readonly even = signal(false);
+  readonly even: ReadonlySignal<boolean> = this.#even;
   /** The time that a pointer or a key has asked about, in hundredths of a second. */
   readonly asked = signal<number | null>(null);
   /** The same where a key has asked: it is said to who does not see it. */
@@ -28,8 +29,9 @@ export class TimelineModel {
   readonly moving = signal<Moving | null>(null);
   /** What the mouse is over and could take hold of; null while something is in hand. */
   readonly pointed = signal<ProgramField | null>(null);
+  readonly #entered = signal(false);
   /** Whether the keyboard is among the handles. */
-  readonly entered = signal(false);
+  readonly entered: ReadonlySignal<boolean> = this.#entered;
   /** The field whose handle shall have the focus as soon as it is there. */
   readonly wanted = signal<ProgramField | null>(null);
   readonly #view = signal<View>(ALL);
@@ -40,6 +42,25 @@ export class TimelineModel {
 
   get zoomed(): boolean {
     return this.#view.value.span < 1;
+  }
+
+  setEven(isEven: boolean): void {
+    this.#even.value = isEven;
+  }
+
+  /** The keyboard goes among the handles, or leaves them. */
+  setEntered(isEntered: boolean): void {
+    this.#entered.value = isEntered;
+  }
+
+  /** Gives handles to the line of a servo. */
+  bringToFront(servo: number): void {
+    this.front.value = servo;
+  }
+
+  /** @param field whose handle shall have the focus as soon as it is there; null when it has it. */
+  want(field: ProgramField | null): void {
+    this.wanted.value = field;
   }
 
   /** Shows less or more. @param anchor the place of the scale that stays where it is; the middle of what is in view if there is none. */
