@@ -111,6 +111,18 @@ describe('the order of the page', () => {
     expect(breaches(file, `const a = await import('${path}');`)).toEqual([expect.stringContaining(why)]);
   });
 
+  it.each(['session.notice.value = null', 'model.front.value++', 'model.count.value += 2'])(
+    'refuses a component that writes a signal of a model: %s',
+    (line) => {
+      expect(breaches('bench/panel.tsx', line)).toEqual([expect.stringContaining('bench/panel.tsx writes ')]);
+      expect(breaches('bench/bench.ts', line)).toEqual([]);
+    },
+  );
+
+  it('lets a component write its own signals, and compare', () => {
+    expect(breaches('bench/panel.tsx', 'open.value = true; if (a.b.value === 1) {}')).toEqual([]);
+  });
+
   it('lets imports run down', () => {
     expect(breaches('program/table.tsx', "import { a } from '../ui/modal.js';")).toEqual([]);
     expect(breaches('program/table.tsx', "import '../bench/b.js';")).toEqual([]);

@@ -1,5 +1,5 @@
-// Holds the folders of the page in their order: imports run down the list below, and a feature knows no other feature. Part of
-// `npm run lint`.
+// Holds the folders of the page in their order: imports run down the list below, and a feature knows no other feature. Holds
+// components to their models: they call them and write none of their signals. Part of `npm run lint`.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -32,13 +32,30 @@ const BRACKETS = new Map([
 const ROOMS = ['line', 'protocol', 'program', 'client', 'serial'];
 const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator', 'mock-serial'] };
 
+/** A signal of a model that is written: `model.signal.value = ...`. A signal of the component's own stands in a variable. */
+const WRITTEN = /\b(\w+\.\w+)\.value\s*(?:[-+*/]?=(?![=>])|\+\+|--)/g;
+
+/**
+ * What is wrong with one file of the page: its imports; and in a component what it writes.
+ * @param {string} file from src/app, such as `program/presets.tsx`
+ * @param {string} text what stands in it
+ * @returns {string[]} a sentence for each
+ */
+export function breaches(file, text) {
+  const written = file.endsWith('.tsx') ? [...text.matchAll(WRITTEN)] : [];
+  return [
+    ...importBreaches(file, text),
+    ...written.map(([, signal]) => `${file} writes ${signal}: a component calls a method of the model`),
+  ];
+}
+
 /**
  * What is wrong with the imports of one file of the page.
  * @param {string} file from src/app, such as `program/presets.tsx`
  * @param {string} text what stands in it
  * @returns {string[]} a sentence for each
  */
-export function breaches(file, text) {
+function importBreaches(file, text) {
   const [, folder = 'app'] = /^([^/]+)\//.exec(file) ?? [];
   const rank = ORDER.findIndex((row) => row.includes(folder));
   if (rank < 0) return [`${file}: the folder ${folder} is not in the order of the page`];
@@ -57,7 +74,7 @@ export function breaches(file, text) {
   });
 }
 
-/** All files of the page, with what is wrong. */
+/** What is wrong in all files of the page. */
 export function breachesOfPage() {
   return readdirSync(page, { recursive: true, encoding: 'utf8' })
     .filter((file) => /\.tsx?$/.test(file))
