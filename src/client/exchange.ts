@@ -9,7 +9,6 @@ import {
   type ReplyOf,
   type Request,
 } from '../protocol/index.js';
-import { Budget } from './budget.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import type { LearnedTiming } from './line-timing.js';
 import {
@@ -24,6 +23,7 @@ import {
   SILENT_AT_FIRST,
   UNANSWERED,
 } from './retry-policy.js';
+import { type PlannedJob, Schedule } from './schedule.js';
 import type { Outcome, Wire } from './wire.js';
 
 /** How much is done to get an answer. */
@@ -84,13 +84,13 @@ export class Exchange {
 
   /** What the timer said of itself: the layout of all that follows. Null until it has. */
   identity: Identity | null = null;
-  readonly budget: Budget;
+  readonly schedule: Schedule;
 
   constructor(wire: Wire, clock: Clock, timing: LearnedTiming) {
     this.#wire = wire;
     this.#clock = clock;
     this.#timing = timing;
-    this.budget = new Budget(clock, timing);
+    this.schedule = new Schedule(clock, timing);
     this.#seen = this.watch();
   }
 
@@ -103,11 +103,11 @@ export class Exchange {
   watch(): () => Disturbance {
     const wire = this.#wire;
     const { damage, strays } = wire;
-    const { repeatsInAll } = this.budget;
+    const { repeats } = this.schedule;
     return () => ({
       damage: wire.damage - damage,
       strays: wire.strays - strays,
-      repeats: this.budget.repeatsInAll - repeatsInAll,
+      repeats: this.schedule.repeats - repeats,
     });
   }
 
@@ -121,9 +121,9 @@ export class Exchange {
     return !this.#closed && !this.#wire.lost;
   }
 
-  /** A job of these exchanges begins: from now on nothing is asked that could end later than such a job may. */
-  begin(names: readonly CommandName[]): void {
-    this.budget.begin(names, this.identity);
+  /** A job begins: from now on nothing is asked that could end later than such a job may. */
+  begin(job: Omit<PlannedJob, 'identity'>): void {
+    this.schedule.begin({ ...job, identity: this.identity });
     this.#seen = this.watch();
   }
 
@@ -240,11 +240,14 @@ export class Exchange {
       const mayBeLate = wire.unanswered.size > 0 && !(anyReply && this.#isAlone(COMMANDS[name].request));
       if (mayBeLate && !(await this.#fence(signal))) continue;
       throwIfAborted(signal);
-      if (sent > 0) this.budget.countRepeat();
+      if (sent > 0) this.schedule.repeated();
       sent++;
       const misprints = wire.unanswered.size > 0 ? 'no' : strict ? 'known' : 'yes';
       const outcome = await this.#once(() => wire.ask(request, this.identity, misprints));
-      if (outcome.kind === 'answer') return outcome.answer;
+      if (outcome.kind === 'answer') {
+        this.schedule.answered(name);
+        return outcome.answer;
+      }
       if (outcome.kind === 'silent') silent++;
       if (outcome.kind === 'bad') {
         badReply = outcome.error;
@@ -271,7 +274,7 @@ export class Exchange {
   #mayGoOn(request: Request, seen: Disturbance): boolean {
     if (this.#misses >= MISSES || this.#isSilent(request, seen)) return false;
     const fence = this.#wire.unanswered.size > 0 ? longestFence(this.#timing) : 0;
-    return this.budget.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#timing));
+    return this.schedule.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#timing));
   }
 
   /** Whether nothing else may still be answered. */
@@ -285,7 +288,7 @@ export class Exchange {
    */
   async #comesLate(request: Request, seen: () => Disturbance, signal: AbortSignal | undefined): Promise<boolean> {
     const left = this.#silentSince + LATEST_REPLY - this.#clock.now();
-    if (left <= 0 || !this.#isSilent(request, seen()) || !this.budget.hasTimeFor(left)) return false;
+    if (left <= 0 || !this.#isSilent(request, seen()) || !this.schedule.hasTimeFor(left)) return false;
     const isHeard = await this.#wire.pause(left, signal, true);
     throwIfAborted(signal);
     if (!isHeard) return false;
@@ -326,7 +329,7 @@ export class Exchange {
       await this.#outwait(signal);
       return true;
     }
-    this.budget.countRepeat();
+    this.schedule.repeated();
     const outcome = await this.#once(() => this.#wire.ask({ name }, this.identity, 'no'));
     if (outcome.kind !== 'answer') return false;
     this.#wire.settle();

@@ -1,6 +1,5 @@
 import type { Identity } from '../protocol/index.js';
 import type { Exchange } from './exchange.js';
-import type { OnProgress } from './progress.js';
 import type { Quirks } from './quirks.js';
 
 /** What a job of the client works with. */
@@ -8,6 +7,5 @@ export interface ClientJob {
   readonly exchange: Exchange;
   readonly identity: Identity;
   readonly signal: AbortSignal | undefined;
-  readonly onProgress: OnProgress;
   readonly quirks: Quirks;
 }

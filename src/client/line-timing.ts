@@ -6,8 +6,6 @@ const ROOM = 1.5;
 /** The speed of the line, and how slow the timer was found to be: a reply that came late makes later requests wait longer. */
 export class LearnedTiming implements LineTiming {
   readonly baudRate: number;
-  /** Told when the timer turns out to be slower than thought. */
-  onSlower: (() => void) | undefined;
   #margin: number;
   #delay: number | null = null;
 
@@ -29,9 +27,6 @@ export class LearnedTiming implements LineTiming {
   learn(delay: number): void {
     if (delay <= (this.#delay ?? 0) || delay > LATEST_REPLY) return;
     this.#delay = delay;
-    const margin = Math.min(LATEST_REPLY, Math.ceil(ROOM * delay));
-    if (margin <= this.#margin) return;
-    this.#margin = margin;
-    this.onSlower?.();
+    this.#margin = Math.max(this.#margin, Math.min(LATEST_REPLY, Math.ceil(ROOM * delay)));
   }
 }

@@ -1,9 +1,11 @@
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import { CodecError, type CommandName, encodeReply, encodeRequest } from '../protocol/index.js';
+import { CodecError, encodeReply, encodeRequest } from '../protocol/index.js';
 import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
+import type { OnProgress } from './progress.js';
 import { readingPlan } from './read-program.js';
+import type { Part } from './schedule.js';
 import { longestWrite, planWrite } from './write-plan.js';
 import { writeContent } from './write-program.js';
 import { isHeld, type WriteReport } from './write-report.js';
@@ -55,26 +57,31 @@ export async function readMemories(
   job: ClientJob,
   chosen: readonly number[] | undefined,
   idleThrottle: boolean,
-  { onOriginal }: MemoriesHooks,
+  { onOriginal, onProgress }: ReadHooks,
 ): Promise<MemoriesRead> {
   const { exchange, identity } = job;
   const memories = chosen ?? Array.from({ length: identity.memories }, (_, memory) => memory);
   for (const memory of memories) requireIndex(memory, identity);
-  const plan = readingPlan(identity, { idleThrottle });
-  const way = memories.flatMap(() => [...SELECT, ...plan]);
-  const trip = await MemoryRoundTrip.begin(job, way, chosen !== undefined, onOriginal);
+  const names = [...SELECT, ...readingPlan(identity, { idleThrottle })];
+  const parts = memories.map((memory): Part => ({ stage: 'read', memory, names }));
+  const trip = await MemoryRoundTrip.begin(job, { parts, onProgress }, chosen !== undefined, onOriginal);
   const programs: TimerProgram[] = [];
   const readOnce: number[] = [];
   await trip.run(async () => {
     for (const [index, memory] of memories.entries()) {
-      programs[index] = await trip.read(memory, plan, idleThrottle);
+      programs[index] = await trip.read(memory, idleThrottle);
       if (!exchange.damaged) readOnce.push(index);
     }
     if (!exchange.damaged) return;
     // They were believed on a single reading before damage was seen.
-    for (const index of readOnce) programs[index] = await trip.read(memories[index] as number, plan, idleThrottle);
+    for (const index of readOnce) programs[index] = await trip.read(memories[index] as number, idleThrottle);
   });
   return { original: trip.original, programs };
+}
+
+/** What reading several memories tells. */
+export interface ReadHooks extends Pick<MemoriesHooks, 'onOriginal'> {
+  readonly onProgress?: OnProgress;
 }
 
 export interface MemoriesWrite extends MemoriesHooks {
@@ -95,7 +102,7 @@ export interface MemoriesWrite extends MemoriesHooks {
 export async function writeMemories(
   job: ClientJob,
   goals: readonly TimerProgram[],
-  { onOriginal, onMemory, baselines = [] }: MemoriesWrite,
+  { onOriginal, onMemory, onProgress, baselines = [] }: MemoriesWrite & ReadHooks,
   moveServos = false,
 ): Promise<MemoriesReport> {
   for (const goal of goals) requireGoal(job, goal);
@@ -104,17 +111,15 @@ export async function writeMemories(
     if (!sameKind(job.identity, baseline.identity))
       throw new TimerError('other-timer', 'a baseline is of another timer');
   }
-  const plan = goals.flatMap((goal) => [...SELECT, ...readPlan(goal), ...longestWrite(goal, moveServos)]);
-  const trip = await MemoryRoundTrip.begin(job, plan, true, onOriginal);
+  const parts = goals.flatMap((goal) => memoryParts(goal, goal.memory as number, moveServos));
+  const trip = await MemoryRoundTrip.begin(job, { parts, onProgress }, true, onOriginal);
   const memories: MemoryReport[] = [];
   const write = async (goal: TimerProgram): Promise<void> => {
     const memory = goal.memory as number;
-    const before = await trip.read(memory, readPlan(goal), asksThrottle(goal));
+    const before = await trip.read(memory, asksThrottle(goal));
     requireBelieved(baselines, before);
-    await job.exchange.budget.waitFor(() => onMemory?.(before, goal));
-    const report = await trip.part(memory, longestWrite(goal, moveServos), (part) =>
-      writeContent(part, planWrite(before, goal, moveServos)),
-    );
+    await job.exchange.schedule.waitFor(() => onMemory?.(before, goal));
+    const report = await writeContent(job, planWrite(before, goal, moveServos));
     memories.push({ memory, before, report });
     if (report.stopped) throw report.stopped;
   };
@@ -152,6 +157,9 @@ function asksThrottle({ idleThrottle }: TimerProgram): boolean {
   return idleThrottle !== null;
 }
 
-function readPlan(goal: TimerProgram): CommandName[] {
-  return readingPlan(goal.identity, { idleThrottle: asksThrottle(goal) });
+/** All that one memory can need: it is selected and read, everything in it is changed, and it is read back. */
+function memoryParts(goal: TimerProgram, memory: number, moveServos: boolean): Part[] {
+  const first = readingPlan(goal.identity, { idleThrottle: asksThrottle(goal) });
+  const [reading, ...rest] = longestWrite(goal, moveServos).map((part) => ({ ...part, memory })) as [Part, ...Part[]];
+  return [{ ...reading, names: [...SELECT, ...first, ...reading.names] }, ...rest];
 }

@@ -3,8 +3,8 @@ import { type CommandName, encodeRequest, type Identity } from '../protocol/inde
 import { askMemory } from './current-memory.js';
 import { TimerError, type TimerErrorCode, throwIfAborted } from './errors.js';
 import type { ClientJob } from './job.js';
-import { bytesOf, type Progress } from './progress.js';
 import { readContent } from './read-program.js';
+import type { PlannedJob } from './schedule.js';
 
 /** The exchanges of {@link select}. */
 export const SELECT: readonly CommandName[] = ['GETSWVER', 'SETMEMORY', 'GETSWVER', 'GETMEMORY', 'GETMEMORY'];
@@ -38,54 +38,43 @@ async function makeCurrent(job: ClientJob, memory: number): Promise<boolean> {
   throw new TimerError('other-memory', `memory ${now.memory} is current, not ${memory}`, details);
 }
 
-/** A way through several memories that begins and ends at the one that is current. Its progress is that of the whole way. */
+/** A way through several memories that begins and ends at the one that is current. */
 export class MemoryRoundTrip {
   /** The memory that was current before, counted from 0. */
   readonly original: number;
   readonly #job: ClientJob;
   #onOriginal: ((original: number) => unknown) | undefined;
-  readonly #total: number;
   /** The memory that was last selected; null when that is not certain. */
   #at: number | null;
-  /** Bytes of the parts of the way that are done. */
-  #done: number;
 
-  private constructor(
-    original: number,
-    job: ClientJob,
-    total: number,
-    onOriginal: ((original: number) => unknown) | undefined,
-  ) {
+  private constructor(original: number, job: ClientJob, onOriginal: ((original: number) => unknown) | undefined) {
     this.original = original;
     this.#at = original;
     this.#job = job;
     this.#onOriginal = onOriginal;
-    this.#total = total;
-    this.#done = bytesOf(BEGIN, job.identity);
   }
 
   /**
    * Asks which memory is current.
-   * @param plan all that will be asked between here and the way back.
+   * @param planned all that will be asked between here and the way back.
    * @param numbered whether the caller has named memories by their numbers.
    * @param onOriginal told of that memory before the first other one is selected.
    * @throws TimerError `memory-unknown`, also when the answer shows that the numbers were wrong; `other-timer`; as Exchange.
    */
   static async begin(
     job: ClientJob,
-    plan: readonly CommandName[],
+    { parts, onProgress }: Omit<PlannedJob, 'identity'>,
     numbered: boolean,
     onOriginal?: (original: number) => unknown,
   ): Promise<MemoryRoundTrip> {
-    const all: CommandName[] = [...BEGIN, ...plan, ...SELECT];
-    job.exchange.begin(all);
+    job.exchange.begin({ parts: [{ names: BEGIN }, ...parts, { names: SELECT }], onProgress });
     await job.exchange.requireIdentity(job.signal);
     const { memory: original, renumbered } = await askMemory(job, { twice: true });
     if (original === null) throw new TimerError('memory-unknown', 'the timer does not say which memory is current');
     if (renumbered && numbered) {
       throw new TimerError('memory-unknown', 'the timer counts its memories otherwise than was assumed');
     }
-    return new MemoryRoundTrip(original, job, bytesOf(all, job.identity), onOriginal);
+    return new MemoryRoundTrip(original, job, onOriginal);
   }
 
   /**
@@ -93,10 +82,9 @@ export class MemoryRoundTrip {
    * @throws TimerError `memory-left` when that cannot be done; what the work throws.
    */
   async run(work: () => Promise<void>): Promise<void> {
-    const { exchange, identity } = this.#job;
     let failure: { readonly error: unknown } | undefined;
     try {
-      await exchange.budget.keepTimeFor(SELECT, identity, work);
+      await this.#job.exchange.schedule.keepTimeFor(SELECT, work);
     } catch (error) {
       failure = { error };
       // Something else has selected one.
@@ -110,36 +98,18 @@ export class MemoryRoundTrip {
    * Makes a memory current, unless it is, and reads it.
    * @throws TimerError `memory-unknown`, `other-memory`; as Exchange.
    */
-  async read(memory: number, plan: readonly CommandName[], idleThrottle: boolean): Promise<TimerProgram> {
-    return this.part(memory, [...SELECT, ...plan], async (job) => {
-      if (memory !== this.#at) await this.#select(job, memory);
-      return readContent(job, 'read', { idleThrottle, memory });
-    });
-  }
-
-  /** Does one part of the way. Its own stages are reported as parts of the whole. */
-  async part<T>(memory: number, plan: readonly CommandName[], work: (job: ClientJob) => Promise<T>): Promise<T> {
-    const { identity, onProgress } = this.#job;
-    const size = bytesOf(plan, identity);
-    const begin = this.#done;
-    let stagesDone = 0;
-    let last = 0;
-    const report = (progress: Progress): void => {
-      // A stage that begins adds to those before it.
-      if (progress.done === 0) stagesDone += last;
-      last = progress.done;
-      const done = Math.min(this.#total, begin + Math.min(size, stagesDone + last));
-      onProgress?.({ ...progress, memory, done, total: this.#total });
-    };
-    const result = await work({ ...this.#job, onProgress: report });
-    this.#done = begin + size;
-    return result;
+  async read(memory: number, idleThrottle: boolean): Promise<TimerProgram> {
+    const { schedule } = this.#job.exchange;
+    schedule.memory = memory;
+    schedule.enter('read');
+    if (memory !== this.#at) await this.#select(this.#job, memory);
+    return readContent(this.#job, 'read', { idleThrottle, memory });
   }
 
   async #select(job: ClientJob, memory: number): Promise<void> {
     const tell = this.#onOriginal;
     this.#onOriginal = undefined;
-    if (tell) await job.exchange.budget.waitFor(() => tell(this.original));
+    if (tell) await job.exchange.schedule.waitFor(() => tell(this.original));
     await job.exchange.requireIdentity(job.signal);
     throwIfAborted(job.signal);
     const before = this.#at;

@@ -2,7 +2,7 @@ import type { TimerProgram } from '../program/index.js';
 import type { CommandName, Identity, ReplyOf } from '../protocol/index.js';
 import { askMemory, isNoAnswer, policyFor, requireMemory } from './current-memory.js';
 import type { ClientJob } from './job.js';
-import { type Progress, StageProgress } from './progress.js';
+import type { Progress } from './progress.js';
 import { ATTEMPTS, READS } from './retry-policy.js';
 
 /** The questions for what a memory holds: only Q is known to have a motor. */
@@ -43,25 +43,19 @@ type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 export async function readContent(job: ClientJob, stage: Progress['stage'], how: Reading = {}): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
   const { strict = false, known } = how;
-  const progress = new StageProgress(stage, readingPlan(identity, how), job);
+  exchange.schedule.enter(stage);
   let previous: Content | undefined = known;
   const seen = exchange.watch();
   for (let i = 0; i < ATTEMPTS; i++) {
     const seenNow = exchange.watch();
-    if (strict) {
-      await exchange.requireIdentity(signal);
-      progress.finished('GETSWVER');
-    }
+    if (strict) await exchange.requireIdentity(signal);
     const current =
       how.memory === undefined ? await askMemory(job, { optional: true }) : await required(job, how.memory);
-    progress.finished('GETMEMORY');
 
-    const content = await agreedContent(job, how, previous, progress);
+    const content = await agreedContent(job, how, previous);
 
     const isSameMemory = !current.answered || (await isStillCurrent(job, current.memory, how));
-    progress.finished('GETMEMORY');
     await exchange.requireIdentity(signal);
-    progress.finished('GETSWVER');
     const isBelieved = strict ? seenNow().strays === 0 : content.agreed || !exchange.damaged;
     if (isSameMemory && isBelieved) {
       return { identity, memory: current.memory, ...content.content };
@@ -86,13 +80,12 @@ async function agreedContent(
   job: ClientJob,
   { strict = false, idleThrottle = false }: Reading,
   before: Content | undefined,
-  progress: StageProgress,
 ): Promise<{ content: Content; agreed: boolean }> {
   let previous = before;
   let request: CommandName = 'GETTIMERS';
   const seen = job.exchange.watch();
   for (let i = 0; i < READS; i++) {
-    const { content, doubtful } = await readOnce(job, strict, idleThrottle, progress);
+    const { content, doubtful } = await readOnce(job, strict, idleThrottle);
     if (previous && textOf(content) === textOf(previous)) {
       noteByteOrder(job, content.times);
       return { content, agreed: true };
@@ -109,14 +102,11 @@ async function readOnce(
   job: ClientJob,
   strict: boolean,
   idleThrottle: boolean,
-  progress: StageProgress,
 ): Promise<{ content: Content; doubtful: boolean }> {
   const { exchange, identity, signal, quirks } = job;
   const seen = exchange.watch();
   const ask = async <Name extends 'GETTIMERS' | 'GETSERVOPOS'>(name: Name): Promise<ReplyOf<Name>> => {
-    const reply = await exchange.ask({ name }, signal, { strict });
-    progress.finished(name);
-    return reply as ReplyOf<Name>;
+    return (await exchange.ask({ name }, signal, { strict })) as ReplyOf<Name>;
   };
   const { times } = await ask('GETTIMERS');
   const isMisprint = quirks.isMisprintNew('GETTIMERS');
@@ -124,10 +114,7 @@ async function readOnce(
   const wasRepeated = seen().repeats > 0;
   const wasMalformed = quirks.found.has('idle-throttle-malformed');
   let throttle: number | null = null;
-  if (contentQuestions(identity, idleThrottle).includes('GETLOWRPM')) {
-    throttle = await askIdleThrottle(job);
-    progress.finished('GETLOWRPM');
-  }
+  if (contentQuestions(identity, idleThrottle).includes('GETLOWRPM')) throttle = await askIdleThrottle(job);
   const content = { times, positions, idleThrottle: throttle };
   const isOdd =
     isMisprint || !isByteOrderKnown(job, times) || quirks.found.has('idle-throttle-malformed') !== wasMalformed;

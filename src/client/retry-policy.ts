@@ -1,8 +1,8 @@
 import { wireTime } from '../line/index.js';
 import { type CommandName, exchangeSize, frameSize, type Identity, MAX_DATA } from '../protocol/index.js';
 
-// How long the client waits, how often it asks again, and when it gives up: all of it stands here, so that the time a job takes at
-// most follows from this file alone. The protocol page explains the numbers under "Rules for a client".
+// How long the client waits, how often it asks again, and when it gives up: all numbers stand here. Schedule makes of them the
+// time that a job takes at most. The protocol page explains them under "Rules for a client".
 
 /** The speed of the line, and how slow a timer may be. */
 export interface LineTiming {
@@ -71,25 +71,4 @@ export function longestExchange(name: CommandName, identity: Identity | null, ti
 /** Milliseconds that making sure of one's own replies takes at most: draining, then a fence or the wait until nothing older can come. */
 export function longestFence(timing: LineTiming): number {
   return DRAIN + SILENCE + Math.max(LATEST_REPLY, replyTime(2 * LONGEST_FRAME, timing) + overtime(timing) + SILENCE);
-}
-
-/**
- * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may have to be read twice,
- * and what was written be put right and read back again.
- */
-function timeFor(names: readonly CommandName[], identity: Identity | null, timing: LineTiming): number {
-  return names.reduce((sum, name) => sum + 2 * longestExchange(name, identity, timing), 0);
-}
-
-/**
- * Milliseconds after which a job of these exchanges has ended, with success or with an error, whatever the line does. It is a true bound
- * because nothing is begun for which there is no time left: see Budget.
- */
-export function longestJob(names: readonly CommandName[], identity: Identity | null, timing: LineTiming): number {
-  return timeFor(names, identity, timing) + LOST_TO_DAMAGE;
-}
-
-/** Milliseconds of a job that must be left for these exchanges, which come last. */
-export function timeForTheEnd(names: readonly CommandName[], identity: Identity | null, timing: LineTiming): number {
-  return timeFor(names, identity, timing) + KEPT_FOR_THE_END;
 }

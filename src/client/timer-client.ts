@@ -1,6 +1,6 @@
 import { type Clock, realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import { type CommandName, encodeRequest, type Frame, type Identity, type Request } from '../protocol/index.js';
+import { encodeRequest, type Frame, type Identity, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange, type RetryPolicy } from './exchange.js';
 import type { ClientJob } from './job.js';
@@ -19,8 +19,9 @@ import type { BytePort } from './port.js';
 import type { Progress } from './progress.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
 import { readContent, readingPlan } from './read-program.js';
+import type { Part } from './schedule.js';
 import { Wire } from './wire.js';
-import { planWrite, writeExchanges } from './write-plan.js';
+import { planWrite, writeParts } from './write-plan.js';
 import { writeContent } from './write-program.js';
 import type { WriteReport } from './write-report.js';
 
@@ -169,7 +170,7 @@ export class TimerClient {
 
   /** How many requests went out more than once since this client began, fences included. */
   get repeats(): number {
-    return this.#exchange.budget.repeatsInAll;
+    return this.#exchange.schedule.repeats;
   }
 
   /** Asks the timer what it is (GETSWVER). */
@@ -186,7 +187,7 @@ export class TimerClient {
    */
   send(code: number, data: ArrayLike<number> = [], { signal }: JobOptions = {}): Promise<Frame | null> {
     return this.#inTurn(() => {
-      this.#exchange.begin([]);
+      this.#exchange.begin({ parts: [] });
       return this.#exchange.send(code, data, signal);
     });
   }
@@ -200,7 +201,10 @@ export class TimerClient {
   readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
     const { idleThrottle = false } = options;
     return this.#inTurn(async () => {
-      const job = await this.#job(options, (identity) => readingPlan(identity, { idleThrottle }));
+      const job = await this.#job(options, (identity) => ({
+        stage: 'read',
+        names: readingPlan(identity, { idleThrottle }),
+      }));
       return readContent(job, 'read', { idleThrottle });
     });
   }
@@ -247,7 +251,7 @@ export class TimerClient {
         throw new TimerError('other-timer', 'the program is for another kind of timer', { identity });
       }
       const plan = planWrite(baseline, edited, options.moveServos);
-      job.exchange.begin(writeExchanges(plan));
+      job.exchange.begin({ parts: writeParts(plan), onProgress: options.onProgress });
       return writeContent(job, plan);
     });
   }
@@ -261,7 +265,7 @@ export class TimerClient {
    */
   selectMemory(memory: number, options: JobOptions = {}): Promise<void> {
     return this.#inTurn(async () => {
-      await select(await this.#job(options, () => SELECT), memory);
+      await select(await this.#job(options, () => ({ names: SELECT })), memory);
     });
   }
 
@@ -303,8 +307,8 @@ export class TimerClient {
    */
   setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
     return this.#inTurn(async () => {
-      const plan = ['GETSWVER', 'SETLOWRPM', 'GETSWVER', 'GETLOWRPM', 'GETLOWRPM', 'GETSWVER'] as const;
-      const { exchange, signal } = await this.#job(options, () => plan);
+      const names = ['GETSWVER', 'SETLOWRPM', 'GETSWVER', 'GETLOWRPM', 'GETLOWRPM', 'GETSWVER'] as const;
+      const { exchange, signal } = await this.#job(options, () => ({ names }));
       encodeRequest({ name: 'SETLOWRPM', idleThrottle });
       await exchange.requireIdentity(signal);
       await exchange.ask({ name: 'SETLOWRPM', idleThrottle }, signal);
@@ -335,13 +339,13 @@ export class TimerClient {
 
   #command(request: Request, options: JobOptions): Promise<void> {
     return this.#inTurn(async () => {
-      const { exchange, signal } = await this.#job(options, () => [request.name]);
+      const { exchange, signal } = await this.#job(options, () => ({ names: [request.name] }));
       await exchange.ask(request, signal);
     });
   }
 
   async #identify(signal: AbortSignal | undefined, policy: RetryPolicy = {}): Promise<Identity> {
-    this.#exchange.begin(['GETSWVER']);
+    this.#exchange.begin({ parts: [{ names: ['GETSWVER'] }] });
     const before = this.identity;
     const { identity } = await this.#exchange.identify(signal, policy);
     // What was found of another timer says nothing of this one.
@@ -349,19 +353,15 @@ export class TimerClient {
     return identity;
   }
 
-  /** @param plan the exchanges that the job will need; nothing for one that says so itself. */
-  async #job(
-    { signal, onProgress }: JobOptions,
-    plan?: (identity: Identity) => readonly CommandName[],
-  ): Promise<ClientJob> {
+  /** @param part all that the job will need; nothing for one that says so itself. */
+  async #job({ signal, onProgress }: JobOptions, part?: (identity: Identity) => Part): Promise<ClientJob> {
     throwIfAborted(signal);
     const identity = this.identity ?? (await this.#identify(signal));
-    if (plan) this.#exchange.begin(plan(identity));
+    if (part) this.#exchange.begin({ parts: [part(identity)], onProgress });
     return {
       exchange: this.#exchange,
       identity,
       signal,
-      onProgress,
       quirks: this.#quirks,
     };
   }

@@ -7,8 +7,9 @@ import {
   type TimerProgram,
   valueAt,
 } from '../program/index.js';
-import { type CommandName, type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
+import { type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
 import { type Reading, readingPlan } from './read-program.js';
+import type { Part } from './schedule.js';
 import { unasked } from './write-report.js';
 
 /** What a write has to do, as the pilot agreed to it. */
@@ -39,14 +40,18 @@ export function planWrite(baseline: TimerProgram, goal: TimerProgram, moveServos
   return { baseline, goal, asked, requests, before, after, moveServos };
 }
 
-/** The exchanges of a write when nothing goes wrong. */
-export function writeExchanges({ goal: { identity }, requests, before, after }: WritePlan): CommandName[] {
-  const sent = requests.map(({ name }) => name);
-  return [...readingPlan(identity, before), ...sent, ...readingPlan(identity, after)];
+/** A write when nothing goes wrong. */
+export function writeParts(plan: WritePlan): Part[] {
+  const { identity } = plan.goal;
+  return [
+    { stage: 'read', names: readingPlan(identity, plan.before) },
+    { stage: 'write', names: plan.requests.map(({ name }) => name) },
+    { stage: 'verify', names: readingPlan(identity, plan.after) },
+  ];
 }
 
-/** The same where everything has to be changed. */
-export function longestWrite(goal: TimerProgram, moveServos: boolean): CommandName[] {
+/** A write in which everything has to be changed. */
+export function longestWrite(goal: TimerProgram, moveServos: boolean): Part[] {
   const other = (value: number): number => value ^ 1;
   const opposite: TimerProgram = {
     ...goal,
@@ -54,7 +59,7 @@ export function longestWrite(goal: TimerProgram, moveServos: boolean): CommandNa
     positions: goal.positions.map((row) => row.map(other)),
     idleThrottle: goal.idleThrottle === null ? null : other(goal.idleThrottle),
   };
-  return writeExchanges(planWrite(opposite, goal, moveServos));
+  return writeParts(planWrite(opposite, goal, moveServos));
 }
 
 /** Where servos may move: the positions function by function, each behind a move to it. */

@@ -2,7 +2,6 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../program/index
 import { encodeRequest, type Reply, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import type { ClientJob } from './job.js';
-import { StageProgress } from './progress.js';
 import { readContent, readingPlan } from './read-program.js';
 import {
   arePositionsKept,
@@ -99,20 +98,17 @@ class Write {
   /** Whatever the line does to the requests, there is time left to see what came of them. */
   #send(stage: 'write' | 'repair', requests: readonly Request[]): Promise<TimerError | null> {
     const { exchange, identity } = this.#job;
-    const { after } = this.#plan;
-    return attempt(() =>
-      exchange.budget.keepTimeFor(readingPlan(identity, after), identity, async () => {
-        this.held = null;
-        const names = requests.map(({ name }) => name);
-        const progress = new StageProgress(stage, names, this.#job);
-        for (const request of requests) {
-          const reply = await askNoting(this.#job, request);
-          if (reply.name === 'SETTIMERS') this.#timesSaid = reply.times;
-          if (request.name !== 'MOVETOFUNC') this.acknowledged++;
-          progress.finished(request.name);
-        }
-      }),
-    );
+    const { schedule } = exchange;
+    const work = async (): Promise<void> => {
+      this.held = null;
+      schedule.enter(stage);
+      for (const request of requests) {
+        const reply = await askNoting(this.#job, request);
+        if (reply.name === 'SETTIMERS') this.#timesSaid = reply.times;
+        if (request.name !== 'MOVETOFUNC') this.acknowledged++;
+      }
+    };
+    return attempt(() => schedule.keepTimeFor(readingPlan(identity, this.#plan.after), work));
   }
 
   #readBack(): Promise<TimerError | null> {

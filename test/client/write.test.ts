@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { wireTime } from '../../src/line/index.js';
 import { exchangeSize, type Request } from '../../src/protocol/index.js';
 import { type Bench, bench, contentOf, edited, names } from './bench.js';
+import { everyValueChanged } from './matrix.js';
 
 function sets(requests: readonly Request[]): Request[] {
   return requests.filter(({ name }) => name.startsWith('SET'));
@@ -285,7 +286,7 @@ describe('write program', () => {
     expect(report.values.map(({ status }) => status)).toEqual(['unknown']);
   });
 
-  it('reports progress stage by stage, from nothing to all', async () => {
+  it('reports its progress as one whole, from nothing to all', async () => {
     const { client, run } = bench();
     const baseline = await run(client.readProgram());
     const seen: string[] = [];
@@ -294,26 +295,42 @@ describe('write program', () => {
     };
     await run(client.writeProgram(edited(baseline, [[10, 30000]], [[0, 0, 1]]), { baseline, onProgress }));
     expect(seen).toEqual([
-      'read 0/183',
-      'read 27/183',
-      'read 46/183',
-      'read 86/183',
-      'read 137/183',
-      'read 156/183',
-      'read 183/183',
-      'write 0/83',
-      'write 62/83',
-      'write 83/83',
-      'verify 0/274',
-      'verify 27/274',
-      'verify 46/274',
-      'verify 86/274',
-      'verify 137/274',
-      'verify 177/274',
-      'verify 228/274',
-      'verify 247/274',
-      'verify 274/274',
+      'read 0/540',
+      'read 27/540',
+      'read 46/540',
+      'read 86/540',
+      'read 137/540',
+      'read 156/540',
+      'read 183/540',
+      'write 183/540',
+      'write 245/540',
+      'write 266/540',
+      'verify 266/540',
+      'verify 293/540',
+      'verify 312/540',
+      'verify 352/540',
+      'verify 403/540',
+      'verify 443/540',
+      'verify 494/540',
+      'verify 513/540',
+      'verify 540/540',
     ]);
+  });
+
+  it.each([false, true])('needs just what was planned on a good line, servos moved: %s', async (moveServos) => {
+    const { client, run } = bench({ identity: { timerClass: 'Q' } });
+    const baseline = await run(client.readProgram());
+    const seen: number[] = [];
+    const left: number[] = [];
+    const onProgress = ({ done, total }: { done: number; total: number }): void => {
+      seen.push(done);
+      left.push(total - done);
+    };
+    const goal = everyValueChanged(baseline);
+    await run(client.writeProgram(goal, { baseline, moveServos, onProgress }));
+    // Each answer moves it, and the last one ends it. Three times a stage begins.
+    expect(new Set(seen).size).toBe(seen.length - 2);
+    expect([seen[0], left.at(-1)]).toEqual([0, 0]);
   });
 
   it.each([9600, 115_200])('takes no longer at %i baud than its bytes do', async (baudRate) => {

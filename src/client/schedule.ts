@@ -1,0 +1,154 @@
+import type { Clock } from '../line/index.js';
+import { type CommandName, exchangeSize, type Identity } from '../protocol/index.js';
+import { tell } from './callback.js';
+import type { OnProgress, Progress } from './progress.js';
+import { KEPT_FOR_THE_END, type LineTiming, LOST_TO_DAMAGE, longestExchange } from './retry-policy.js';
+
+/** A part of a job: what it asks when nothing goes wrong. */
+export interface Part {
+  readonly names: readonly CommandName[];
+  /** What is told of it; nothing without one. */
+  readonly stage?: Progress['stage'];
+  /** The memory that it is about, in a job on several. */
+  readonly memory?: number;
+}
+
+/** A job that is asked for. */
+export interface PlannedJob {
+  readonly parts: readonly Part[];
+  /** What the timer said of itself; null before it has. */
+  readonly identity: Identity | null;
+  readonly onProgress?: OnProgress;
+}
+
+/**
+ * The job under way: what it needs, how far it is, and when it has ended at the latest. Each answer moves it on by itself; what has to be
+ * asked once more than was planned moves nothing.
+ */
+export class Schedule {
+  /** The memory that a job on several is at. */
+  memory: number | null = null;
+  readonly #clock: Clock;
+  readonly #timing: LineTiming;
+  #job: PlannedJob = { parts: [], identity: null };
+  #begin = Number.POSITIVE_INFINITY;
+  /** Milliseconds that the caller's own callbacks took. */
+  #waited = 0;
+  /** Where it stands: the index of a part, what is left of it, and the stage, which may be one that was not planned. */
+  #at = 0;
+  #left: CommandName[] = [];
+  #stage: Progress['stage'] | undefined;
+  /** What the job has to do at its end, whatever happens before. */
+  readonly #kept = new Set<readonly CommandName[]>();
+  #repeats = 0;
+  #repeatsBefore = 0;
+
+  constructor(clock: Clock, timing: LineTiming) {
+    this.#clock = clock;
+    this.#timing = timing;
+  }
+
+  /** How many requests went out again in all jobs so far, fences included. */
+  get repeats(): number {
+    return this.#repeatsBefore + this.#repeats;
+  }
+
+  /** The clock's time at which this job has ended at the latest: nothing is begun for which there is no time left. */
+  get endsBy(): number {
+    const names = this.#job.parts.flatMap((part) => part.names);
+    return this.#begin + this.#waited + this.#timeFor(names) + LOST_TO_DAMAGE;
+  }
+
+  begin(job: PlannedJob): void {
+    this.#job = job;
+    this.#begin = this.#clock.now();
+    this.#waited = 0;
+    this.memory = null;
+    this.#stage = undefined;
+    this.#at = 0;
+    this.#left = [...(job.parts[0]?.names ?? [])];
+    this.#repeatsBefore += this.#repeats;
+    this.#repeats = 0;
+  }
+
+  /** A stage begins, of the memory that the job is at. One that was not planned moves nothing. */
+  enter(stage: Progress['stage']): void {
+    const isIt = (part: Part): boolean => part.stage === stage && (part.memory ?? null) === this.memory;
+    const { parts } = this.#job;
+    const next = parts.findIndex((part, index) => index >= this.#at && isIt(part));
+    if (next > this.#at || this.#stage === undefined) {
+      this.#at = Math.max(next, this.#at);
+      this.#left = [...(parts[this.#at]?.names ?? [])];
+    }
+    this.#stage = stage;
+    this.#report();
+  }
+
+  /** A request was answered. */
+  answered(name: CommandName): void {
+    const index = this.#left.indexOf(name);
+    if (index >= 0) this.#left.splice(index, 1);
+    this.#report();
+  }
+
+  /** A request goes out again. */
+  repeated(): void {
+    this.#repeats++;
+    this.#report();
+  }
+
+  /** Whether something that takes so many milliseconds at most may still begin. */
+  hasTimeFor(ms: number): boolean {
+    const kept = [...this.#kept].reduce((sum, names) => sum + this.#timeFor(names) + KEPT_FOR_THE_END, 0);
+    return this.#clock.now() + ms <= this.endsBy - kept;
+  }
+
+  /** Does a part of the job in such a way that time is left for these exchanges after it. */
+  async keepTimeFor<T>(names: readonly CommandName[], work: () => Promise<T>): Promise<T> {
+    this.#kept.add(names);
+    try {
+      return await work();
+    } finally {
+      this.#kept.delete(names);
+    }
+  }
+
+  /** Waits for what is not the line's doing: the job may end later by as long as that takes. */
+  async waitFor<T>(work: () => T | Promise<T>): Promise<T> {
+    const begin = this.#clock.now();
+    try {
+      return await work();
+    } finally {
+      this.#waited += this.#clock.now() - begin;
+    }
+  }
+
+  /**
+   * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may have to be read
+   * twice, and what was written be put right and read back again.
+   */
+  #timeFor(names: readonly CommandName[]): number {
+    const { identity } = this.#job;
+    return names.reduce((sum, name) => sum + 2 * longestExchange(name, identity, this.#timing), 0);
+  }
+
+  #report(): void {
+    const { parts, onProgress } = this.#job;
+    if (this.#stage === undefined || !onProgress) return;
+    const behind = parts.slice(this.#at + 1).flatMap(({ names }) => names);
+    const total = this.#bytes(parts.flatMap(({ names }) => names));
+    const done = total - this.#bytes([...this.#left, ...behind]);
+    const { memory, endsBy } = this;
+    tell(onProgress, { stage: this.#stage, done, total, memory, repeats: this.#repeats, endsBy });
+  }
+
+  /** Bytes of the line that these exchanges take. */
+  #bytes(names: readonly CommandName[]): number {
+    const { identity } = this.#job;
+    if (!identity) return 0;
+    return names.reduce((sum, name) => {
+      const { request, reply } = exchangeSize(name, identity);
+      return sum + request + reply;
+    }, 0);
+  }
+}
