@@ -64,6 +64,18 @@ describe('a storage that does not answer', () => {
     expect(store.drafts.records.size).toBe(0);
   });
 
+  it.each([0, 1000, 20_000])('lets the program be drawn within one limit, %i ms after the page', async (wait) => {
+    const store = new MemoryStore();
+    hold(store, () => new Promise(() => {}));
+    const bench = await drawn({ store });
+    await idle(wait);
+    const begun = performance.now();
+    void bench.session.connect();
+    while (bench.editor.working.value === null && performance.now() - begun < 60_000) await idle(50);
+    // One that is known to hang is asked twice more, for a quarter of a second each.
+    expect(performance.now() - begun).toBeLessThanOrEqual(5500);
+  });
+
   it('and then does gives back what was kept', async () => {
     const store = await left();
     let answer = (): void => {};
