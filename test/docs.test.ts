@@ -60,6 +60,21 @@ describe('the docs', () => {
     expect(text).toContain(`A cable needs Android ${androidCable} `);
   });
 
+  it('name tests that are there for what the page says', () => {
+    const text = readFileSync(join(root, 'docs/claims.md'), 'utf8');
+    const named = [...text.matchAll(/`([\w/.-]+\.test\.tsx?)`([^`|\n]*)/g)];
+    expect(named.length).toBeGreaterThan(30);
+    for (const [, file = '', names = ''] of named) {
+      const tests = readFileSync(join(root, 'test', file), 'utf8');
+      for (const [, name] of names.matchAll(/“([^”]+)”/g)) expect(tests, `${file}: ${name}`).toContain(name);
+    }
+  });
+
+  it.each(texts)('%s holds its lines to 120 columns', (file) => {
+    const prose = readFileSync(join(root, file), 'utf8').replace(/```.*?```/gs, '');
+    expect(prose.split('\n').filter((line) => line.length > 120 && !line.startsWith('|'))).toEqual([]);
+  });
+
   it('draw the rooms as they are: node test/tools/rooms.js draws them anew', () => {
     for (const [file, picture] of Object.entries(pictures)) {
       expect(readFileSync(join(root, file), 'utf8'), file).toBe(picture());

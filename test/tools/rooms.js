@@ -1,5 +1,5 @@
-// Draws the rooms of src/ and the imports between them into docs/rooms.svg and docs/page.svg (the folders of the page). Run it when a test
-// says that a picture is old: node test/tools/rooms.js
+// Draws what imports what: the rooms of src/ into docs/rooms.svg, the folders of the page into docs/page.svg. Run it when a
+// test says that a picture is old: node test/tools/rooms.js
 
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -57,55 +57,116 @@ export function levels(graph) {
   return found;
 }
 
+/** @typedef {{ room: string | null, above: Place[], x: number, y: number }} Place a room in a row, or a gap (null) for an arrow that passes */
+
 /**
- * A picture of it: arrows go down to what is used. Where a longer way leads to the same room, the short one is left out.
+ * The arrows: where a longer way leads to the same room, the short one is left out.
+ * @param {Graph} graph
+ * @returns {[from: string, to: string][]}
+ */
+function arrowsOf(graph) {
+  /** @type {(from: string, to: string) => boolean} */
+  const reaches = (from, to) => [...(graph.get(from)?.keys() ?? [])].some((next) => next === to || reaches(next, to));
+  return [...graph].flatMap(([room, uses]) =>
+    [...uses.keys()]
+      .filter((used) => ![...uses.keys()].some((next) => next !== used && reaches(next, used)))
+      .map((used) => /** @type {[string, string]} */ ([room, used])),
+  );
+}
+
+const [BOX_WIDTH, BOX_HEIGHT, ROW_HEIGHT, GAP, PASS_WIDTH] = [116, 34, 76, 20, 12];
+
+/** @param {Place} place */
+const widthOf = ({ room }) => (room === null ? PASS_WIDTH : BOX_WIDTH);
+
+/**
+ * The rooms in rows, each below all that use it. An arrow over several rows has a gap of its own in each, so that it passes behind no room.
+ * @param {Graph} graph
+ * @returns {Place[][]}
+ */
+function placed(graph) {
+  const level = levels(graph);
+  const top = Math.max(...level.values());
+  const rowOf = (/** @type {string} */ room) => top - (level.get(room) ?? 0);
+  /** @type {Place[][]} */
+  const rows = Array.from({ length: top + 1 }, () => []);
+  /** @type {(row: number, room: string | null) => Place} */
+  const add = (row, room) => {
+    const place = { room, above: [], x: 0, y: row * ROW_HEIGHT + BOX_HEIGHT };
+    rows[row]?.push(place);
+    return place;
+  };
+  const places = new Map([...graph.keys()].sort().map((room) => [room, add(rowOf(room), room)]));
+  for (const [from, to] of arrowsOf(graph)) {
+    let last = /** @type {Place} */ (places.get(from));
+    for (let row = rowOf(from) + 1; row < rowOf(to); row++) {
+      const pass = add(row, null);
+      pass.above.push(last);
+      last = pass;
+    }
+    places.get(to)?.above.push(last);
+  }
+  const widths = rows.map((row) => row.reduce((sum, place) => sum + widthOf(place) + GAP, GAP));
+  const width = Math.max(...widths);
+  // What is used stands below its users: a few rounds, down and up, until little changes.
+  const mean = (/** @type {Place[]} */ near, /** @type {number} */ own) =>
+    near.length === 0 ? own : near.reduce((sum, { x }) => sum + x, 0) / near.length;
+  const spread = (/** @type {Place[]} */ row) => {
+    let x = (width - row.reduce((sum, place) => sum + widthOf(place) + GAP, -GAP)) / 2;
+    for (const place of row) {
+      place.x = Math.round(x + widthOf(place) / 2);
+      x += widthOf(place) + GAP;
+    }
+  };
+  rows.forEach(spread);
+  for (let round = 0; round < 12; round++) {
+    const down = round % 2 === 0;
+    for (const row of down ? rows : [...rows].reverse()) {
+      const below = (/** @type {Place} */ place) => rows.flat().filter(({ above }) => above.includes(place));
+      const wanted = new Map(row.map((place) => [place, mean(down ? place.above : below(place), place.x)]));
+      row.sort((a, b) => (wanted.get(a) ?? 0) - (wanted.get(b) ?? 0));
+      spread(row);
+    }
+  }
+  return rows;
+}
+
+/**
+ * A picture of it: arrows go down to what is used.
  * @param {Graph} graph
  * @param {string} title
  */
 export function draw(graph, title) {
-  const level = levels(graph);
-  const top = Math.max(...level.values());
-  const rows = Array.from({ length: top + 1 }, (_, index) =>
-    [...graph.keys()].filter((room) => level.get(room) === top - index).sort(),
-  );
-  const [boxWidth, boxHeight, rowHeight] = [132, 34, 84];
-  const width = Math.max(...rows.map((row) => row.length)) * (boxWidth + 40) + 40;
-  const height = rows.length * rowHeight + 20;
-  /** @type {Map<string, { x: number, y: number }>} */
-  const places = new Map();
-  rows.forEach((row, index) => {
-    row.forEach((room, place) => {
-      places.set(room, { x: Math.round((width * (place + 1)) / (row.length + 1)), y: 36 + index * rowHeight });
+  const rows = placed(graph);
+  const places = rows.flat();
+  const half = BOX_HEIGHT / 2;
+  const width = Math.max(...places.map((place) => place.x + widthOf(place) / 2)) + GAP;
+  const arrows = places
+    .flatMap((place) => place.above.map((from) => ({ from, place })))
+    .map(({ from, place }) => {
+      const [begin, end] = [from.y + half, place.y - half - (place.room === null ? 0 : 3)];
+      const middle = (begin + end) / 2;
+      const bend = `M${from.x} ${begin}C${from.x} ${middle} ${place.x} ${middle} ${place.x} ${end}`;
+      return place.room === null
+        ? `<path d="${bend}V${place.y + half}"/>`
+        : `<path d="${bend}" marker-end="url(#head)"/>`;
     });
-  });
-  /** @type {(from: string, to: string) => boolean} */
-  const reaches = (from, to) => [...(graph.get(from)?.keys() ?? [])].some((next) => next === to || reaches(next, to));
-  const at = (/** @type {string} */ room) => /** @type {{ x: number, y: number }} */ (places.get(room));
-  const arrows = [...graph].flatMap(([room, uses]) =>
-    [...uses]
-      .filter(([used]) => ![...uses.keys()].some((next) => next !== used && reaches(next, used)))
-      .map(([used]) => {
-        const [from, to] = [at(room), at(used)];
-        const [begin, end] = [from.y + boxHeight / 2, to.y - boxHeight / 2 - 3];
-        // Sideways first, then down beside the rooms between.
-        const bend = `C${to.x} ${begin + 26} ${to.x} ${begin + 26} ${to.x} ${end}`;
-        const path = `<path d="M${from.x} ${begin}${from.x === to.x ? `V${end}` : bend}" marker-end="url(#head)"/>`;
-        return `<g class="arrow"><title>${room} imports ${used}</title>${path}</g>`;
-      }),
-  );
-  const boxes = [...places].map(
-    ([room, { x, y }]) =>
-      `<rect x="${x - boxWidth / 2}" y="${y - boxHeight / 2}" width="${boxWidth}" height="${boxHeight}" rx="6"/>` +
-      `<text x="${x}" y="${y + 5}">${room}</text>`,
-  );
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}" role="img" aria-label="${title}">
+  const boxes = places
+    .filter(({ room }) => room !== null)
+    .map(
+      ({ room, x, y }) =>
+        `<rect x="${x - BOX_WIDTH / 2}" y="${y - half}" width="${BOX_WIDTH}" height="${BOX_HEIGHT}" rx="6"/>` +
+        `<text x="${x}" y="${y + 5}">${room}</text>`,
+    );
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${rows.length * ROW_HEIGHT}" role="img" aria-label="${title}">
 <style>
 rect { fill: #fff; stroke: #1b2733; stroke-width: 1.5 }
 text { font: 15px system-ui, sans-serif; text-anchor: middle; fill: #1b2733 }
-.arrow path { fill: none; stroke: #1b2733; stroke-width: 1.5 }
+path { fill: none; stroke: #1b2733; stroke-width: 1.5 }
+marker path { fill: #1b2733; stroke: none }
 </style>
 <marker id="head" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="8" markerHeight="8" orient="auto"><path d="M0 0 8 4 0 8z"/></marker>
-<rect width="${width}" height="${height}" style="stroke: none"/>
+<rect width="100%" height="100%" style="stroke: none"/>
 ${arrows.join('\n')}
 ${boxes.join('\n')}
 </svg>
@@ -115,6 +176,7 @@ ${boxes.join('\n')}
 /** The pictures, by file. */
 export const pictures = {
   'docs/rooms.svg': () => draw(withoutOwn(importsBetween('src'), 'src'), 'The rooms of src and what each imports'),
+  'docs/page.svg': () => draw(importsBetween('src/app'), 'The folders of src/app and what each imports'),
 };
 
 /** @param {Graph} graph @param {string} own */
