@@ -1,7 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
-import { FIRST } from '../src/app/browser/platform.js';
+import { FIRST_VERSIONS } from '../src/app/browser/platform.js';
 import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
@@ -52,7 +52,7 @@ describe('the docs', () => {
 
   it('name the browsers that reach a timer as the page does', () => {
     const text = readFileSync(join(root, 'docs/using-the-page.md'), 'utf8');
-    const { chrome, opera, firefox, android, androidBluetooth, androidCable } = FIRST;
+    const { chrome, opera, firefox, android, androidBluetooth, androidCable } = FIRST_VERSIONS;
     expect(text).toContain(`Chrome and Edge ${chrome} or later, Opera ${opera} or later, Firefox ${firefox} or later`);
     expect(text).toContain(
       `Chrome ${android} or later. Chrome ${androidBluetooth} to ${android - 1} over Bluetooth only.`,

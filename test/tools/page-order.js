@@ -1,5 +1,5 @@
-// Holds the folders of the page in their order: imports run down the list below, and a feature knows no other feature. Holds
-// components to their models: they call them and write none of their signals. Part of `npm run lint`.
+// Holds the folders of the page in their order: imports run down the list below, and a feature knows no other feature.
+// Holds components to their models: they call them and write none of their signals. Part of `npm run lint`.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -32,7 +32,10 @@ const BRACKETS = new Map([
 const ROOMS = ['line', 'protocol', 'program', 'client', 'serial'];
 const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator', 'mock-serial'] };
 
-/** A signal of a model that is written: `model.signal.value = ...`. A signal of the component's own stands in a variable. */
+/**
+ * A signal of a model that is written: `model.signal.value = ...`. A signal of the component's own stands in a
+ * variable.
+ */
 const WRITTEN = /\b(\w+\.\w+)\.value\s*(?:[-+*/]?=(?![=>])|\+\+|--)/g;
 
 /**

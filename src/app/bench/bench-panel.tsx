@@ -17,7 +17,10 @@ interface BenchPanelProps {
   readonly follow: Follow;
 }
 
-/** The timer on the bench: servos to a function, servos that follow, the motor. Nothing of it goes out before the pilot has said that it is safe. */
+/**
+ * The timer on the bench: servos to a function, servos that follow, the motor. Nothing of it goes out before the pilot
+ * has said that it is safe.
+ */
 export function BenchPanel({ session, bench, follow }: BenchPanelProps) {
   const { bench: words } = messages.value;
   const open = useSignal(false);

@@ -14,7 +14,9 @@ export function standText(identity: Identity, at: number | null): string {
   return at === null ? words.atNone : words.at(slotInSentence(identity, at));
 }
 
-/** What was done last, and what came of it. A movement that was acknowledged is told by where the servos stand since. */
+/**
+ * What was done last, and what came of it. A movement that was acknowledged is told by where the servos stand since.
+ */
 export function doneText(identity: Identity, done: Done | null, at: number | null): string {
   const { bench: words } = messages.value;
   if (!done) return standText(identity, at);

@@ -90,7 +90,9 @@ interface FollowNoteProps {
   readonly follow: Follow;
 }
 
-/** Where fields are edited it has to be in sight that they move the servos, how that ended, and that a choice is open. */
+/**
+ * Where fields are edited it has to be in sight that they move the servos, how that ended, and that a choice is open.
+ */
 export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
   const { bench: words } = messages.value;
   const identity = session.editor.identity.value;

@@ -2,8 +2,8 @@ export type System = 'windows' | 'mac' | 'linux' | 'chromeos' | 'android' | 'ios
 export type Browser = 'chrome' | 'edge' | 'opera' | 'brave' | 'firefox' | 'safari' | 'other';
 
 /**
- * What the pilot sits at, as far as the browser says. It chooses the sentence that is said, and nothing else: what a browser can do
- * is asked of the browser.
+ * What the pilot sits at, as far as the browser says. It chooses the sentence that is said, and nothing else: what a
+ * browser can do is asked of the browser.
  */
 export interface Platform {
   readonly system: System;
@@ -86,8 +86,11 @@ export type UnsupportedReason =
   | 'ios'
   | 'android';
 
-/** The first versions that have Web Serial. Every sentence that names one takes it from here; `docs/using-the-page.md` says the same. */
-export const FIRST = {
+/**
+ * The first versions that have Web Serial. Every sentence that names one takes it from here; `docs/using-the-page.md`
+ * says the same.
+ */
+export const FIRST_VERSIONS = {
   chrome: 89,
   edge: 89,
   // Opera counts for itself: 75 is Chromium 89.
@@ -109,5 +112,5 @@ export function whyUnsupported({ system, browser, version }: Platform): Unsuppor
   if (system === 'android') return browser === 'firefox' ? 'firefox-mobile' : 'android';
   if (browser === 'brave' || browser === 'safari') return browser;
   if (browser === 'other' || version === null) return null;
-  return version < FIRST[browser] ? TOO_OLD[browser] : null;
+  return version < FIRST_VERSIONS[browser] ? TOO_OLD[browser] : null;
 }

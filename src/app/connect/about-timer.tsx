@@ -8,7 +8,10 @@ import './about-timer.css';
 
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 
-/** What is known of the timer at hand, and what is taken for true of those at the ports that are known; in every state of the wire. */
+/**
+ * What is known of the timer at hand, and what is taken for true of those at the ports that are known; in every state
+ * of the wire.
+ */
 export function AboutTimer({ session }: { readonly session: Session }) {
   const { aboutTimer: about } = messages.value;
   const { link } = session;

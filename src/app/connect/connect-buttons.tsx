@@ -2,8 +2,8 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 
 /**
- * Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port for when the
- * one used before is the wrong one.
+ * Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port
+ * for when the one used before is the wrong one.
  */
 export function ConnectButtons({ session, large = false }: { readonly session: Session; readonly large?: boolean }) {
   const { header, program } = messages.value;

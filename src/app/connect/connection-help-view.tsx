@@ -5,17 +5,17 @@ import { CopyText } from '../ui/copy-text.js';
 import { type HelpCode, helpFor, type Step } from './connection-help.js';
 import './connection-help-view.css';
 
-interface TroubleHelpProps {
+interface ConnectionHelpProps {
   readonly code: HelpCode;
   readonly platform: Platform;
-  /** What the port says of itself that the trouble is about; null when none was chosen. */
+  /** What the port says of itself that it is about; null when none was chosen. */
   readonly info: PortInfo | null;
   /** The address of the page. */
   readonly address?: string;
 }
 
 /** What to do, step by step, folded up under the notice: for this system first, for the others folded up once more. */
-export function ConnectionHelp({ code, platform, info, address = location.href }: TroubleHelpProps) {
+export function ConnectionHelp({ code, platform, info, address = location.href }: ConnectionHelpProps) {
   const { title, on, systems } = messages.value.help;
   const { here, elsewhere } = helpFor(code, { platform, info, address });
   if (here.length === 0) return null;
@@ -33,7 +33,7 @@ export function ConnectionHelp({ code, platform, info, address = location.href }
   );
 }
 
-/** The sentence about a trouble: for a browser without Web Serial the one that is about this browser. */
+/** The sentence about a connection that failed: for a browser without Web Serial the one that is about this browser. */
 export function connectionSaid(code: ConnectionErrorCode, platform: Platform): Said {
   const { connection, help } = messages.value;
   const reason = code === 'unsupported' ? whyUnsupported(platform) : null;
@@ -56,7 +56,10 @@ function Steps({ steps }: { readonly steps: readonly Step[] }) {
   );
 }
 
-/** Opened in the head of the page, which lets go of the top of the window while it is as long as this: it must not go out of sight. */
+/**
+ * Opened in the head of the page, which lets go of the top of the window while it is as long as this: it must not go
+ * out of sight.
+ */
 function keepInSight(help: HTMLDetailsElement): void {
   if (help.open) help.closest('.top')?.scrollIntoView();
 }

@@ -5,7 +5,7 @@ import type { Messages } from '../messages/index.js';
 /** What there is help for: a connection that failed, or waiting for a timer that does not answer. */
 export type HelpCode = ConnectionErrorCode | 'waiting';
 
-/** Where the trouble is. */
+/** What the help is for: the same problem has other causes on another system. */
 export interface Situation {
   readonly platform: Platform;
   /** The port that it is about; null when there is none, or none is known. */
@@ -117,7 +117,7 @@ export interface Help {
   readonly elsewhere: readonly { readonly system: System; readonly steps: readonly Step[] }[];
 }
 
-/** What to do about a trouble. Empty where its sentence says all. */
+/** What to do about it. Empty where its sentence says all. */
 export function helpFor(code: HelpCode, situation: Situation): Help {
   const { first = [], systems = {}, last = [] } = PLANS[code](situation);
   const { system } = situation.platform;
@@ -135,14 +135,16 @@ export function helpFor(code: HelpCode, situation: Situation): Help {
 }
 
 /**
- * The udev rule that lets whoever sits at the computer use this adapter, and keeps ModemManager from asking it whether it is a modem.
+ * The udev rule that lets whoever sits at the computer use this adapter, and keeps ModemManager from asking it whether
+ * it is a modem.
  * @returns null for a port that has no USB numbers.
  */
 export function udevRule(info: PortInfo | null): string | null {
   const vendor = hex(info?.usbVendorId);
   const product = hex(info?.usbProductId);
   if (vendor === null || product === null) return null;
-  // For ModemManager both its word for a whole device and, since 1.10, the one for a port: it looks for either at the port.
+  // For ModemManager both its word for a whole device and, since 1.10, the one for a port: it looks for either at the
+  // port.
   return [
     'SUBSYSTEM=="tty"',
     `ATTRS{idVendor}=="${vendor}"`,
@@ -185,7 +187,10 @@ function settingsPage(browser: Browser, page: string): readonly string[] | null 
   return scheme === undefined ? null : [`${scheme}://${page}`];
 }
 
-/** Where this page should be to be found by https. A host that was given a port of its own rarely has another one for that. */
+/**
+ * Where this page should be to be found by https. A host that was given a port of its own rarely has another one for
+ * that.
+ */
 function httpsAddress(address: string): readonly string[] | null {
   const url = new URL(address);
   if (url.protocol !== 'http:' || url.port !== '') return null;

@@ -7,8 +7,8 @@ import { ReplayTimer, VirtualTimer } from '../../simulator/index.js';
 const LATENCY = 40;
 
 /**
- * A virtual timer behind a mock port that takes the time of a real line, for the same code path as a real one. This is the one
- * place in the program where simulator and mock port meet.
+ * A virtual timer behind a mock port that takes the time of a real line, for the same code path as a real one. This is
+ * the one place in the program where simulator and mock port meet.
  */
 export function plugSimulatedTimer(timerClass: 'Q' | 'B'): SerialPortLike {
   return plug(new VirtualTimer({ identity: { timerClass } }), { timing: true, latency: LATENCY / 2 });

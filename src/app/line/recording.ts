@@ -22,7 +22,9 @@ export interface Recording {
   readonly replayable: boolean;
 }
 
-/** Why a file is no recording: it begins with another line, one of its lines is of another form, or it has no entries. */
+/**
+ * Why a file is no recording: it begins with another line, one of its lines is of another form, or it has no entries.
+ */
 export type RecordingFault = 'heading' | 'line' | 'empty' | 'too-large' | 'unreadable';
 
 /** A file that cannot be taken for a recording. */
@@ -103,8 +105,8 @@ function recordsOf(entries: readonly CaptureEntry[]): LineRecord[] {
 }
 
 /**
- * Entries of a line as text, in the format of a capture: what each one means stands above it, and `notes` stand at the top. Times
- * count from the first entry, so that nothing tells when it was.
+ * Entries of a line as text, in the format of a capture: what each one means stands above it, and `notes` stand at the
+ * top. Times count from the first entry, so that nothing tells when it was.
  */
 export function captureText(records: readonly LineRecord[], notes: readonly string[]): string {
   const began = records[0]?.time ?? 0;

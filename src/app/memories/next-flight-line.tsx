@@ -27,7 +27,8 @@ export function NextFlightLine({ session, memories }: { readonly session: Sessio
 
 /**
  * The same in words.
- * @param when `now`: what the timer has said. `will`: what it leads to. `last`: what it had said before the connection went.
+ * @param when `now`: what the timer has said. `will`: what it leads to. `last`: what it had said before the connection
+ * went.
  */
 export function nextFlightText(word: NextFlightWord, when: 'now' | 'will' | 'last'): string {
   const { nextFlight: words, memoryName } = messages.value;

@@ -1,18 +1,18 @@
-import { FIRST, type UnsupportedReason } from '../browser/platform.js';
+import { FIRST_VERSIONS, type UnsupportedReason } from '../browser/platform.js';
 import type { Said } from './en-notices.js';
 
 const restWorks = 'Everything but the connection works here too.';
 
 /** What an Android phone needs. */
-const android = `Chrome ${FIRST.android} or later (${FIRST.androidBluetooth} to ${FIRST.android - 1} over Bluetooth only); a cable needs Android ${FIRST.androidCable}`;
+const android = `Chrome ${FIRST_VERSIONS.android} or later (${FIRST_VERSIONS.androidBluetooth} to ${FIRST_VERSIONS.android - 1} over Bluetooth only); a cable needs Android ${FIRST_VERSIONS.androidCable}`;
 
 /** What an adapter on a cable needs on a phone. */
-export const cableOnAndroid = `An adapter on a cable needs Android ${FIRST.androidCable} and Chrome ${FIRST.android} or later. Without them, use a Bluetooth adapter or a computer.`;
+export const cableOnAndroid = `An adapter on a cable needs Android ${FIRST_VERSIONS.androidCable} and Chrome ${FIRST_VERSIONS.android} or later. Without them, use a Bluetooth adapter or a computer.`;
 
 /** Where a timer can be reached: for every browser of which no more is known. */
 export const unsupportedHere: Said = {
   title: 'This browser cannot reach a timer.',
-  advice: `On a computer, use Chrome or Edge ${FIRST.chrome}, Opera ${FIRST.opera}, Firefox ${FIRST.firefox}, or a later version. On Android, use ${android}. ${restWorks}`,
+  advice: `On a computer, use Chrome or Edge ${FIRST_VERSIONS.chrome}, Opera ${FIRST_VERSIONS.opera}, Firefox ${FIRST_VERSIONS.firefox}, or a later version. On Android, use ${android}. ${restWorks}`,
 };
 
 function tooOld(name: string, first: number, more = ''): Said {
@@ -24,16 +24,16 @@ function tooOld(name: string, first: number, more = ''): Said {
 
 /** In the place of the sentence for every browser, where the name of this one tells more. */
 export const unsupported: Record<UnsupportedReason, Said> = {
-  'chrome-old': tooOld('Chrome', FIRST.chrome),
-  'edge-old': tooOld('Edge', FIRST.edge),
-  'opera-old': tooOld('Opera', FIRST.opera),
+  'chrome-old': tooOld('Chrome', FIRST_VERSIONS.chrome),
+  'edge-old': tooOld('Edge', FIRST_VERSIONS.edge),
+  'opera-old': tooOld('Opera', FIRST_VERSIONS.opera),
   brave: {
     title: 'Brave reaches a timer only when you allow it.',
     advice: `Switch its Web Serial on, as told below, or use Chrome or Edge. ${restWorks}`,
   },
   'firefox-old': tooOld(
     'Firefox',
-    FIRST.firefox,
+    FIRST_VERSIONS.firefox,
     '. It then asks once to add a permission for this page. It reaches adapters on a cable, but none over Bluetooth',
   ),
   'firefox-mobile': {
@@ -42,7 +42,7 @@ export const unsupported: Record<UnsupportedReason, Said> = {
   },
   safari: {
     title: 'Safari cannot reach a timer.',
-    advice: `Use Chrome, Edge or Firefox (${FIRST.firefox} or later) on this Mac. ${restWorks}`,
+    advice: `Use Chrome, Edge or Firefox (${FIRST_VERSIONS.firefox} or later) on this Mac. ${restWorks}`,
   },
   ios: {
     title: 'No browser on an iPhone or iPad can reach a timer.',

@@ -1,7 +1,9 @@
 import { eraseSettings } from '../browser/settings.js';
 import type { Erasers } from './erase.js';
 
-/** Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone. */
+/**
+ * Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone.
+ */
 export function browserErasers(serial: Serial | undefined): Erasers {
   return {
     settings: async () => eraseSettings(),

@@ -29,7 +29,10 @@ interface HeaderProps {
   readonly platform: Platform;
 }
 
-/** What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there is to say. */
+/**
+ * What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there
+ * is to say.
+ */
 export function Header({ session, memories, leaving, keeping, aside, update, portHolder, platform }: HeaderProps) {
   const { name, header } = messages.value;
   const { status } = session.link.state.value;

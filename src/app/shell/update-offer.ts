@@ -25,7 +25,10 @@ export class UpdateOffer {
     return this.#session.keptWork.kept.value ? null : 'edits';
   });
 
-  /** Calls back once, as soon as no port is open or being opened and a reload would lose nothing that was typed: at once if so. */
+  /**
+   * Calls back once, as soon as no port is open or being opened and a reload would lose nothing that was typed: at once
+   * if so.
+   */
   readonly whenFree = (callback: () => void): void => {
     let waiting = true;
     effect(() => {

@@ -3,7 +3,10 @@ import { messages } from '../messages/index.js';
 import { useCopy } from './use-copy.js';
 import './copy-text.css';
 
-/** A line to be typed elsewhere, with a button that copies it. A click on the line marks all of it, for where there is no clipboard. */
+/**
+ * A line to be typed elsewhere, with a button that copies it. A click on the line marks all of it, for where there is
+ * no clipboard.
+ */
 export function CopyText({ text }: { text: string }) {
   const words = messages.value.help;
   const line = useRef<HTMLElement>(null);

@@ -1,7 +1,10 @@
 import type { RefObject } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 
-/** Tells the styles under this name how high something is that stays at an edge, so that nothing is scrolled to behind it. */
+/**
+ * Tells the styles under this name how high something is that stays at an edge, so that nothing is scrolled to behind
+ * it.
+ */
 export function useHeight(element: RefObject<HTMLElement | null>, name: `--${string}`): void {
   useLayoutEffect(() => {
     const { current } = element;

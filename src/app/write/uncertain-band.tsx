@@ -31,7 +31,10 @@ export function UncertainBand({ session, onLook }: UncertainBandProps) {
   );
 }
 
-/** The same over a dialog, which covers the page: of the timer at hand alone, or of the one on the screen where none is connected. */
+/**
+ * The same over a dialog, which covers the page: of the timer at hand alone, or of the one on the screen where none is
+ * connected.
+ */
 export function UncertainNote({ session }: { readonly session: Session }) {
   const shown = session.editor.identity.value;
   const isShown = (one: Uncertain): boolean =>
@@ -120,7 +123,10 @@ function sameKind(session: Session, connected: Identity, one: Uncertain): boolea
   return kindKey(connected, session.link.simulated.value) === kindKey(one.identity, one.simulated);
 }
 
-/** “It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.” @param timer null: the one at hand. */
+/**
+ * “It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.”
+ * @param timer null: the one at hand.
+ */
 function uncertainText(one: Uncertain, timer: string | null): string {
   const { knowledge: words, memoryName } = messages.value;
   const open = openValues(one);
