@@ -14,22 +14,25 @@ async function visited(): Promise<{ host: Awaited<ReturnType<typeof openHost>>; 
   return { host, page, script };
 }
 
-/** Looks for a new version, and how its worker ends: null when there is none. */
-function update(page: Page): Promise<string | null> {
+/** Looks for a new version until there is one, and how its worker ends. */
+function update(page: Page): Promise<string> {
   return page.evaluate(async () => {
-    const registration = await navigator.serviceWorker.getRegistration();
+    const registration = await navigator.serviceWorker.ready;
+    let worker: ServiceWorker | null = null;
     // From the moment it is found: one that is given nothing may be gone again before the look for it is over.
-    let worker = registration?.installing ?? registration?.waiting;
-    registration?.addEventListener('updatefound', () => {
+    registration.addEventListener('updatefound', () => {
       worker = registration.installing;
     });
-    await registration?.update().catch(() => {});
-    worker ??= registration?.installing ?? registration?.waiting;
-    if (!worker) return null;
-    while (worker.state === 'installing' || worker.state === 'parsed') {
-      await new Promise((resolve) => worker?.addEventListener('statechange', resolve, { once: true }));
+    // A look that the page has begun by itself, before there was a new version, stands for this one, too.
+    while (!worker) {
+      await registration.update().catch(() => {});
+      worker ??= registration.installing ?? registration.waiting;
     }
-    return worker.state;
+    const found: ServiceWorker = worker;
+    while (found.state === 'installing' || found.state === 'parsed') {
+      await new Promise((resolve) => found.addEventListener('statechange', resolve, { once: true }));
+    }
+    return found.state;
   });
 }
 
@@ -118,9 +121,15 @@ test('the way out throws the kept page and its worker away, and the page comes f
     'index.html',
     String(host.files.get('index.html')).replace('<title>Sidus Timer', '<title>From the host'),
   );
-  // Not waited for: the page may be loaded again before the answer is here.
-  await page.evaluate(() => void navigator.serviceWorker.getRegistration().then((found) => found?.update()));
-  await expect.poll(() => page.title()).toBe('From the host');
+  /** Not waited for: the page may be loaded again before the answer is here. */
+  const look = (): Promise<void> =>
+    page.evaluate(() => void navigator.serviceWorker.getRegistration().then((found) => found?.update()));
+  await expect
+    .poll(async () => {
+      await look();
+      return page.title();
+    })
+    .toBe('From the host');
   await isDrawn(page);
   await expect.poll(() => page.evaluate(() => caches.keys())).toEqual([]);
   // Also while the host goes on serving it: what is shown is what the host has now.
