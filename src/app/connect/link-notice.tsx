@@ -88,7 +88,7 @@ function heardSaid({ kind, sample, baudRate }: Heard): Said {
 }
 
 interface WaitingProps {
-  readonly said: { readonly title: string; readonly advice: string };
+  readonly said: Said;
   readonly detail?: string | false;
   readonly onChoose?: (() => void) | undefined;
   readonly onStop: () => void;

@@ -124,6 +124,13 @@ describe('what to do while no timer answers', () => {
     expect(field('DT time').value).toBe('3:00');
     expect(help()).toBeNull();
   });
+
+  it('is said of a timer that has fallen silent', async () => {
+    const { timer, session } = await connected();
+    timer.core.sleep();
+    await press('Read again');
+    expect([session.link.state.value.status, help() !== null]).toEqual(['waiting', true]);
+  });
 });
 
 describe('the serial settings', () => {
