@@ -1,7 +1,7 @@
+import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
-import { useSteady } from '../ui/use-steady.js';
 import type { Bench } from './bench.js';
 import { slotInSentence, standText } from './bench-text.js';
 import type { Follow } from './follow.js';
@@ -15,7 +15,7 @@ interface ServosHereProps {
 
 /** While the servos follow: the mark of the function where they stand, as far as that is known. */
 export function ServosHere({ bench, follow, slot }: ServosHereProps) {
-  const here = useSteady(() => follow.on.value && bench.stand.at.value === slot, [bench, follow, slot]);
+  const here = useComputed(() => follow.on.value && bench.stand.at.value === slot).value;
   return here ? <span class="servos-here">{messages.value.bench.here}</span> : null;
 }
 
@@ -31,7 +31,7 @@ interface ServosOfferProps {
 /** Under a function of which positions wait for the servos: the way to bring them there. */
 export function ServosOffer({ bench, follow, identity, slot, width }: ServosOfferProps) {
   const { bench: words } = messages.value;
-  const waits = useSteady(() => follow.awaited.value.has(slot), [follow, slot]);
+  const waits = useComputed(() => follow.awaited.value.has(slot)).value;
   if (!waits) return null;
   return (
     <tr class="row-notes servos-offer">

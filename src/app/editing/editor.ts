@@ -12,6 +12,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
+import { computedList } from './computed-list.js';
 import {
   applied,
   type Content,
@@ -30,7 +31,6 @@ import {
 import { type Edit, type Obstacle, putBack, replaceAll, setValues, withValues } from './edit.js';
 import * as histories from './history.js';
 import { groupOf, type History, type StepName, type Turned } from './history.js';
-import { steady } from './steady.js';
 import type { Question } from './units.js';
 
 /** What can be put back into an editor: see {@link Editor.snapshot}. */
@@ -40,9 +40,6 @@ export interface EditorContent extends Content {
   /** When the baseline was read, in milliseconds since 1970; null where that is not known. Not the editor's own: see `Knowledge`. */
   readonly readAt?: number | null | undefined;
 }
-
-const NOTHING_ASKED: ReadonlyMap<string, Question['either']> = new Map();
-const NOTHING_UNREADABLE: ReadonlyMap<string, UnreadableField> = new Map();
 
 /**
  * The program on the screen. The baseline is what the timer last said, the working copy what the pilot wants; everything else
@@ -75,28 +72,31 @@ export class Editor {
   readonly conflicts: ReadonlySignal<ReadonlyMap<string, Change>> = computed(
     () => new Map([...this.#moved.value].filter(([key]) => this.changed.value.has(key))),
   );
+  readonly #unreadable: ReadonlySignal<readonly UnreadableField[]> = computedList(() => {
+    const content = this.#content();
+    return content ? [...unreadableIn(content).values()] : [];
+  }, isSameUnreadable);
   /** Fields whose text is no value. */
-  readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(() => {
-    const working = this.working.value;
-    const found = working && unreadableIn({ working, texts: this.#texts.value });
-    return found && found.size > 0 ? found : NOTHING_UNREADABLE;
-  });
+  readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(
+    () => new Map(this.#unreadable.value.map((each) => [fieldKey(each.field), each])),
+  );
   /** What each of these texts may mean: the pilot is asked. While one is being typed it is not finished, and he is not. */
   readonly asked: ReadonlySignal<ReadonlyMap<string, Question['either']>> = computed(() => {
     const typing = this.#typing.value;
-    const open = [...this.unreadable.value].flatMap(([key, { either }]): [string, Question['either']][] =>
-      either && key !== typing ? [[key, either]] : [],
+    return new Map(
+      [...this.unreadable.value].flatMap(([key, { either }]): [string, Question['either']][] =>
+        either && key !== typing ? [[key, either]] : [],
+      ),
     );
-    return open.length > 0 ? new Map(open) : NOTHING_ASKED;
   });
   /** A DT below this is called short, in hundredths of a second. */
   readonly shortDt = signal(6000, { name: 'shortDt' });
-  readonly findings: ReadonlySignal<readonly Finding[]> = steady(() => {
+  readonly findings: ReadonlySignal<readonly Finding[]> = computedList(() => {
     const working = this.working.value;
     return working
       ? checkProgram(working, { baseline: this.baseline.value ?? undefined, shortDt: this.shortDt.value })
       : [];
-  });
+  }, isSameFinding);
   /** Whether something stands in the way of a write. */
   readonly blocked: ReadonlySignal<boolean> = computed(
     () => this.unreadable.value.size > 0 || hasErrors(this.findings.value),
@@ -107,8 +107,8 @@ export class Editor {
   );
 
   /** What would be undone, and redone, next; null when there is nothing. */
-  readonly undoStep: ReadonlySignal<StepName | null> = steady(() => this.#history.value.past.at(-1)?.name ?? null);
-  readonly redoStep: ReadonlySignal<StepName | null> = steady(() => this.#history.value.future.at(-1)?.name ?? null);
+  readonly undoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.past.at(-1)?.name ?? null);
+  readonly redoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.future.at(-1)?.name ?? null);
 
   /** What stands in a field: the text as typed, else its value. */
   textOf(field: ProgramField): string {
@@ -350,4 +350,15 @@ function typing(field: ProgramField, value: number | null): Edit {
   const key = fieldKey(field);
   const values = value === null ? [] : [{ field, value }];
   return setValues({ code: 'type', params: { field: key } }, values, groupOf('type', key));
+}
+
+function isSameUnreadable(a: UnreadableField, b: UnreadableField): boolean {
+  const isSameQuestion = a.either?.[0] === b.either?.[0] && a.either?.[1] === b.either?.[1];
+  return fieldKey(a.field) === fieldKey(b.field) && a.reason === b.reason && isSameQuestion;
+}
+
+function isSameFinding(a: Finding, b: Finding): boolean {
+  if (a.code !== b.code || a.severity !== b.severity) return false;
+  if ((a.field && fieldKey(a.field)) !== (b.field && fieldKey(b.field))) return false;
+  return Object.keys({ ...a.params, ...b.params }).every((name) => a.params[name] === b.params[name]);
 }

@@ -1,9 +1,10 @@
+import { computed } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
 import { type Finding, fieldKey } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
 import { fieldLabel, figureText, messages } from '../messages/index.js';
-import { useSteady } from '../ui/use-steady.js';
 import { allNotes } from './field-notes.js';
 import './checks-panel.css';
 
@@ -36,17 +37,21 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
 
 function FixButton({ editor, finding }: { readonly editor: Editor; readonly finding: Finding }) {
   const { edits } = messages.value;
-  const fix = useSteady(() => editor.working.value && fixFor(finding, editor.working.value), [editor, finding]);
+  const fix = useMemo(
+    () => computed(() => (editor.working.value && fixFor(finding, editor.working.value)?.value) ?? null),
+    [editor, finding],
+  );
   const identity = editor.identity.value;
-  if (!fix || !identity) return null;
-  const { field, value } = fix;
+  const { field } = finding;
+  const { value } = fix;
+  if (!field || value === null || !identity) return null;
   const shown = figureText(identity, field, value);
   return (
     <button
       type="button"
       class="fix"
       aria-label={edits.fixOf(fieldLabel(identity, field), shown)}
-      onClick={() => editor.apply(setValues({ code: 'fix', params: { field: fieldKey(field) } }, [fix]))}
+      onClick={() => editor.apply(setValues({ code: 'fix', params: { field: fieldKey(field) } }, [{ field, value }]))}
     >
       {edits.fix(shown)}
     </button>

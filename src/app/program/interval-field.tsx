@@ -1,4 +1,4 @@
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import type { TargetedFocusEvent } from 'preact';
 import { useRef } from 'preact/hooks';
 import type { Edit } from '../editing/edit.js';
@@ -8,7 +8,6 @@ import { gridKey, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
 import { formatInterval, type Question, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
-import { useSteady } from '../ui/use-steady.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
 import { TimeQuestion } from './time-question.js';
@@ -42,7 +41,7 @@ export function IntervalField({ editor, slot, label }: IntervalFieldProps) {
   const entered = useSignal<Entry | null>(null);
   const focused = useSignal(false);
   const find = (): number | null => editor.working.value && intervalAt(editor.working.value, slot);
-  const interval = useSteady(find, [editor, slot]);
+  const interval = useComputed(find).value;
   const entry = entered.value?.interval === interval ? entered.value : null;
   const problem = entry?.problem ?? null;
   const either = entry?.either;

@@ -9,7 +9,7 @@ export function LargeFigures({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor } = session;
   const identity = editor.identity.value;
-  const isShort = editor.findings.value.some(({ code }) => code === 'dt-short');
+  const isShort = useComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short')).value;
   const hasThrottle = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
   if (!identity) return null;
   return (

@@ -1,28 +1,22 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
-import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { fieldKey, type ProgramField, slotKind } from '../../program/index.js';
-import { type Identity, slotCount } from '../../protocol/index.js';
+import { useMemo, useRef } from 'preact/hooks';
+import type { ProgramField } from '../../program/index.js';
+import { slotCount } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
-import { ServosHere, ServosOffer } from '../bench/servos-here.js';
 import { fillDown } from '../editing/edits.js';
-import { cellFor, FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
-import { fieldLabel, messages, obstacleText, slotLabel } from '../messages/index.js';
-import { programKey } from '../session/record-keys.js';
+import { messages, obstacleText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
-import { useSteady } from '../ui/use-steady.js';
 import { ColumnMenu } from './column-menu.js';
-import { notesFor } from './field-notes.js';
 import { TableSelection } from './field-tools.js';
-import { IntervalField } from './interval-field.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
+import { ProgramRow } from './program-row.js';
 import { RangeBar } from './range-bar.js';
 import { useSelectRange } from './select-range.js';
 import { Selection } from './selection.js';
 import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
-import { ValueField } from './value-field.js';
 import './program-table.css';
 
 interface ProgramTableProps {
@@ -142,132 +136,5 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
         }}
       />
     </div>
-  );
-}
-
-interface ProgramRowProps extends ProgramTableProps {
-  readonly identity: Identity;
-  readonly slot: number;
-  readonly servos: readonly number[];
-  readonly selection: Selection;
-}
-
-function ProgramRow({ session, bench, follow, identity, slot, servos, selection, marked }: ProgramRowProps) {
-  const { editor } = session;
-  const { about, program, edits, servoName } = messages.value;
-  const positions = useMemo(
-    () => servos.map((servo): ProgramField => ({ kind: 'position', servo, slot })),
-    [servos, slot],
-  );
-  const fields: ProgramField[] = [{ kind: 'time', slot }, ...positions];
-  const { notes, changed } = useSteady(() => {
-    const keys = fields.map(fieldKey);
-    return {
-      notes: fields.flatMap((field) => notesFor(editor, field)),
-      changed: keys.some((key) => editor.changed.value.has(key) || editor.unreadable.value.has(key)),
-    };
-  }, [editor, positions]);
-  const selected = useSteady(() => {
-    const range = selection.shown.value;
-    return range && slot >= range.top && slot <= range.bottom ? range : null;
-  }, [selection, slot]);
-  const markedAt = useSteady(() => {
-    const place = marked.value && cellFor(marked.value);
-    return place?.row === slot ? place.column : null;
-  }, [marked, slot]);
-  const name = slotLabel(identity, slot);
-  const cell = (at: number, label: string) => {
-    const isSelected = selected && at >= selected.left && at <= selected.right;
-    const classes = `${isSelected ? 'selected' : ''} ${at === markedAt ? 'marked' : ''}`;
-    return { 'data-cell': at, 'data-name': label, class: classes.trim() };
-  };
-  const timeCell = cell(TIME_COLUMN, program.time);
-  return (
-    <>
-      <tr class={slotKind(identity, slot)} data-slot={slot}>
-        <th scope="row">
-          {name}
-          <ServosHere bench={bench} follow={follow} slot={slot} />
-          {changed && (
-            <button
-              type="button"
-              class="put-back"
-              tabIndex={-1}
-              title={edits.table.revertRow(name)}
-              aria-label={edits.table.revertRow(name)}
-              onClick={() => editor.revertFields({ code: 'revert-row', params: { slot } }, fields)}
-            />
-          )}
-        </th>
-        <td {...timeCell} class={`time ${timeCell.class}`}>
-          <TimeCell session={session} identity={identity} slot={slot} />
-        </td>
-        <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
-          {slot > 0 && <IntervalField editor={editor} slot={slot} label={edits.table.intervalOf(name)} />}
-        </td>
-        {positions.map((field, servo) => (
-          <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
-            <ValueField session={session} field={field} label={fieldLabel(identity, field)} place="table" />
-          </td>
-        ))}
-      </tr>
-      {notes.length > 0 && (
-        <tr class="row-notes">
-          <td colSpan={servos.length + 3}>
-            {notes.map(({ field, severity, text }) => (
-              <p key={`${fieldKey(field)} ${text}`} class={severity}>
-                <strong>{about(fieldLabel(identity, field))}</strong> {text}
-              </p>
-            ))}
-          </td>
-        </tr>
-      )}
-      <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={servos.length + 3} />
-    </>
-  );
-}
-
-interface TimeCellProps {
-  readonly session: Session;
-  readonly identity: Identity;
-  readonly slot: number;
-}
-
-/** Slot 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
-function TimeCell({ session, identity, slot }: TimeCellProps) {
-  const { editor } = session;
-  const { program } = messages.value;
-  const unlocked = useSignal(false);
-  const shown = useSteady(
-    () => editor.working.value && programKey(editor.working.value, session.simulated.value),
-    [editor, session],
-  );
-  // It was asked for in the program that was on the screen then.
-  useEffect(() => {
-    unlocked.value = false;
-  }, [unlocked, shown]);
-  const field: ProgramField = { kind: 'time', slot };
-  const label = fieldLabel(identity, field);
-  const isMotorStop = slot === 0 && identity.timerClass === 'Q';
-  const reserved = slot === 0 && !isMotorStop;
-  return (
-    <>
-      <ValueField session={session} field={field} label={label} place="table" readOnly={reserved && !unlocked.value} />
-      {isMotorStop && <span class="cell-name">{program.motorStop}</span>}
-      {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
-      {reserved && !unlocked.value && (
-        <button
-          type="button"
-          class="cell-name"
-          aria-label={program.editReserved}
-          onClick={(event) => {
-            unlocked.value = true;
-            event.currentTarget.closest('td')?.querySelector('input')?.focus();
-          }}
-        >
-          {program.reserved}
-        </button>
-      )}
-    </>
   );
 }

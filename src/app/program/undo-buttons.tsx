@@ -1,7 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { Editor } from '../editing/editor.js';
-import type { StepName } from '../editing/history.js';
 import { messages, stepText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
@@ -17,24 +16,22 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
     () => (session.runner.busy.value && session.runner.job.value?.kind !== 'bench') || write.current.value !== null,
   );
   const isOff = off.value;
+  const undo = useStepText(editor, editor.undoStep, edits.undo);
+  const redo = useStepText(editor, editor.redoStep, edits.redo);
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => undoByKey(event, off.peek() ? null : editor);
     document.addEventListener('keydown', onKey);
     return () => document.removeEventListener('keydown', onKey);
   }, [editor]);
   if (!identity) return null;
-  const named = (plain: string, full: (step: string) => string, step: StepName | null): string =>
-    step ? full(stepText(identity, step)) : plain;
-  const undo = named(edits.undoButton, edits.undo, editor.undoStep.value);
-  const redo = named(edits.redoButton, edits.redo, editor.redoStep.value);
   return (
     <div class="undo-buttons">
       <button
         type="button"
         class="quiet"
-        aria-label={undo}
-        title={undo}
-        disabled={isOff || !editor.undoStep.value}
+        aria-label={undo ?? edits.undoButton}
+        title={undo ?? edits.undoButton}
+        disabled={isOff || undo === null}
         onClick={() => editor.undo()}
       >
         {edits.undoButton}
@@ -42,15 +39,20 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
       <button
         type="button"
         class="quiet"
-        aria-label={redo}
-        title={redo}
-        disabled={isOff || !editor.redoStep.value}
+        aria-label={redo ?? edits.redoButton}
+        title={redo ?? edits.redoButton}
+        disabled={isOff || redo === null}
         onClick={() => editor.redo()}
       >
         {edits.redoButton}
       </button>
     </div>
   );
+}
+
+/** What would be done, in words; null when there is nothing. While a field is typed in, the words stay the same. */
+function useStepText({ identity }: Editor, step: Editor['undoStep'], text: (step: string) => string): string | null {
+  return useComputed(() => (identity.value && step.value ? text(stepText(identity.value, step.value)) : null)).value;
 }
 
 /** @param editor null while nothing can be undone: a browser would undo in the field what is no step of the program. */

@@ -1,13 +1,10 @@
 import { useSignal } from '@preact/signals';
-import { useRef } from 'preact/hooks';
-import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
-import type { Identity } from '../../protocol/index.js';
-import { formatValue } from '../editing/content.js';
+import { useMemo, useRef } from 'preact/hooks';
+import { fieldKey, type ProgramField } from '../../program/index.js';
 import { stepValue } from '../editing/edits.js';
-import { figureOf, messages, spokenTime, valueText } from '../messages/index.js';
+import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { useSteady } from '../ui/use-steady.js';
-import { notesFor } from './field-notes.js';
+import { FieldLook, type FieldPlace } from './field-look.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
 import { TimeQuestion } from './time-question.js';
@@ -19,8 +16,8 @@ interface ValueFieldProps {
   readonly session: Session;
   readonly field: ProgramField;
   readonly label: string;
-  /** Which of several fields for the same value this is, to keep their ids apart. In the table the arrows alone go to other cells. */
-  readonly place: 'table' | 'large';
+  /** It keeps the ids of fields for one value apart. In the table the arrows alone go to other cells. */
+  readonly place: FieldPlace;
   readonly readOnly?: boolean;
   /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
   readonly notesShown?: boolean;
@@ -36,33 +33,21 @@ export function ValueField({ session, field, label, place, readOnly = false, not
   const focused = useSignal(false);
   const key = fieldKey(field);
   const isLarge = place === 'large';
-  const { text, unit, spoken, change, was, unreadable, either, notes } = useSteady(() => {
-    const working = editor.working.value;
-    const value = working && valueAt(working, field);
-    const change = editor.changed.value.get(key) ?? null;
-    const isTyped = editor.isTyped(field);
-    const figure = working && value !== null && !isTyped ? figureOf(working.identity, field, value) : null;
-    const isSaid =
-      isLarge && field.kind === 'time' && (field.slot === working?.identity.functions || figure?.unit === 'min');
-    return {
-      text: isLarge && figure ? figure.text : editor.textOf(field),
-      // In the table a column of seconds says it at its head, as it were; what is not seconds there says it itself.
-      unit: isLarge || figure?.unit === 'min' ? (figure?.unit ?? null) : null,
-      spoken: isSaid && change && value !== null && !editor.unreadable.value.has(key) ? spokenTime(value) : null,
-      change,
-      was: working && change && change.from !== null ? wasText(working.identity, field, change.from, isLarge) : null,
-      unreadable: editor.unreadable.value.has(key),
-      either: editor.asked.value.get(key) ?? null,
-      notes: notesFor(editor, field),
-    };
-  }, [editor, key]);
-  const wrong = notes.some(({ severity }) => severity === 'error');
+  const look = useMemo(() => new FieldLook(editor, field, place), [editor, key, place]);
+  const { value: text } = look.text;
+  const { value: unit } = look.unit;
+  const { value: spoken } = look.spoken;
+  const { value: was } = look.was;
+  const { value: either } = look.either;
+  const { value: notes } = look.notes;
+  const isChanged = look.isChanged.value;
+  const isWrong = look.isWrong.value;
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
     spoken && id('spoken'),
     was !== null && id('was'),
-    notes.length > 0 && id('notes'),
+    notes && id('notes'),
   ].filter(Boolean);
   const revert = (): void => editor.revert(field);
   const step: OnStep = (direction, options) => {
@@ -72,7 +57,7 @@ export function ValueField({ session, field, label, place, readOnly = false, not
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${change ? 'changed' : ''} ${either ? 'asked' : wrong ? 'wrong' : ''}`} {...refuseDrag}>
+    <span class={`value ${isChanged ? 'changed' : ''} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input
         ref={input}
         type="text"
@@ -81,7 +66,7 @@ export function ValueField({ session, field, label, place, readOnly = false, not
         autocomplete="off"
         spellcheck={false}
         aria-label={label}
-        aria-invalid={wrong}
+        aria-invalid={isWrong}
         aria-describedby={described.join(' ') || undefined}
         readOnly={readOnly}
         class={text.length > LONG ? 'long' : ''}
@@ -141,21 +126,14 @@ export function ValueField({ session, field, label, place, readOnly = false, not
           )}
         </span>
       )}
-      {notes.length > 0 && (
+      {notes && (
         <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={id('notes')}>
-          {notes.map(({ text }) => text).join(' ')}
+          {notes}
         </span>
       )}
       {focused.value && !readOnly && (
-        <FieldTools label={label} onStep={step} onRevert={change || unreadable ? revert : undefined} />
+        <FieldTools label={label} onStep={step} onRevert={isChanged || look.isUnreadable.value ? revert : undefined} />
       )}
     </span>
   );
-}
-
-/** An old value in the form of the new one above it, with its unit. */
-function wasText(identity: Identity, field: ProgramField, value: number, isLarge: boolean): string {
-  if (isLarge) return valueText(identity, field, value);
-  const text = formatValue(field, value);
-  return field.kind === 'time' ? messages.value.seconds(text) : text;
 }

@@ -1,8 +1,8 @@
+import { useComputed } from '@preact/signals';
 import { fieldKey } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { useSteady } from '../ui/use-steady.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { firstInTheWay } from './field-notes.js';
 
@@ -12,6 +12,7 @@ const NOTE = 'blocked-note';
 export function WriteButton({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const isBlocked = editor.blocked.value;
+  const hasChanges = useComputed(() => editor.changes.value.length > 0).value;
   const press = (): void => {
     const cause = isBlocked ? firstInTheWay(editor) : null;
     if (cause) lookAt(fieldKey(cause.field));
@@ -20,7 +21,7 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
   return (
     <button
       type="button"
-      class={isBlocked ? 'blocked' : editor.changes.value.length > 0 ? 'primary' : ''}
+      class={isBlocked ? 'blocked' : hasChanges ? 'primary' : ''}
       // Not while a job runs; but the focus stays, also for when the dialog is closed.
       aria-disabled={session.runner.busy.value}
       aria-describedby={isBlocked ? NOTE : undefined}
@@ -34,14 +35,14 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
 
 /** What is in the way of a write. A text that is still being typed is not. */
 export function BlockedNote({ editor }: { readonly editor: Editor }) {
-  const text = useSteady(() => {
+  const text = useComputed(() => {
     const identity = editor.identity.value;
     const cause = identity && firstInTheWay(editor);
     if (!cause) return null;
     const key = fieldKey(cause.field);
     const isTyped = editor.unreadable.value.get(key)?.either && !editor.asked.value.has(key);
     return isTyped ? null : messages.value.program.blocked(fieldLabel(identity, cause.field), cause.text);
-  }, [editor]);
+  }).value;
   if (text === null) return null;
   return (
     <p class="hint bad-text" id={NOTE} role="status">

@@ -18,11 +18,11 @@ import './write-dialog.css';
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const current = write.current.value;
-  const identity = session.editor.working.value?.identity;
+  const identity = session.editor.identity.value;
   const { write: words } = messages.value;
   return (
     <Modal
-      open={current !== null && identity !== undefined}
+      open={current !== null && identity !== null}
       title={words.title}
       head={
         <>

@@ -1,0 +1,67 @@
+import { computed, type ReadonlySignal } from '@preact/signals';
+import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { formatValue } from '../editing/content.js';
+import type { Editor } from '../editing/editor.js';
+import type { Figure, Question } from '../editing/units.js';
+import { figureOf, messages, spokenTime, valueText } from '../messages/index.js';
+import { notesFor } from './field-notes.js';
+
+/** Which of several fields for the same value this is. */
+export type FieldPlace = 'table' | 'large';
+
+/** What one field shows. Each part tells of its own changes alone: a keystroke elsewhere draws the field anew only where it says something else. */
+export class FieldLook {
+  readonly text: ReadonlySignal<string>;
+  readonly unit: ReadonlySignal<Figure['unit'] | null>;
+  /** The value as it is said, where a wrong minute would be dear. */
+  readonly spoken: ReadonlySignal<string | null>;
+  readonly isChanged: ReadonlySignal<boolean>;
+  /** The value that the timer held, where it was another and is known. */
+  readonly was: ReadonlySignal<string | null>;
+  readonly isUnreadable: ReadonlySignal<boolean>;
+  readonly either: ReadonlySignal<Question['either'] | null>;
+  readonly isWrong: ReadonlySignal<boolean>;
+  readonly notes: ReadonlySignal<string>;
+
+  constructor(editor: Editor, field: ProgramField, place: FieldPlace) {
+    const key = fieldKey(field);
+    const isLarge = place === 'large';
+    const { identity } = editor;
+    const value = computed(() => editor.working.value && valueAt(editor.working.value, field));
+    /** What the timer held; undefined where it holds the same. */
+    const from = computed(() => editor.changed.value.get(key)?.from);
+    const isTyped = computed(() => editor.isTyped(field));
+    const figure = computed(() =>
+      identity.value && value.value !== null && !isTyped.value ? figureOf(identity.value, field, value.value) : null,
+    );
+    const isSaid = computed(
+      () =>
+        isLarge &&
+        field.kind === 'time' &&
+        (field.slot === identity.value?.functions || figure.value?.unit === 'min') &&
+        this.isChanged.value &&
+        !this.isUnreadable.value,
+    );
+    this.text = computed(() => (isLarge && figure.value ? figure.value.text : editor.textOf(field)));
+    // In the table a column of seconds says it at its head, as it were; what is not seconds there says it itself.
+    this.unit = computed(() => (isLarge || figure.value?.unit === 'min' ? (figure.value?.unit ?? null) : null));
+    this.spoken = computed(() => (isSaid.value && value.value !== null ? spokenTime(value.value) : null));
+    this.isChanged = computed(() => from.value !== undefined);
+    this.was = computed(() =>
+      identity.value && typeof from.value === 'number' ? wasText(identity.value, field, from.value, isLarge) : null,
+    );
+    this.isUnreadable = computed(() => editor.unreadable.value.has(key));
+    this.either = computed(() => editor.asked.value.get(key) ?? null);
+    const notes = computed(() => notesFor(editor, field));
+    this.isWrong = computed(() => notes.value.some(({ severity }) => severity === 'error'));
+    this.notes = computed(() => notes.value.map(({ text }) => text).join(' '));
+  }
+}
+
+/** An old value in the form of the new one above it, with its unit. */
+function wasText(identity: Identity, field: ProgramField, value: number, isLarge: boolean): string {
+  if (isLarge) return valueText(identity, field, value);
+  const text = formatValue(field, value);
+  return field.kind === 'time' ? messages.value.seconds(text) : text;
+}

@@ -1,0 +1,47 @@
+import { computed, type ReadonlySignal } from '@preact/signals';
+import { fieldKey, type ProgramField } from '../../program/index.js';
+import { computedList } from '../editing/computed-list.js';
+import type { Editor } from '../editing/editor.js';
+import { cellFor } from '../editing/grid.js';
+import { type FieldNote, notesFor } from './field-notes.js';
+import type { Selection } from './selection.js';
+
+interface RowModels {
+  readonly editor: Editor;
+  readonly selection: Selection;
+  readonly marked: ReadonlySignal<ProgramField | null>;
+}
+
+/** What one row of the table shows around its fields. Each part tells of its own changes alone, as in `FieldLook`. */
+export class RowLook {
+  /** What is to be said about its fields. */
+  readonly notes: ReadonlySignal<readonly FieldNote[]>;
+  readonly isChanged: ReadonlySignal<boolean>;
+  /** The first and the last column of the selection; no column where the row is not in it. */
+  readonly selectedFrom: ReadonlySignal<number>;
+  readonly selectedTo: ReadonlySignal<number>;
+  /** The column of the field that is meant in the timeline; null where it is in another row. */
+  readonly markedAt: ReadonlySignal<number | null>;
+
+  constructor({ editor, selection, marked }: RowModels, slot: number, fields: readonly ProgramField[]) {
+    const keys = fields.map(fieldKey);
+    const selected = computed(() => {
+      const range = selection.shown.value;
+      return range && slot >= range.top && slot <= range.bottom ? range : null;
+    });
+    this.notes = computedList(() => fields.flatMap((field) => notesFor(editor, field)), isSameNote);
+    this.isChanged = computed(() =>
+      keys.some((key) => editor.changed.value.has(key) || editor.unreadable.value.has(key)),
+    );
+    this.selectedFrom = computed(() => selected.value?.left ?? Number.POSITIVE_INFINITY);
+    this.selectedTo = computed(() => selected.value?.right ?? Number.NEGATIVE_INFINITY);
+    this.markedAt = computed(() => {
+      const cell = marked.value && cellFor(marked.value);
+      return cell?.row === slot ? cell.column : null;
+    });
+  }
+}
+
+function isSameNote(a: FieldNote, b: FieldNote): boolean {
+  return a.text === b.text && a.severity === b.severity && fieldKey(a.field) === fieldKey(b.field);
+}
