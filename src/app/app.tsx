@@ -36,7 +36,7 @@ export function App({ models }: { readonly models: AppModels }) {
         </button>
       </footer>
       <WriteDialog session={session} write={write} />
-      <MemoriesDialog session={session} memories={memories} />
+      <MemoriesDialog session={session} jobs={memories.jobs} />
       <LeaveDialog session={session} leaving={leaving} />
       <EraseDialog session={session} erase={erase} />
     </>

@@ -66,10 +66,7 @@ export function createModels({
   keeping.onReturn(() => void session.keptWork.bringBack());
   const write = new WriteFlow(session);
   const memories = new Memories(session);
-  const isWriting = (): boolean =>
-    write.current.value?.step === 'running' || memories.current.value?.step === 'running';
-  const isElsewhere = (): boolean => write.current.value !== null || memories.current.value !== null;
-  const bench = new Bench(session, isElsewhere);
+  const bench = new Bench(session);
   return {
     session,
     keeping,
@@ -79,12 +76,12 @@ export function createModels({
     memories,
     leaving: new Leaving(session, memories),
     bench,
-    follow: new Follow(session, bench, isElsewhere),
+    follow: new Follow(session, bench),
     theme: new Theme(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),
-    portHolder: new PortHolder(session, isWriting, channel),
+    portHolder: new PortHolder(session, channel),
     platform,
   };
 }

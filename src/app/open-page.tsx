@@ -34,7 +34,7 @@ export function openPage(root: HTMLElement): AppModels | null {
     erasers: browserErasers(doors.surroundings.serial as Serial | undefined),
     reload: () => location.reload(),
   });
-  const { session, write, memories, follow, update, keeping, theme } = models;
+  const { session, follow, update, keeping, theme } = models;
   tried(() => theme.follow(document, doors.dark));
   render(<App models={models} />, root);
   void session.keptWork.start();
@@ -42,8 +42,7 @@ export function openPage(root: HTMLElement): AppModels | null {
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
   effect(() => {
     // Leaving in the middle of a write is the one thing that a reload cannot mend by itself.
-    const isRunning = write.current.value?.step === 'running' || memories.current.value?.step === 'running';
-    if (isRunning) addEventListener('beforeunload', warn);
+    if (session.runner.writing.value) addEventListener('beforeunload', warn);
     else removeEventListener('beforeunload', warn);
   });
   keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));

@@ -23,17 +23,11 @@ export class Bench {
   readonly ready: ReadonlySignal<boolean>;
   readonly #session: Session;
 
-  /** @param isElsewhere whether a write or a job over several memories is at work. */
-  constructor(session: Session, isElsewhere: () => boolean) {
+  constructor(session: Session) {
     this.#session = session;
     this.stand = new ServoStand(session);
-    this.ready = computed(
-      () =>
-        session.connection.value !== null &&
-        session.safety.confirmed.value &&
-        !session.runner.busy.value &&
-        !isElsewhere(),
-    );
+    const { runner, safety } = session;
+    this.ready = computed(() => runner.ready.value && !runner.claimed.value && safety.confirmed.value);
     session.connection.subscribe(() => {
       // What may have happened is said until something else is done: the timer may be back before it was read.
       if (this.done.peek()?.certain) this.done.value = null;

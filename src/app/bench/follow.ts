@@ -3,7 +3,7 @@ import { differences, fieldKey, type ProgramField, sameLayout, type TimerProgram
 import { MAX_POSITION } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
-import type { JobOptions } from '../session/job-runner.js';
+import type { JobKind, JobOptions } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { within } from '../storage/limit.js';
 import type { Bench } from './bench.js';
@@ -30,6 +30,8 @@ interface Pending {
   readonly value: number;
 }
 
+/** Jobs that do not end it: of its own kind, and a frame by hand, which says itself whether it may move the servos. They read nothing. */
+const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
 /** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
 const TYPED = 600;
 
@@ -65,7 +67,6 @@ export class Follow {
   readonly #ended = signal<Ended | null>(null, { name: 'ended' });
   readonly #session: Session;
   readonly #bench: Bench;
-  readonly #isElsewhere: () => boolean;
   /** What is followed, and on which connection. */
   #followed: string | null = null;
   #bound: TimerConnection | null = null;
@@ -83,12 +84,10 @@ export class Follow {
   #isKept = true;
   readonly #changedAt = new Map<string, number>();
 
-  /** @param isElsewhere whether a write or a job over several memories is at work. */
-  constructor(session: Session, bench: Bench, isElsewhere: () => boolean) {
+  constructor(session: Session, bench: Bench) {
     const { editor } = session;
     this.#session = session;
     this.#bench = bench;
-    this.#isElsewhere = isElsewhere;
     this.trials = new Trials(editor.baseline, (program) => session.workKey(program));
     this.on = this.#on;
     this.going = this.#going;
@@ -230,7 +229,7 @@ export class Follow {
     });
     // Another job reads by itself.
     const other = runner.job.peek();
-    if (other && other.kind !== 'bench') return;
+    if (other && !BESIDE.has(other.kind)) return;
     const bound = this.#bound;
     if (runner.busy.peek()) await runner.ended();
     if (bound && connection.peek() === bound) await this.#session.read();
@@ -247,7 +246,7 @@ export class Follow {
     void this.#rested.value;
     this.#note();
     const next = this.#next();
-    if (next !== null && !this.#session.runner.busy.value && !this.#isElsewhere()) untracked(() => void this.#go(next));
+    if (next !== null && this.#bench.ready.value) untracked(() => void this.#go(next));
   }
 
   #reasonToEnd(): EndReason | null {
@@ -258,7 +257,7 @@ export class Follow {
     if (!safety.confirmed.value) return 'unsafe';
     // While another memory is being selected it is open where a position would be stored.
     if (job?.kind === 'select') return 'memory';
-    if (job && job.kind !== 'bench') return 'job';
+    if (job && !BESIDE.has(job.kind)) return 'job';
     const isSame = working && this.trials.current.value && this.#session.workKey(working) === this.#followed;
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }

@@ -30,7 +30,7 @@ export class FrameForm {
   readonly letter = signal('', { name: 'letter' });
   readonly data = signal('', { name: 'data' });
   readonly step: ReadonlySignal<FrameStep> = computed(() => {
-    if (this.#sending.value) return 'sending';
+    if (this.#session.runner.job.value?.kind === 'frame') return 'sending';
     const asking = this.#asking.value;
     return asking && asking === this.#session.connection.value ? 'confirm' : 'edit';
   });
@@ -59,12 +59,11 @@ export class FrameForm {
   );
   /** Whether there is a frame, and a wire that is free for it. */
   readonly ready: ReadonlySignal<boolean> = computed(
-    () => this.frame.value !== null && this.#session.connection.value !== null && !this.#session.runner.busy.value,
+    () => this.frame.value !== null && this.#session.runner.ready.value,
   );
   readonly #session: Session;
   /** The connection on which it was asked for once. Another one may be to another timer. */
   readonly #asking = signal<TimerConnection | null>(null, { name: 'asking' });
-  readonly #sending = signal(false, { name: 'sending' });
   readonly #result = signal<FrameResult | null>(null, { name: 'result' });
 
   constructor(session: Session) {
@@ -80,7 +79,7 @@ export class FrameForm {
 
   /** Takes what was chosen or typed. Whatever was asked for before is asked for no longer. */
   edit(change: { readonly command?: CommandName | null; readonly letter?: string; readonly data?: string }): void {
-    if (this.#sending.value) return;
+    if (this.step.value === 'sending') return;
     batch(() => {
       if (change.command !== undefined) this.command.value = change.command;
       if (change.letter !== undefined) this.letter.value = change.letter;
@@ -111,37 +110,27 @@ export class FrameForm {
   }
 
   async #send(): Promise<void> {
-    const session = this.#session;
-    const connection = session.connection.value;
     const frame = this.frame.value;
-    if (!connection || !frame) return;
+    if (!frame) return;
     const effect = this.effect.value;
-    batch(() => {
-      this.#asking.value = null;
-      this.#sending.value = true;
-      this.#result.value = null;
-    });
     const mayStore = effect === 'stores' || effect === 'unknown';
     const maySelect = effect === 'unknown' || frame.code === COMMANDS.SETMEMORY.request;
-    batch(() => {
-      if (mayStore) session.editor.fresh.value = false;
-      if (!maySelect) return;
-      // Until the reading below has said which memory is current it is not known which one flies next.
-      session.nextFlight.doubt();
-      session.nextFlight.leave(null);
-    });
-    try {
-      const answer = connection.client.send(frame.code, frame.data);
-      if (effect !== 'reads') session.servoMoves.mayMove();
+    const { runner, editor, nextFlight, servoMoves, connection } = this.#session;
+    const before = connection.value;
+    await runner.run('frame', async ({ client }) => {
+      batch(() => {
+        this.#asking.value = null;
+        this.#result.value = null;
+        if (mayStore) editor.fresh.value = false;
+        // Until the reading below has said which memory is current it is not known which one flies next.
+        if (maySelect) nextFlight.leave(null);
+      });
+      const answer = client.send(frame.code, frame.data);
+      if (effect !== 'reads') servoMoves.mayMove();
       this.#result.value = { reply: await answer };
-    } catch (error) {
-      // A lost port says so itself, once.
-      if (session.connection.value === connection) session.notices.report(error);
-    } finally {
-      this.#sending.value = false;
-    }
+    });
     // What is on the screen may be out of date, also when no reply came.
-    if (mayStore && session.connection.value === connection) await session.read();
+    if (mayStore && connection.value === before) await this.#session.read();
   }
 }
 

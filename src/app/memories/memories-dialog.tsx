@@ -1,31 +1,25 @@
+import type { Progress } from '../../client/index.js';
 import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { openValues } from '../session/knowledge.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { ClosingButtons, RunningStep, UnkeptStep } from '../write/dialog-steps.js';
+import { ClosingButtons, JobStep } from '../write/dialog-steps.js';
 import { MoveServosCheck } from '../write/move-servos-check.js';
 import { SafetyCheck } from '../write/safety-check.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import { ValueTable } from '../write/value-table.js';
-import type { Memories } from './memories.js';
-import {
-  isGood,
-  type MemoriesOutcome,
-  type MemoriesStep,
-  type MemoryChange,
-  type MemoryEnd,
-  type Plan,
-} from './memories.js';
+import type { MemoriesStep, MemoryJobs } from './memory-jobs.js';
 import { nextFlightText } from './next-flight-line.js';
+import { isGood, type MemoriesOutcome, type MemoryChange, type MemoryEnd, type Plan } from './plan.js';
 
 /** So many values that are not certain are named. */
 const SHOWN = 4;
 
 /** A job over several memories: what it is, how far it has come, what became of it. */
-export function MemoriesDialog({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
-  const current = memories.current.value;
+export function MemoriesDialog({ session, jobs }: { readonly session: Session; readonly jobs: MemoryJobs }) {
+  const current = jobs.current.value;
   const { plans } = messages.value.memories;
   return (
     <Modal
@@ -33,13 +27,18 @@ export function MemoriesDialog({ session, memories }: { readonly session: Sessio
       title={current ? plans[current.plan.kind].title : ''}
       titleId="memories-title"
       head={<UncertainNote session={session} />}
-      held={memories.held}
-      onEscape={() => memories.escape()}
+      held={jobs.held}
+      onEscape={() => jobs.escape()}
     >
-      {current?.step === 'review' && <Review session={session} memories={memories} current={current} />}
-      {current?.step === 'running' && <Running memories={memories} current={current} />}
-      {current?.step === 'unkept' && <UnkeptStep onAnswer={(goOn) => memories.answer(goOn)} />}
-      {current?.step === 'done' && <Result session={session} memories={memories} current={current} />}
+      {current?.step === 'review' && <Review session={session} jobs={jobs} current={current} />}
+      {current?.step === 'running' && (
+        <JobStep
+          runner={session.runner}
+          label={(progress) => runningLabel(current.plan, progress)}
+          onStop={() => jobs.dismiss()}
+        />
+      )}
+      {current?.step === 'done' && <Result session={session} jobs={jobs} current={current} />}
     </Modal>
   );
 }
@@ -48,11 +47,11 @@ type StepOf<Step extends MemoriesStep['step']> = Extract<MemoriesStep, { step: S
 
 interface ReviewProps {
   readonly session: Session;
-  readonly memories: Memories;
+  readonly jobs: MemoryJobs;
   readonly current: StepOf<'review'>;
 }
 
-function Review({ session, memories, current: { plan, changes } }: ReviewProps) {
+function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
   const { memories: words, write } = messages.value;
   // Reading changes nothing: only a write asks whether the model is held.
   const ready = plan.kind === 'back-up' || session.safety.confirmed.value;
@@ -66,10 +65,10 @@ function Review({ session, memories, current: { plan, changes } }: ReviewProps) 
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
       {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
       <div class="buttons">
-        <button type="button" class="primary" disabled={!ready} onClick={() => void memories.start()}>
+        <button type="button" class="primary" disabled={!ready} onClick={() => void jobs.start()}>
           {words.start[plan.kind]}
         </button>
-        <button type="button" onClick={() => memories.dismiss()}>
+        <button type="button" onClick={() => jobs.dismiss()}>
           {write.cancel}
         </button>
       </div>
@@ -121,26 +120,20 @@ function lead(plan: Plan): string {
   return words.plans.restore.lead(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
 }
 
-interface RunningProps {
-  readonly memories: Memories;
-  readonly current: StepOf<'running'>;
-}
-
-function Running({ memories, current: { plan, progress, stopping } }: RunningProps) {
+function runningLabel(plan: Plan, progress: Progress | null): string {
   const { memories: words, write, memoryName } = messages.value;
   const memory = progress?.memory ?? null;
   const stage = progress ? write.stages[progress.stage] : words.plans[plan.kind].title;
-  const label = memory === null ? stage : words.stage(stage, memoryName(memory));
-  return <RunningStep label={label} progress={progress} stopping={stopping} onStop={() => memories.dismiss()} />;
+  return memory === null ? stage : words.stage(stage, memoryName(memory));
 }
 
 interface ResultProps {
   readonly session: Session;
-  readonly memories: Memories;
+  readonly jobs: MemoryJobs;
   readonly current: StepOf<'done'>;
 }
 
-function Result({ session, memories, current }: ResultProps) {
+function Result({ session, jobs, current }: ResultProps) {
   const { memories: words, write } = messages.value;
   const { plan, outcome, kept } = current;
   const { ends, saved, unkept, stopped } = outcome;
@@ -158,13 +151,13 @@ function Result({ session, memories, current }: ResultProps) {
       </div>
       {plan.kind !== 'back-up' && <Current session={session} />}
       <ClosingButtons
-        onClose={() => memories.dismiss()}
+        onClose={() => jobs.dismiss()}
         again={
           again
             ? {
                 label: unkept ? write.move.again : words.again,
                 disabled: !session.runner.ready.value,
-                onClick: () => void memories.open(plan),
+                onClick: () => void jobs.open(plan),
               }
             : null
         }

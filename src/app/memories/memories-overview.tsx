@@ -23,7 +23,7 @@ export function MemoriesOverview({ session, memories }: { readonly session: Sess
       <summary>{words.title}</summary>
       <div class="overview-top">
         <p class="hint">{contents.length < 2 ? words.empty : words.edited}</p>
-        <button type="button" disabled={!ready} onClick={() => memories.open({ kind: 'back-up' })}>
+        <button type="button" disabled={!ready} onClick={() => memories.jobs.open({ kind: 'back-up' })}>
           {words.readAll}
         </button>
       </div>
@@ -127,7 +127,7 @@ function Pair({ memories, contents, ready }: PairProps) {
         <button
           type="button"
           disabled={!ready || from.value === to.value}
-          onClick={() => memories.open({ kind: 'copy', from: from.value, to: to.value })}
+          onClick={() => memories.jobs.open({ kind: 'copy', from: from.value, to: to.value })}
         >
           {all.copy(memoryName(from.value), memoryName(to.value))}
         </button>

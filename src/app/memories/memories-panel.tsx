@@ -17,7 +17,7 @@ export function MemoriesPanel({ session, memories }: { readonly session: Session
     <section class="all-memories">
       <h2>{words.title}</h2>
       <div class="buttons">
-        <button type="button" disabled={!ready} onClick={() => memories.open({ kind: 'back-up' })}>
+        <button type="button" disabled={!ready} onClick={() => memories.jobs.open({ kind: 'back-up' })}>
           {words.backUp}
         </button>
       </div>
@@ -26,7 +26,7 @@ export function MemoriesPanel({ session, memories }: { readonly session: Session
         picks={others}
         disabled={!ready}
         nameOf={(to) => words.copy(memoryName(memory), memoryName(to))}
-        onPick={(to) => memories.open({ kind: 'copy', from: memory, to })}
+        onPick={(to) => memories.jobs.open({ kind: 'copy', from: memory, to })}
       />
       {session.editor.dirty.value && <p class="hint">{words.edited}</p>}
     </section>
@@ -85,7 +85,7 @@ function BackupRow({ session, memories, set, following }: BackupRowProps) {
           <button
             type="button"
             disabled={!fits || session.connection.value === null || session.runner.busy.value}
-            onClick={() => memories.open({ kind: 'restore', backups: [...set].reverse() })}
+            onClick={() => memories.jobs.open({ kind: 'restore', backups: [...set].reverse() })}
           >
             {all.restoreAll}
           </button>

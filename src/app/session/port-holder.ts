@@ -12,9 +12,9 @@ export class PortHolder {
   readonly #others: OtherTabs;
   #since = 0;
 
-  /** @param isWriting whether bytes are moving that must not be cut off. */
-  constructor(session: Session, isWriting: () => boolean, channel: TabChannel | null) {
+  constructor(session: Session, channel: TabChannel | null) {
     this.#session = session;
+    const { writing } = session.runner;
     session.notices.current.subscribe((notice) => {
       this.#tab.value = null;
       if (notice?.kind === 'connection' && notice.code === 'busy' && notice.portKey) void this.#find(notice.portKey);
@@ -27,10 +27,10 @@ export class PortHolder {
       self: () => {
         const connection = session.connection.peek();
         const portKey = session.link.simulated.peek() ? null : (connection?.portKey ?? null);
-        return { portKey, what: this.#what(), since: this.#since, writing: isWriting() };
+        return { portKey, what: this.#what(), since: this.#since, writing: writing.peek() };
       },
       onReleaseAsked: async () => {
-        if (isWriting()) return false;
+        if (writing.peek()) return false;
         await session.disconnect();
         session.notices.say('taken-over');
         return true;

@@ -76,7 +76,7 @@ function JobProgress({ runner, memories }: { readonly runner: JobRunner; readonl
   const { program, look, memoryName } = messages.value;
   const job = runner.job.value;
   // What the others do is said where they were begun.
-  if (!job || !SAID_HERE.has(job.kind) || memories.current.value) return null;
+  if (!job || !SAID_HERE.has(job.kind) || memories.jobs.current.value) return null;
   const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
   return (
     <ProgressLine

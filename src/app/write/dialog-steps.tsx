@@ -1,5 +1,7 @@
 import type { ComponentProps } from 'preact';
+import type { Progress } from '../../client/index.js';
 import { messages } from '../messages/index.js';
+import type { JobRunner } from '../session/job-runner.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 
@@ -25,8 +27,23 @@ export function RunningStep({ label, progress, stopping = false, onStop }: Runni
   );
 }
 
+interface JobStepProps {
+  readonly runner: JobRunner;
+  /** What is done, by how far it has come. */
+  readonly label: (progress: Progress | null) => string;
+  readonly onStop: () => void;
+}
+
+/** The job of a dialog: how far it has come, or what it asks. */
+export function JobStep({ runner, label, onStop }: JobStepProps) {
+  const job = runner.job.value;
+  if (job?.asking) return <UnkeptStep onAnswer={(goOn) => runner.answer(goOn)} />;
+  const progress = job?.progress ?? null;
+  return <RunningStep label={label(progress)} progress={progress} stopping={job?.stopping ?? false} onStop={onStop} />;
+}
+
 /** The browser keeps no copy of what a memory holds. Nothing is written into it before the pilot has answered. */
-export function UnkeptStep({ onAnswer }: { readonly onAnswer: (goOn: boolean) => void }) {
+function UnkeptStep({ onAnswer }: { readonly onAnswer: (goOn: boolean) => void }) {
   const { write } = messages.value;
   return (
     <>

@@ -7,7 +7,7 @@ import { keyFields, keyName } from '../messages/key-figures.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { ClosingButtons, RunningStep, UnkeptStep } from './dialog-steps.js';
+import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { MoveServosCheck } from './move-servos-check.js';
 import { SafetyCheck } from './safety-check.js';
 import { UncertainNote } from './uncertain-band.js';
@@ -38,14 +38,12 @@ export function WriteDialog({ session, write }: { readonly session: Session; rea
         <>
           {current.step === 'review' && <Review session={session} write={write} review={current} />}
           {current.step === 'running' && (
-            <RunningStep
-              label={current.progress ? words.stages[current.progress.stage] : words.title}
-              progress={current.progress}
-              stopping={current.stopping}
+            <JobStep
+              runner={session.runner}
+              label={(progress) => (progress ? words.stages[progress.stage] : words.title)}
               onStop={() => write.dismiss()}
             />
           )}
-          {current.step === 'unkept' && <UnkeptStep onAnswer={(goOn) => write.answer(goOn)} />}
           {current.step === 'done' && <Result session={session} write={write} identity={identity} done={current} />}
           {current.step === 'refused' && <Refused write={write} error={current.error} />}
         </>

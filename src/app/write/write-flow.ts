@@ -1,10 +1,11 @@
-import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
-import { type Progress, TimerError, type WriteReport } from '../../client/index.js';
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { TimerError, type WriteReport } from '../../client/index.js';
 import { type Change, differences, type Finding, type TimerProgram } from '../../program/index.js';
 import { CodecError } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions } from '../session/job-runner.js';
+import type { JobEnd, JobOptions } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
+import { JobDialog } from './job-dialog.js';
 
 /** What the dialog has shown: this is written, or nothing is. */
 export interface Shown {
@@ -23,14 +24,8 @@ export type WriteStep =
       /** Why it is shown once more: the timer holds something else than was shown, or something else is wanted by now. Nothing was sent. */
       readonly moved: 'timer' | 'edits' | null;
     }
-  | {
-      readonly step: 'running';
-      readonly progress: Progress | null;
-      /** The pilot has asked to stop; the request under way comes to its end. */
-      readonly stopping: boolean;
-    }
-  /** The browser does not keep a copy of what the timer holds: nothing is sent before the pilot has answered. */
-  | { readonly step: 'unkept'; readonly answer: (goOn: boolean) => void }
+  /** Where the browser does not keep a copy of what the timer holds, the job asks the pilot before anything is sent. */
+  | { readonly step: 'running' }
   | {
       readonly step: 'done';
       readonly report: WriteReport;
@@ -46,8 +41,7 @@ export type WriteStep =
   | { readonly step: 'refused'; readonly error: TimerError };
 
 /** Shows the difference, writes it, and says what became of it. */
-export class WriteFlow {
-  readonly current = signal<WriteStep | null>(null, { name: 'write' });
+export class WriteFlow extends JobDialog<WriteStep> {
   readonly #acknowledged = signal(false, { name: 'acknowledged' });
   /** The pilot has read the serious findings. */
   readonly acknowledged: ReadonlySignal<boolean> = this.#acknowledged;
@@ -61,14 +55,8 @@ export class WriteFlow {
   readonly #session: Session;
 
   constructor(session: Session) {
+    super(session);
     this.#session = session;
-    effect(() => {
-      const connection = session.connection.value;
-      const current = this.current.peek();
-      // What was shown was of the timer on that connection; the notice says why it is gone.
-      if (current?.step === 'review' && current.shown.connection !== connection) this.current.value = null;
-      if (current?.step === 'unkept') current.answer(false);
-    });
   }
 
   /** Reads the timer afresh and shows the difference: what is written is told apart from what the timer holds now. */
@@ -110,12 +98,7 @@ export class WriteFlow {
       }
       return;
     }
-    this.#refused(end.error, end.lost);
-  }
-
-  /** The browser keeps no copy: writes without one, or not at all. */
-  answer(goOn: boolean): void {
-    if (this.current.value?.step === 'unkept') this.current.value.answer(goOn);
+    this.#refused(end);
   }
 
   /** Leaves the result and shows what still differs. */
@@ -124,28 +107,12 @@ export class WriteFlow {
     await this.open();
   }
 
-  /** Whether the dialog has to stay open whatever key is pressed. */
-  get held(): boolean {
-    const { value } = this.current;
-    return value?.step === 'running' || (value?.step === 'done' && value.stays);
+  protected connectionOf(step: WriteStep): TimerConnection | null {
+    return step.step === 'review' ? step.shown.connection : null;
   }
 
-  /** Escape was pressed: leaves the dialog where it may be left; while bytes move, asks the write to stop. */
-  escape(): void {
-    if (this.current.value?.step === 'running' || !this.held) this.dismiss();
-  }
-
-  /** Leaves the dialog; while bytes move, asks the write to stop instead. */
-  dismiss(): void {
-    const { value } = this.current;
-    if (value?.step === 'running') {
-      void this.#session.runner.stop();
-      this.current.value = { ...value, stopping: true };
-    } else if (value?.step === 'unkept') {
-      value.answer(false);
-    } else {
-      this.current.value = null;
-    }
+  protected stays(step: WriteStep): boolean {
+    return step.step === 'done' && step.stays;
   }
 
   #review(moved: 'timer' | 'edits' | null): void {
@@ -159,7 +126,7 @@ export class WriteFlow {
       const shown = connection &&
         baseline &&
         goal && { connection, baseline, goal, changes: differences(baseline, goal) };
-      this.current.value = shown && { step: 'review', shown, moved };
+      this.show(shown && { step: 'review', shown, moved });
     });
   }
 
@@ -167,28 +134,18 @@ export class WriteFlow {
     const { editor, knowledge, recovery, servoMoves, link } = this.#session;
     const { baseline, goal } = shown;
     if (connection !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');
-    const { signal, stillOn } = options;
-    const running = (progress: Progress | null): void => {
-      if (progress) options.onProgress(progress);
-      this.current.value = { step: 'running', progress, stopping: signal.aborted };
-    };
-    running(null);
+    const { signal, onProgress, stillOn, ask } = options;
+    this.show({ step: 'running' });
     const isSimulated = link.simulated.value;
     // The goal and a backup are kept before the first byte: whatever happens, what the timer holds can be explained.
     const kept = shown.changes.length === 0 || (await recovery.begin(baseline, goal, isSimulated));
     stillOn();
     if (!kept) {
-      if (!(await this.#agreed())) throw new TimerError('aborted', 'not without a copy');
+      if (!(await ask())) throw new TimerError('aborted', 'not without a copy');
       stillOn();
-      running(null);
     }
     const moveServos = servoMoves.take();
-    const report = await connection.client.writeProgram(goal, {
-      baseline,
-      moveServos,
-      signal,
-      onProgress: running,
-    });
+    const report = await connection.client.writeProgram(goal, { baseline, moveServos, signal, onProgress });
     const at = Date.now();
     batch(() => {
       if (report.held) {
@@ -200,37 +157,31 @@ export class WriteFlow {
       }
       const stays = report.result !== 'verified' || signal.aborted;
       const unkept = servoMoves.wanted(moveServos, [report]);
-      this.current.value = { step: 'done', report, shown, at, stays, unkept };
-    });
-  }
-
-  /** Asks whether to go on without a copy. */
-  #agreed(): Promise<boolean> {
-    return new Promise((resolve) => {
-      this.current.value = { step: 'unkept', answer: resolve };
+      this.show({ step: 'done', report, shown, at, stays, unkept });
     });
   }
 
   /** Nothing was written, or nobody knows: says why. */
-  #refused(error: unknown, lost: boolean): void {
+  #refused(end: Extract<JobEnd<void>, { good: false }>): void {
     const session = this.#session;
+    const { error, lost } = end;
     // Another job holds the wire: it can be tried again.
     if (error === null && !lost) return;
     if (!(error instanceof TimerError)) {
-      this.current.value = null;
-      if (!lost) session.notices.report(error);
+      this.show(null);
+      session.runner.report(end);
     } else if (error.code === 'stale' && error.details.held && !lost) {
       session.editor.rebase(error.details.held);
       session.knowledge.read(error.details.held);
       this.#review('timer');
     } else if (error.code === 'aborted') {
-      this.current.value = null;
+      this.show(null);
       session.notices.say('nothing-written');
     } else if (error.code === 'port-lost' || error.code === 'closed') {
-      this.current.value = null;
+      this.show(null);
     } else {
       if (error.code === 'other-memory') session.nextFlight.doubt();
-      this.current.value = { step: 'refused', error };
+      this.show({ step: 'refused', error });
     }
   }
 }

@@ -382,12 +382,12 @@ describe('following', () => {
 
   it('is off as soon as all memories are walked through', async () => {
     const app = await followingBench();
-    app.memories.open({ kind: 'back-up' });
+    app.memories.jobs.open({ kind: 'back-up' });
     const following: boolean[] = [];
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') following.push(app.follow.on.value);
     };
-    await run(app.memories.start());
+    await run(app.memories.jobs.start());
     expect([following.length, following.includes(true)]).toEqual([4, false]);
     expect(app.session.nextFlight.open.value).toBe(false);
   });

@@ -280,8 +280,8 @@ describe('following ends', () => {
       'job',
       'all memories are read',
       ({ memories }) => {
-        memories.open({ kind: 'back-up' });
-        return memories.start();
+        memories.jobs.open({ kind: 'back-up' });
+        return memories.jobs.start();
       },
     ],
   ];
@@ -295,6 +295,22 @@ describe('following ends', () => {
     set(app, [S2, 70]);
     await idle();
     expect(told(app)).toEqual(before);
+  });
+
+  it('not by a frame by hand that only reads; one that may move them is followed by a reading', async () => {
+    const app = await following();
+    const form = new FrameForm(app.session);
+    form.edit({ command: 'GETMEMORY' });
+    await run(form.send());
+    set(app, [S2, 70]);
+    await idle();
+    expect([app.follow.on.value, told(app)]).toEqual([true, ['S4.1=70', 'M4']]);
+    const before = reads(app);
+    form.edit({ command: 'MOVETOFUNC', data: '02' });
+    await form.send();
+    await run(form.confirm());
+    await idle();
+    expect([app.follow.on.value, app.follow.endRead.value, reads(app) > before]).toEqual([false, true, true]);
   });
 
   it.each(ends)('as “%s” between storing and moving when %s: nothing more is moved', async (reason, _, done) => {

@@ -275,7 +275,7 @@ describe('what an interrupted job left behind', () => {
     await press('Back up all…');
     await press('Back up');
     timer.core.onAnswer = undefined;
-    expect([memories.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
+    expect([memories.jobs.current.value, session.notices.current.value?.code]).toEqual([null, 'memory-left']);
     adapter.replug();
     await idle();
     expect(screen.getByRole('region', { name: 'Another memory flies next than before' })).toBeTruthy();

@@ -100,6 +100,22 @@ describe('a frame by hand', () => {
     expect(asked()).toEqual(screenMayBeOld ? [command, ...READ_ALL] : [command]);
   });
 
+  it('holds the wire as any other job does', async () => {
+    const { form, session, timer, asked } = await atForm();
+    timer.core.sleep();
+    form.edit({ command: 'GETMEMORY' });
+    const sending = form.send();
+    expect([form.step.value, session.runner.job.value?.kind, session.runner.busy.value]).toEqual([
+      'sending',
+      'frame',
+      true,
+    ]);
+    form.edit({ command: 'GETTIMERS' });
+    expect([await session.read(), asked()], 'nothing else goes out').toEqual([false, []]);
+    await run(sending);
+    expect([form.command.value, form.step.value, session.runner.busy.value]).toEqual(['GETMEMORY', 'edit', false]);
+  });
+
   it('shows what the timer holds once it was changed', async () => {
     const { form, editor } = await atForm();
     form.edit({ command: 'SETSERVO', data: '04 01 46' });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Plan } from '../../../src/app/memories/memories.js';
+import type { Plan } from '../../../src/app/memories/plan.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, type BenchOptions, connectedBench, idle, reloaded, run } from '../bench/bench.js';
 
@@ -19,14 +19,14 @@ async function bench(options: BenchOptions = {}): Promise<AppBench> {
 
 async function job({ memories, session }: AppBench, plan: Plan): Promise<void> {
   session.safety.confirm();
-  await run(memories.open(plan));
-  expect(memories.current.value).toMatchObject({ step: 'review', plan });
-  await run(memories.start());
+  await run(memories.jobs.open(plan));
+  expect(memories.jobs.current.value).toMatchObject({ step: 'review', plan });
+  await run(memories.jobs.start());
 }
 
 /** What became of each memory that was to be written. */
 function ends({ memories }: AppBench): unknown {
-  const { value } = memories.current;
+  const { value } = memories.jobs.current;
   return value?.step === 'done' ? value.outcome.ends.map(({ memory, state }) => [memory, state]) : value?.step;
 }
 
@@ -57,7 +57,7 @@ describe('the memories at a glance', () => {
   it('are as they were read last, also when another one is current since', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     made.timer.core.memories[1]?.times.fill(100);
     await run(made.session.read());
     await run(made.session.selectMemory(0));
@@ -85,7 +85,7 @@ describe('backing up all memories', () => {
     const made = await bench();
     const before = contents(made);
     await job(made, { kind: 'back-up' });
-    expect(made.memories.current.value).toMatchObject({
+    expect(made.memories.jobs.current.value).toMatchObject({
       step: 'done',
       kept: true,
       outcome: { saved: 4, stopped: null },
@@ -118,10 +118,10 @@ describe('backing up all memories', () => {
   it('that is stopped comes back, and says nothing of having kept them', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => {
-      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.memories.dismiss();
+      if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.memories.jobs.dismiss();
     };
     await job(made, { kind: 'back-up' });
-    expect([made.memories.current.value, made.timer.core.memory]).toEqual([null, 1]);
+    expect([made.memories.jobs.current.value, made.timer.core.memory]).toEqual([null, 1]);
     expect([kept(made), made.store.unfinished.records.size]).toEqual([[], 0]);
   });
 
@@ -129,18 +129,18 @@ describe('backing up all memories', () => {
     const made = await bench();
     made.store.broken = true;
     await job(made, { kind: 'back-up' });
-    expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { saved: 4 } });
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', kept: false, outcome: { saved: 4 } });
     expect(kept(made)).toHaveLength(4);
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     made.store.broken = false;
     await job(made, { kind: 'back-up' });
-    expect(made.memories.current.value, 'of each backup anew').toMatchObject({ step: 'done', kept: true });
+    expect(made.memories.jobs.current.value, 'of each backup anew').toMatchObject({ step: 'done', kept: true });
   });
 
   it('is refused by a timer that does not say which memory is current', async () => {
     const made = await connectedBench({ quirks: { memoryReplyEmpty: true } });
     await job(made, { kind: 'back-up' });
-    expect([selected(made), made.memories.current.value, kept(made)]).toEqual([[], null, []]);
+    expect([selected(made), made.memories.jobs.current.value, kept(made)]).toEqual([[], null, []]);
     expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-unknown' });
   });
 });
@@ -149,7 +149,7 @@ describe('copying a memory', () => {
   it('reads what is copied for that: it may have changed since all were read', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     made.timer.core.memories[2]?.times.fill(1234);
     await job(made, { kind: 'copy', from: 2, to: 3 });
     expect(made.timer.core.memories[3]?.times).toEqual(made.timer.core.memories[2]?.times);
@@ -160,7 +160,7 @@ describe('copying a memory', () => {
     const made = await bench();
     const before = contents(made);
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.current.value).toMatchObject({
+    expect(made.memories.jobs.current.value).toMatchObject({
       step: 'done',
       outcome: { stopped: null, ends: [{ memory: 3, state: 'verified' }] },
     });
@@ -181,7 +181,7 @@ describe('copying a memory', () => {
       if (request.name === 'SETMEMORY') made.timer.core.idleThrottle = 40 + request.memory;
     };
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.current.value).toMatchObject({ outcome: { ends: [{ state: 'verified' }] } });
+    expect(made.memories.jobs.current.value).toMatchObject({ outcome: { ends: [{ state: 'verified' }] } });
     expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETLOWRPM');
   });
 
@@ -189,7 +189,7 @@ describe('copying a memory', () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.timer.core.content.positions[1]?.fill(77);
     await job(made, { kind: 'copy', from: 1, to: 3 });
-    expect(made.memories.current.value).toMatchObject({ outcome: { stopped: 'changed' } });
+    expect(made.memories.jobs.current.value).toMatchObject({ outcome: { stopped: 'changed' } });
     expect(made.session.recovery.offer.value).toMatchObject({ kind: 'elsewhere', memory: 3 });
   });
 
@@ -209,7 +209,7 @@ describe('a browser that does not keep everything', () => {
     const made = await bench();
     made.store.unfinished.save = full;
     await job(made, { kind: 'back-up' });
-    expect(made.memories.current.value).toMatchObject({ step: 'done', kept: false, outcome: { stopped: null } });
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', kept: false, outcome: { stopped: null } });
   });
 
   it.each<[answer: boolean, held: unknown]>([
@@ -220,11 +220,11 @@ describe('a browser that does not keep everything', () => {
     const before = contents(made);
     made.store.backups.save = full;
     made.session.safety.confirm();
-    await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
-    const writing = made.memories.start();
+    await run(made.memories.jobs.open({ kind: 'copy', from: 1, to: 3 }));
+    const writing = made.memories.jobs.start();
     await idle(4000);
-    expect([made.memories.current.value?.step, contents(made)]).toEqual(['unkept', before]);
-    made.memories.answer(answer);
+    expect([made.session.runner.job.value?.asking, contents(made)]).toEqual([true, before]);
+    made.session.runner.answer(answer);
     await run(writing);
     expect(ends(made)).toEqual(held);
     expect(contents(made)[3]).toEqual(answer ? before[1] : before[3]);
@@ -234,12 +234,12 @@ describe('a browser that does not keep everything', () => {
   it('that never answers is given five seconds', async () => {
     const made = await bench();
     made.session.safety.confirm();
-    await run(made.memories.open({ kind: 'copy', from: 1, to: 3 }));
+    await run(made.memories.jobs.open({ kind: 'copy', from: 1, to: 3 }));
     made.store.backups.save = () => new Promise(() => {});
-    const writing = made.memories.start();
+    const writing = made.memories.jobs.start();
     await idle(9000);
-    expect(made.memories.current.value?.step).toBe('unkept');
-    made.memories.dismiss();
+    expect(made.session.runner.job.value?.asking).toBe(true);
+    made.memories.jobs.dismiss();
     await run(writing);
     expect(made.session.notices.current.value).toEqual({ kind: 'note', code: 'nothing-written' });
   });
@@ -251,8 +251,8 @@ describe('what is about to be written', () => {
   it('is shown with what the other memory holds, by a reading just now', async () => {
     const made = await bench();
     made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
-    await run(made.memories.open(COPY));
-    expect(made.memories.current.value).toMatchObject({
+    await run(made.memories.jobs.open(COPY));
+    expect(made.memories.jobs.current.value).toMatchObject({
       step: 'review',
       changes: [
         {
@@ -270,24 +270,24 @@ describe('what is about to be written', () => {
   it('is not written over what has changed since, and that is said', async () => {
     const made = await bench();
     made.session.safety.confirm();
-    await run(made.memories.open(COPY));
+    await run(made.memories.jobs.open(COPY));
     made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
     const before = contents(made);
-    await run(made.memories.start());
-    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'stale' } });
+    await run(made.memories.jobs.start());
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'stale' } });
     expect([ends(made), contents(made), made.timer.core.memory]).toEqual([[[3, 'untouched']], before, 1]);
     expect(made.session.knowledge.uncertain.value).toEqual([]);
   });
 
   it('is for the connection on which it was shown, and gone with it', async () => {
     const made = await bench();
-    await run(made.memories.open(COPY));
+    await run(made.memories.jobs.open(COPY));
     made.adapter.unplug();
     await idle();
-    expect(made.memories.current.value).toBeNull();
+    expect(made.memories.jobs.current.value).toBeNull();
     made.adapter.replug();
     await idle();
-    await run(made.memories.start());
+    await run(made.memories.jobs.start());
     expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETTIMERS');
   });
 });
@@ -298,20 +298,20 @@ describe('a copy that fails early ends in words', () => {
   it('before anything is compared', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && made.adapter.unplug();
-    await run(made.memories.open(COPY));
-    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'memory-left' } });
-    expect([ends(made), made.memories.held]).toEqual([[[3, 'untouched']], true]);
+    await run(made.memories.jobs.open(COPY));
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { stopped: 'memory-left' } });
+    expect([ends(made), made.memories.jobs.held]).toEqual([[[3, 'untouched']], true]);
   });
 
   it('before the first value goes out', async () => {
     const made = await bench();
     made.session.safety.confirm();
-    await run(made.memories.open(COPY));
+    await run(made.memories.jobs.open(COPY));
     made.timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && made.timer.core.sleep();
-    await run(made.memories.start());
-    expect(made.memories.current.value).toMatchObject({ step: 'done' });
+    await run(made.memories.jobs.start());
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done' });
     expect(ends(made)).toEqual([[3, 'untouched']]);
-    const { value } = made.memories.current;
+    const { value } = made.memories.jobs.current;
     expect(value?.step === 'done' && value.outcome.stopped).toBeTruthy();
   });
 
@@ -326,7 +326,7 @@ describe('a copy that fails early ends in words', () => {
   it('for each memory of a set', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     const backups = [...made.session.backups.list.value].reverse();
     for (const memory of [1, 2, 3]) made.timer.core.memories[memory]?.times.splice(10, 1, 36_000);
     let writes = 0;
@@ -348,14 +348,14 @@ describe('restoring a set', () => {
     const made = await bench();
     const before = contents(made);
     await job(made, { kind: 'back-up' });
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     const backups = [...made.session.backups.list.value].reverse();
     made.timer.core.memories.forEach(({ positions }, memory) => {
       (positions[2] as number[])[5] = 90 + memory;
     });
     const changed = contents(made);
     await job(made, { kind: 'restore', backups });
-    expect(made.memories.current.value).toMatchObject({
+    expect(made.memories.jobs.current.value).toMatchObject({
       outcome: { stopped: null, ends: [0, 1, 2, 3].map((memory) => ({ memory, state: 'verified' })) },
     });
     expect([contents(made), made.timer.core.memory]).toEqual([before, 1]);
@@ -382,7 +382,7 @@ describe('a plug that is pulled in the middle', () => {
     await job(made, plan);
     expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
     made.timer.core.onAnswer = undefined;
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     const left = made.timer.core.memory;
     made.adapter.replug();
     await idle();
@@ -404,7 +404,7 @@ describe('a plug that is pulled in the middle', () => {
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
     await job(made, COPY);
     made.timer.core.onAnswer = undefined;
-    made.memories.dismiss();
+    made.memories.jobs.dismiss();
     made.adapter.replug();
     await idle();
     await run(made.session.selectMemory(1));
@@ -446,20 +446,20 @@ describe('which memory is current', () => {
     await idle();
     await run(made.session.disconnect());
     await run(made.session.connect());
-    made.memories.open({ kind: 'back-up' });
-    made.memories.dismiss();
+    made.memories.jobs.open({ kind: 'back-up' });
+    made.memories.jobs.dismiss();
     expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
   });
 
   it('can be asked for only with a timer that does nothing else', async () => {
     const made = await bench();
     const reading = made.session.read();
-    made.memories.open({ kind: 'back-up' });
-    expect(made.memories.current.value).toBeNull();
+    made.memories.jobs.open({ kind: 'back-up' });
+    expect(made.memories.jobs.current.value).toBeNull();
     await run(reading);
     await run(made.session.disconnect());
-    made.memories.open({ kind: 'back-up' });
-    expect(made.memories.current.value).toBeNull();
+    made.memories.jobs.open({ kind: 'back-up' });
+    expect(made.memories.jobs.current.value).toBeNull();
   });
 });
 
@@ -469,15 +469,15 @@ describe('a copy to a timer that keeps positions only where its servos stand', (
     const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
     const copy: Plan = { kind: 'copy', from: 1, to: 3 };
     await job(made, copy);
-    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: true } });
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { unkept: true } });
     expect(moves()).toBe(0);
     made.session.servoMoves.allow(true);
-    made.memories.dismiss();
-    await run(made.memories.open(copy));
+    made.memories.jobs.dismiss();
+    await run(made.memories.jobs.open(copy));
     expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
     made.session.servoMoves.allow(true);
-    await run(made.memories.start());
-    expect(made.memories.current.value).toMatchObject({ step: 'done', outcome: { unkept: false } });
+    await run(made.memories.jobs.start());
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { unkept: false } });
     expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
     expect(moves()).toBe(1);
   });

@@ -315,8 +315,8 @@ describe('before the first byte of a write', () => {
   it('a browser that keeps nothing is said, and this page remembers', async () => {
     const { bench, written } = await writing('SETTIMERS', true);
     await idle();
-    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
-    bench.write.answer(true);
+    expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
+    bench.session.runner.answer(true);
     await run(written);
     bench.write.dismiss();
     bench.timer.core.onAnswer = undefined;
@@ -328,7 +328,7 @@ describe('before the first byte of a write', () => {
     bench.session.safety.confirm();
     const back = bench.write.start();
     await idle();
-    bench.write.answer(true);
+    bench.session.runner.answer(true);
     await run(back);
     expect([held(bench), offer(bench)]).toEqual([BEFORE, null]);
   });

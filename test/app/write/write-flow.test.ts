@@ -472,19 +472,19 @@ describe('where this device keeps no copy of what the timer holds', () => {
     bench.store.broken = true;
     const writing = bench.write.start();
     await idle();
-    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
+    expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
     return { bench, writing };
   }
 
   it('it is said, and written without one only when the pilot agrees', async () => {
     const { bench, writing } = await asked();
-    bench.write.answer(true);
+    bench.session.runner.answer(true);
     await run(writing);
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
   });
 
   it.each<[string, (bench: AppBench) => void]>([
-    ['refuses', ({ write }) => write.answer(false)],
+    ['refuses', ({ session }) => session.runner.answer(false)],
     ['presses Escape', ({ write }) => write.escape()],
     ['pulls the plug', ({ adapter }) => adapter.unplug()],
   ])('nothing is written when the pilot %s, and nothing is uncertain', async (_, act) => {
@@ -503,8 +503,8 @@ describe('where this device keeps no copy of what the timer holds', () => {
     await idle(4990);
     expect(bench.write.current.value?.step).toBe('running');
     await idle(20);
-    expect([bench.write.current.value?.step, sets(bench)]).toEqual(['unkept', []]);
-    bench.write.answer(false);
+    expect([bench.session.runner.job.value?.asking, sets(bench)]).toEqual([true, []]);
+    bench.session.runner.answer(false);
     await run(writing);
   });
 });

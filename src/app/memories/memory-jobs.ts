@@ -1,0 +1,215 @@
+import { TimerError } from '../../client/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import { type JobOptions, stoppedBy, type Work } from '../session/job-runner.js';
+import type { Session } from '../session/session.js';
+import { JobDialog } from '../write/job-dialog.js';
+import type { MemoryWalk } from './memory-walk.js';
+import {
+  changesBy,
+  endOf,
+  isGood,
+  type MemoriesOutcome,
+  type MemoryChange,
+  memoriesOf,
+  type Plan,
+  targetsOf,
+  type WritingPlan,
+} from './plan.js';
+
+/** The steps of a job over several memories. */
+export type MemoriesStep =
+  | {
+      readonly step: 'review';
+      readonly plan: Plan;
+      /** On this connection, or not at all. */
+      readonly connection: TimerConnection;
+      readonly changes: readonly MemoryChange[];
+    }
+  /** Where the browser does not keep a copy of what a memory holds, the job asks the pilot before anything is written into it. */
+  | { readonly step: 'running'; readonly plan: Plan }
+  | {
+      readonly step: 'done';
+      readonly plan: Plan;
+      readonly outcome: MemoriesOutcome;
+      /** Whether the browser has kept the backups. */
+      readonly kept: boolean;
+    };
+
+type Review = Extract<MemoriesStep, { step: 'review' }>;
+
+/** How a job ended: with what it gave, or by what stopped it. */
+type Ended<T> = { readonly value: T; readonly stopped: null } | { readonly stopped: Stopped };
+type Stopped = NonNullable<MemoriesOutcome['stopped']>;
+
+/** What a job over several memories has done so far. */
+interface Done {
+  saved: number;
+  unkept: boolean;
+  /** The memories in which the write has begun. */
+  readonly begun: Set<number>;
+}
+
+/** Back up all memories, copy one to another, restore several: shows the difference, does it, and says what became of it. */
+export class MemoryJobs extends JobDialog<MemoriesStep> {
+  readonly #session: Session;
+  readonly #walk: MemoryWalk;
+  /** Whether the browser has kept every copy of this job. */
+  #kept = true;
+
+  constructor(session: Session, walk: MemoryWalk) {
+    super(session);
+    this.#session = session;
+    this.#walk = walk;
+  }
+
+  /** Shows what is about to be done: what a copy or a restoring changes is read for that. */
+  async open(plan: Plan): Promise<void> {
+    const { connection, runner, servoMoves } = this.#session;
+    if (!connection.value || runner.busy.value) return;
+    servoMoves.ask();
+    if (plan.kind === 'back-up') {
+      this.show({ step: 'review', plan, connection: connection.value, changes: [] });
+      return;
+    }
+    const end = await this.#run(plan, (on, options) => this.#compare(plan, on, options));
+    if (end.stopped === null) this.show(end.value);
+    else if (end.stopped === 'aborted') this.#nothingWritten();
+    else {
+      const ends = targetsOf(plan).map((memory) => endOf(memory, this.#session.knowledge.of(memory), null, false));
+      this.show({
+        step: 'done',
+        plan,
+        outcome: { saved: 0, ends, stopped: end.stopped, unkept: false },
+        kept: true,
+      });
+    }
+    await this.#session.readIfOpen();
+  }
+
+  /** Does what was shown, on the connection where it was shown. */
+  async start(): Promise<void> {
+    const { value: shown } = this.current;
+    if (shown?.step !== 'review') return;
+    const { knowledge, nextFlight } = this.#session;
+    const { plan, changes } = shown;
+    this.#kept = true;
+    const done: Done = { saved: 0, unkept: false, begun: new Set() };
+    const { stopped } = await this.#run(plan, async (on, options) => {
+      if (on !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');
+      if (plan.kind === 'back-up') done.saved = await this.#backUp(on, options);
+      else await this.#write(changes, on, options, done);
+    });
+    const { saved, unkept, begun } = done;
+    const ends = changes.map((change) => {
+      const { memory } = change;
+      return endOf(memory, knowledge.of(memory), change, begun.has(memory));
+    });
+    // What stopped a backup stands in the notice of the page.
+    if (plan.kind === 'back-up' && saved === 0) this.show(null);
+    else if (plan.kind !== 'back-up' && stopped === 'aborted' && begun.size === 0) this.#nothingWritten();
+    else this.show({ step: 'done', plan, outcome: { saved, ends, stopped, unkept }, kept: this.#kept });
+    // What was written may be what is on the screen.
+    if (begun.size > 0) nextFlight.doubt();
+    await this.#session.readIfOpen();
+  }
+
+  protected connectionOf(step: MemoriesStep): TimerConnection | null {
+    return step.step === 'review' ? step.connection : null;
+  }
+
+  protected stays(step: MemoriesStep): boolean {
+    return step.step === 'done' && !isGood(step.outcome);
+  }
+
+  /** Runs a job, and says by code what stopped it. */
+  async #run<T>(plan: Plan, work: Work<T>): Promise<Ended<T>> {
+    const { runner, connection } = this.#session;
+    const began = connection.value;
+    this.#walk.kept = true;
+    this.show({ step: 'running', plan });
+    const end = await runner.perform('memories', work);
+    runner.report(end);
+    if (!this.#walk.kept) this.#kept = false;
+    if (!end.good) return { stopped: stoppedBy(end) };
+    return connection.value === began ? { value: end.value, stopped: null } : { stopped: 'closed' };
+  }
+
+  /** What the plan would change, by a fresh reading of all that is part of it. */
+  async #compare(plan: WritingPlan, connection: TimerConnection, options: JobOptions): Promise<Review> {
+    const programs = await this.#walk.read(connection, { ...options, memories: memoriesOf(plan) });
+    const changes = changesBy(plan, programs);
+    if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
+    return { step: 'review', plan, connection, changes };
+  }
+
+  /** @returns how many memories were read and kept. */
+  async #backUp(connection: TimerConnection, options: JobOptions): Promise<number> {
+    const { backups, simulated } = this.#session;
+    const programs = await this.#walk.read(connection, options);
+    const savedAt = Date.now();
+    for (const program of programs) {
+      await backups.add(program, 'memories', simulated.value, savedAt).catch(() => {
+        this.#kept = false;
+      });
+    }
+    return programs.length;
+  }
+
+  /** @throws what stopped it. */
+  async #write(
+    shown: readonly MemoryChange[],
+    { client, identity }: TimerConnection,
+    options: JobOptions,
+    done: Done,
+  ): Promise<void> {
+    const { knowledge, recovery, simulated, servoMoves } = this.#session;
+    const { begun } = done;
+    const moveServos = servoMoves.take();
+    let agreed = false;
+    const { memories, stopped, original } = await client.writeMemories(
+      shown.map(({ goal }) => goal),
+      {
+        ...options,
+        baselines: shown.map(({ before }) => before),
+        moveServos,
+        onOriginal: (original) => this.#walk.leave(identity, original),
+        // The goal and a backup are kept before the first byte, as for any write.
+        onMemory: async (read, goal) => {
+          options.stillOn();
+          const change = shown.find(({ memory }) => memory === goal.memory);
+          if (!change) throw new TimerError('closed', 'it was not shown');
+          const kept = change.changes.length === 0 || (await recovery.begin(read, goal, simulated.value));
+          if (!kept) {
+            this.#kept = false;
+            agreed ||= await options.ask();
+            if (!agreed) {
+              await knowledge.ended(read);
+              throw new TimerError('aborted', 'not without a copy');
+            }
+          }
+          options.stillOn();
+          begun.add(change.memory);
+        },
+      },
+    );
+    for (const { before, report } of memories) {
+      if (report.held && !report.stopped) await knowledge.ended(before);
+      if (report.held) knowledge.read(report.held, Date.now(), report.result === 'verified');
+    }
+    // Where the write did not even begin, nothing was sent.
+    for (const { memory, before } of shown) {
+      if (!begun.has(memory) || memories.some((each) => each.memory === memory)) continue;
+      begun.delete(memory);
+      await knowledge.ended(before);
+    }
+    await this.#walk.wasRestored(identity, original, stopped);
+    if (stopped) throw stopped;
+    const reports = memories.map(({ report }) => report);
+    done.unkept = servoMoves.wanted(moveServos, reports);
+  }
+
+  #nothingWritten(): void {
+    this.show(null);
+    this.#session.notices.sayIfSilent('nothing-written');
+  }
+}
