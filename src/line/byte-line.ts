@@ -3,7 +3,10 @@ import type { Clock } from './clock.js';
 /** Bits on the wire for each byte at 8N1: a start bit, eight bits of data, a stop bit. */
 export const BITS_PER_BYTE = 10;
 
-/** Milliseconds that `bytes` bytes take at `baudRate` bits a second; none at rate 0, which stands for a line without a speed. */
+/**
+ * Milliseconds that `bytes` bytes take at `baudRate` bits a second; none at rate 0, which stands for a line without a
+ * speed.
+ */
 export function wireTime(bytes: number, baudRate: number): number {
   return baudRate > 0 ? (bytes * BITS_PER_BYTE * 1000) / baudRate : 0;
 }
@@ -14,7 +17,10 @@ export interface ByteLineOptions {
   readonly baudRate?: number;
   /** Milliseconds from the end of a byte on the wire to its arrival. Default 0. */
   readonly latency?: number;
-  /** Sizes of the pieces that arrive together, used in turn and again from the first. Default: all that was sent at once. */
+  /**
+   * Sizes of the pieces that arrive together, used in turn and again from the first. Default: all that was sent at
+   * once.
+   */
   readonly chunks?: readonly number[];
   /**
    * What arrives in the place of a byte: `[byte]` as it is, `[]` lost, another value flipped, two values doubled.
@@ -36,8 +42,8 @@ export class ByteLine {
   readonly #fault: ByteLineOptions['fault'];
   readonly #deliver: (bytes: Uint8Array) => void;
   /**
-   * What is under way, in order. Each appointment delivers the first of it, not its own: a real clock may keep two appointments of
-   * nearly one time the wrong way round.
+   * What is under way, in order. Each appointment delivers the first of it, not its own: a real clock may keep two
+   * appointments of nearly one time the wrong way round.
    */
   readonly #underWay: Uint8Array[] = [];
   readonly #appointments = new Set<() => void>();

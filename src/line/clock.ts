@@ -4,7 +4,7 @@ export interface Clock {
   now(): number;
   /**
    * Calls `callback` once, `ms` milliseconds from now, never before this call has returned.
-   * @returns a function that takes the appointment back; harmless once it has been kept.
+   * @returns a function that cancels the call. It does no harm afterwards.
    */
   after(ms: number, callback: () => void): () => void;
 }
@@ -18,7 +18,7 @@ declare const MessageChannel: new () => {
   port2: { postMessage(message: null): void };
 };
 
-/** The clock on the wall. */
+/** The real clock. */
 export const realClock: Clock = {
   now: () => performance.timeOrigin + performance.now(),
   after(ms, callback) {
@@ -72,7 +72,10 @@ export class VirtualClock implements Clock {
     };
   }
 
-  /** Turns the clock on by `ms` milliseconds, keeping each appointment at its time and letting promises settle between. */
+  /**
+   * Turns the clock forward by `ms` milliseconds, keeping each appointment at its time and letting promises settle
+   * between.
+   */
   async advance(ms: number): Promise<void> {
     const end = this.#now + ms;
     await settle();

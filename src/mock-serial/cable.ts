@@ -34,7 +34,10 @@ export class Cable {
   #toDevice: ByteLine;
   #toPage: ByteLine;
   #back: ByteLine;
-  /** Bytes that are to reach the page or have reached it, and those that have; what follows them waits till the two are equal. */
+  /**
+   * Bytes that are to reach the page or have reached it, and those that have; what follows them waits till the two are
+   * equal.
+   */
   #dueAtPage = 0;
   #arrivedAtPage = 0;
   #behind: { readonly due: number; readonly callback: () => void }[] = [];

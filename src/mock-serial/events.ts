@@ -28,8 +28,9 @@ const BUBBLING = 3;
 const dispatching = new WeakSet<Event>();
 
 /**
- * An event target with a parent and the handlers of the standard's two events. Outside a document nothing but such a class
- * lets an event travel: from the parent down, to the target, and up again if it bubbles, with `target` the port all the way.
+ * An event target with a parent and the handlers of the standard's two events. Outside a document nothing but such a
+ * class lets an event travel: from the parent down, to the target, and up again if it bubbles, with `target` the port
+ * all the way.
  */
 export class ConnectionTarget extends EventTarget {
   readonly #parent: ConnectionTarget | null;

@@ -23,7 +23,7 @@ export class Hardware {
   #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
   #input: InputSignals = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
 
-  /** @throws TypeError when the information names a Bluetooth service class that is none. */
+  /** @throws TypeError when the information names something that is no Bluetooth service class. */
   constructor(info: PortInfo, options: PlugOptions & { readonly clock: Clock }) {
     this.info = normalizeInfo(info);
     this.#options = options;

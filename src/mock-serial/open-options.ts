@@ -22,7 +22,8 @@ function oneOf(value: unknown, values: readonly string[], name: string): string 
 
 /**
  * What Web IDL does to the argument of `open()` before the method's steps begin.
- * @throws TypeError when the baud rate is missing, a number is out of its type's range or a word is not of its enumeration.
+ * @throws TypeError when the baud rate is missing, a number is out of its type's range or a word is not of its
+ * enumeration.
  */
 export function convertOpenOptions(options: OpenOptions): OpenedOptions {
   if (options?.baudRate === undefined) throw new TypeError('baudRate is required.');

@@ -7,8 +7,9 @@ import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } f
 /**
  * A `SerialPort` as the Web Serial standard has it, with a `device` at its other end. `MockSerial.plug` makes them.
  *
- * Where the standard and Chromium differ, the port does as the web platform tests ask: the stream of bytes has a high-water mark
- * of 0, a system error while writing brings a new `writable`, and `open()` after `forget()` fails with NetworkError.
+ * Where the standard and Chromium differ, the port does as the web platform tests ask: the stream of bytes has a
+ * high-water mark of 0, a system error while writing brings a new `writable`, and `open()` after `forget()` fails with
+ * NetworkError.
  */
 export class MockSerialPort extends ConnectionTarget {
   /** The other end of the port. */
@@ -30,15 +31,17 @@ export class MockSerialPort extends ConnectionTarget {
   }
 
   /**
-   * The `readable` attribute: a byte stream while the port is open, else null. An error ends the stream behind all bytes that came before
-   * it; then there is a new one, or null after the loss of the device.
+   * The `readable` attribute: a byte stream while the port is open, else null. An error ends the stream behind all
+   * bytes that came before it; then there is a new one, or null after the loss of the device.
    */
   get readable(): ReadableStream<Uint8Array> | null {
     const { receiver } = this.#hardware;
     return receiver.stream ?? (this.#state === 'opened' ? receiver.createStream() : null);
   }
 
-  /** The `writable` attribute: a stream of BufferSources while the port is open, else null; replaced like `readable`. */
+  /**
+   * The `writable` attribute: a stream of BufferSources while the port is open, else null; replaced like `readable`.
+   */
   get writable(): WritableStream<Uint8Array> | null {
     const { transmitter } = this.#hardware;
     return transmitter.stream ?? (this.#state === 'opened' ? transmitter.createStream() : null);

@@ -4,8 +4,8 @@ import type { ReadErrorKind } from './types.js';
 type Item = Uint8Array | ReadErrorKind;
 
 /**
- * The reading side of a port: a buffer of `bufferSize` bytes and the stream that hands them to the page. The stream itself holds
- * nothing (high-water mark 0), so that an error never overtakes a byte that came before it.
+ * The reading side of a port: a buffer of `bufferSize` bytes and the stream that hands them to the page. The stream
+ * itself holds nothing (high-water mark 0), so that an error never overtakes a byte that came before it.
  */
 export class Receiver {
   /** Bytes that came and will never be read: the port was closed, the device lost, or the buffer full. */

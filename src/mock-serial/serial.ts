@@ -6,8 +6,8 @@ import { MockSerialPort } from './port.js';
 import type { MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
 
 /**
- * A `navigator.serial` without a browser: the Web Serial standard's `Serial`, and what a user and a workbench do to it: plug,
- * unplug, choose. Nothing is plugged in at first, the user has touched nothing, and the chooser is dismissed.
+ * A `navigator.serial` without a browser: the Web Serial standard's `Serial`, and what a user and a workbench do to it:
+ * plug, unplug, choose. Nothing is plugged in at first, the user has touched nothing, and the chooser is dismissed.
  *
  *     const serial = new MockSerial();
  *     const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
@@ -15,7 +15,10 @@ import type { MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } fro
  *     port.device.write([1, 2, 3]);
  */
 export class MockSerial extends ConnectionTarget {
-  /** Whether `requestPort()` may ask the user, as just after a click. Stays as it is set: the standard does not use it up. */
+  /**
+   * Whether `requestPort()` may ask the user, as just after a click. Stays as it is set: the standard does not use it
+   * up.
+   */
   userActivation: boolean;
   readonly #clock: Clock;
   readonly #ports = new Map<MockSerialPort, Hardware>();
@@ -28,8 +31,9 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Plugs in a device at a port of its own. If the site may use it already, `connect` is fired, never before this call has returned.
-   * @throws TypeError when the information names a Bluetooth service class that is none.
+   * Plugs in a device at a port of its own. If the site may use it already, `connect` is fired, never before this call
+   * has returned.
+   * @throws TypeError when the information names something that is no Bluetooth service class.
    */
   plug(info: PortInfo = {}, options: PlugOptions = {}): MockSerialPort {
     const hardware = new Hardware(info, { ...options, clock: options.clock ?? this.#clock });
@@ -40,8 +44,8 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Pulls the plug. What is under way in either direction is lost; what has arrived can still be read. Then, or at once if the
-   * page waits, reading and writing fail with NetworkError; `disconnect` is fired if the site may use the port.
+   * Pulls the plug. What is under way in either direction is lost; what has arrived can still be read. Then, or at once
+   * if the page waits, reading and writing fail with NetworkError; `disconnect` is fired if the site may use the port.
    * @throws TypeError when the port is not one of this object's.
    */
   unplug(port: MockSerialPort): void {
@@ -52,9 +56,9 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Plugs a device in again at the port it had, as the browser does for a device it recognises; the page must close the port
-   * before it can use it again. For a device that returns as a new object, `plug` it with the same information and, if the
-   * permission is remembered, `granted`.
+   * Plugs a device in again at the port it had, as the browser does for a device it recognises; the page must close the
+   * port before it can use it again. For a device that returns as a new object, `plug` it with the same information
+   * and, if the permission is remembered, `granted`.
    * @throws TypeError when the port is not one of this object's.
    */
   replug(port: MockSerialPort): void {
@@ -69,7 +73,9 @@ export class MockSerial extends ConnectionTarget {
     this.#choice = port;
   }
 
-  /** The `getPorts()` method: the ports that are plugged in and that the site may use, in the order in which they came. */
+  /**
+   * The `getPorts()` method: the ports that are plugged in and that the site may use, in the order in which they came.
+   */
   async getPorts(): Promise<MockSerialPort[]> {
     return [...this.#ports].filter(([, { plugged, granted }]) => plugged && granted).map(([port]) => port);
   }
@@ -77,10 +83,10 @@ export class MockSerial extends ConnectionTarget {
   /**
    * The `requestPort()` method. The site may use the port that the user chooses.
    * @throws SecurityError without user activation.
-   * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a Bluetooth service
-   *   class, or when a service class is none.
-   * @throws NotFoundError when the user dismisses the chooser, or when it would not offer the chosen port: because it is
-   *   unplugged, matches no filter, or is one of a Bluetooth service class that the request does not allow.
+   * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a Bluetooth
+   *   service class, or when a service class is none.
+   * @throws NotFoundError when the user dismisses the chooser, or when it would not offer the chosen port: because it
+   *   is unplugged, matches no filter, or is one of a Bluetooth service class that the request does not allow.
    */
   async requestPort(options: PortRequestOptions = {}): Promise<MockSerialPort> {
     if (!this.userActivation) {

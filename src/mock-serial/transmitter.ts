@@ -30,8 +30,8 @@ function sizeOf(chunk: unknown): number {
 }
 
 /**
- * The writing side of a port: the stream that takes the page's bytes and a buffer of `bufferSize` bytes that have not yet left. On a free
- * cable they leave in their time; on any other they leave when the device reads them.
+ * The writing side of a port: the stream that takes the page's bytes and a buffer of `bufferSize` bytes that have not
+ * yet left. On a free cable they leave in their time; on any other they leave when the device reads them.
  */
 export class Transmitter {
   readonly #cable: Cable;
@@ -153,7 +153,10 @@ export class Transmitter {
     });
   }
 
-  /** Lets the operation begin once the stream has gone on, as the standard's steps in parallel do: an abort may come first. */
+  /**
+   * Lets the operation begin once the stream has gone on, as the standard's steps in parallel do: an abort may come
+   * first.
+   */
   #run(advance: () => void): Promise<void> {
     return new Promise((resolve, reject) => {
       const settle = <Reason extends unknown[]>(by: (...reason: Reason) => void, ...reason: Reason): void => {

@@ -1,6 +1,8 @@
 import type { Clock } from '../line/index.js';
 
-/** What tells one port from another: the standard's SerialPortInfo dictionary. Members that do not apply are left out. */
+/**
+ * What tells one port from another: the standard's SerialPortInfo dictionary. Members that do not apply are left out.
+ */
 export interface PortInfo {
   /** 0 to 0xFFFF. */
   readonly usbVendorId?: number | undefined;
@@ -70,10 +72,15 @@ export interface InputSignals {
  */
 export type ReadErrorKind = 'break' | 'framing' | 'parity' | 'overrun' | 'system' | 'lost';
 
-/** What can go wrong while a page writes: `system` (UnknownError) and `lost` (NetworkError, fatal), or an error of one's own. */
+/**
+ * What can go wrong while a page writes: `system` (UnknownError) and `lost` (NetworkError, fatal), or an error of one's
+ * own.
+ */
 export type WriteErrorKind = 'system' | 'lost';
 
-/** What arrives in the place of a byte: `[byte]` as it is, `[]` lost. `index` counts the bytes sent that way, from 0. */
+/**
+ * What arrives in the place of a byte: `[byte]` as it is, `[]` lost. `index` counts the bytes sent that way, from 0.
+ */
 export type Fault = (byte: number, index: number) => readonly number[];
 
 /** What a mock port is like. Everything beyond the standard is off unless asked for. */
@@ -85,32 +92,37 @@ export interface PlugOptions {
   /** Where time comes from. Default: the clock of the MockSerial. */
   readonly clock?: Clock;
   /**
-   * Bytes take the time they would take at the rate the page opened the port with. Default false: the line takes no time and
-   * needs no clock, and what the page writes stays in the port's buffer until the device reads it.
+   * Bytes take the time they would take at the rate the page opened the port with. Default false: the line takes no
+   * time and needs no clock, and what the page writes stays in the port's buffer until the device reads it.
    */
   readonly timing?: boolean;
   /** Milliseconds a byte is under way, in either direction, beside its time on the wire. Default 0. */
   readonly latency?: number;
-  /** Sizes of the pieces in which bytes reach the page, used in turn and again from the first. Default: as the device wrote them. */
+  /**
+   * Sizes of the pieces in which bytes reach the page, used in turn and again from the first. Default: as the device
+   * wrote them.
+   */
   readonly chunks?: readonly number[];
   /** Damage on the line. */
   readonly fault?: { readonly toDevice?: Fault; readonly toPage?: Fault };
-  /** The page hears what it says, as on a single wire shared by both directions; the device hears it too. Default false. */
+  /**
+   * The page hears what it says, as on a single wire shared by both directions; the device hears it too. Default false.
+   */
   readonly echo?: boolean;
   /**
-   * Nothing but wires at the end of the cable: what the page sends comes back, a break as a zero byte and a break, RTS as CTS, DTR as DSR
-   * and DCD. The device hears nothing. Default false.
+   * Nothing but wires at the end of the cable: what the page sends comes back, a break as a zero byte and a break, RTS
+   * as CTS, DTR as DSR and DCD. The device hears nothing. Default false.
    */
   readonly loopback?: boolean;
   /**
-   * The device waits while the page's buffer is full, where its bytes would otherwise be lost with BufferOverrunError. Always so
-   * when the page opens the port with hardware flow control. Default false.
+   * The device waits while the page's buffer is full, where its bytes would otherwise be lost with BufferOverrunError.
+   * Always so when the page opens the port with hardware flow control. Default false.
    */
   readonly backpressure?: boolean;
 }
 
 export interface MockSerialOptions {
-  /** The clock of all ports that are not plugged in with one of their own. Default: the clock on the wall. */
+  /** The clock of all ports that are not plugged in with one of their own. Default: the real clock. */
   readonly clock?: Clock;
   /** Whether `requestPort()` may ask the user. Default false, as in a page that nobody has touched. */
   readonly userActivation?: boolean;
@@ -126,26 +138,36 @@ export interface MockDevice {
   busy: boolean;
   /** The page's `setSignals()` and `getSignals()` fail with NetworkError while this is true. */
   failSignals: boolean;
-  /** What the page has set. Opening raises DTR (and RTS under hardware flow control, while there is room); closing drops all. */
+  /**
+   * What the page has set. Opening raises DTR (and RTS under hardware flow control, while there is room); closing drops
+   * all.
+   */
   readonly signals: SetSignals;
-  /** Bytes written here that the page will never see: the port was unplugged or closed, or its buffer full, when they came. */
+  /**
+   * Bytes written here that the page will never see: the port was unplugged or closed, or its buffer full, when they
+   * came.
+   */
   readonly lost: number;
   /**
-   * The next bytes the page wrote, chunk by chunk, no chunk longer than the port's buffer; waits for them. Reads are served in the
-   * order of their calls, and no byte is lost between them. Waits on when the page closes the port.
+   * The next bytes the page wrote, chunk by chunk, no chunk longer than the port's buffer; waits for them. Reads are
+   * served in the order of their calls, and no byte is lost between them. Waits on when the page closes the port.
    * @returns an empty array once the port is unplugged and all that had arrived before is read.
    */
   read(): Promise<Uint8Array>;
   /** Sends bytes to the page. Those that find the port unplugged or closed when they arrive are counted in `lost`. */
   write(bytes: ArrayLike<number>): void;
-  /** Lets the page's reading fail, behind all bytes written before; see `ReadErrorKind`. Nothing happens while the port is closed. */
+  /**
+   * Lets the page's reading fail, behind all bytes written before; see `ReadErrorKind`. Nothing happens while the port
+   * is closed.
+   */
   error(kind: ReadErrorKind): void;
   /** Sets what the page gets from `getSignals()`; what is left out stays. All are false at first. */
   setSignals(signals: Partial<InputSignals>): void;
   /**
    * Lets the page's writing fail.
    * @param error default `system`.
-   * @param after how many more bytes get through first; default 0: the next write, `close()` or `abort()` of the writable fails.
+   * @param after how many more bytes get through first; default 0: the next write, `close()` or `abort()` of the
+   * writable fails.
    */
   failNextWrite(error?: WriteErrorKind | Error, after?: number): void;
 }

@@ -2,8 +2,8 @@ import { type Identity, MAX_POSITION, MAX_TIME } from '../protocol/index.js';
 import { fieldsOf, type ProgramField, requireShape, slotKind, type TimerProgram, valueAt } from './program.js';
 
 /**
- * How much a finding weighs. An `error` is what the wire cannot carry: it cannot be written. A `serious` one may cost a model
- * and must be acknowledged before a write. A `warning` is unusual.
+ * How much a finding weighs. An `error` is what the wire cannot carry: it cannot be written. A `serious` one may cost a
+ * model and must be acknowledged before a write. A `warning` is unusual.
  */
 export type Severity = 'error' | 'serious' | 'warning';
 
@@ -16,7 +16,8 @@ export type Severity = 'error' | 'serious' | 'warning';
  * - `position-as-read` (value): the timer holds a position past its last step; it is kept unless edited.
  * - `time-falls` (previous): a function comes before the one it follows.
  * - `time-repeats` (previous): two functions share a time and hold the same positions.
- * - `position-never-reached` (previous): two functions share a time, so the earlier one's positions are passed over.
+ * - `position-never-reached` (previous): two functions share a time, so the positions of the earlier one are never
+ *   reached.
  * - `motor-stop-after-dt` (dt): class Q; the model comes down with the motor running.
  * - `motor-run-long` (limit): class Q; longer than the rules allow.
  * - `time-outside-manual` (min, max): not in the range that the maker's manual gives.
@@ -53,7 +54,10 @@ export interface Finding {
 }
 
 export interface CheckOptions {
-  /** What the timer held: a position that it cannot have been set to is kept without an error while it is as it was read. */
+  /**
+   * What the timer held: a position that it cannot have been set to is kept without an error while it is as it was
+   * read.
+   */
   readonly baseline?: TimerProgram | undefined;
   /** A DT below this is called short, in hundredths of a second. Default 6000, a minute. */
   readonly shortDt?: number | undefined;
@@ -157,8 +161,8 @@ const HUNDREDTHS: ManualRange = { min: 1, max: 999, step: 1 };
 const SECONDS: ManualRange = { min: 100, max: 72000, step: 100 };
 
 /**
- * The range and the step that the manual gives for the time of a slot; null where it gives none: class E, an unknown class, the
- * reserved slot of B.
+ * The range and the step that the manual gives for the time of a slot; null where it gives none: class E, an unknown
+ * class, the reserved slot of B.
  */
 export function manualRange(identity: Identity, at: number): ManualRange | null {
   const { timerClass } = identity;

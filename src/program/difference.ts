@@ -10,8 +10,8 @@ export interface Change {
 }
 
 /**
- * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. The memory that
- * they come from is not one of them.
+ * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. The memory
+ * that they come from is not one of them.
  * @throws CodecError `wrong-count` when they do not have the same slots and servos.
  */
 export function differences(from: TimerProgram, to: TimerProgram): Change[] {
@@ -26,8 +26,8 @@ export function differences(from: TimerProgram, to: TimerProgram): Change[] {
 }
 
 /**
- * The fewest requests that turn one program into the other: one SETTIMERS with all times if any time differs, a SETSERVO for
- * each position, a SETLOWRPM. An idle throttle that is not known in `to` is left as it is.
+ * The fewest requests that turn one program into the other: one SETTIMERS with all times if any time differs, a
+ * SETSERVO for each position, a SETLOWRPM. An idle throttle that is not known in `to` is left as it is.
  * @throws CodecError `wrong-count`, see {@link differences}.
  */
 export function changeRequests(from: TimerProgram, to: TimerProgram): Request[] {

@@ -2,7 +2,7 @@ import { type Change, differences } from './difference.js';
 import { fieldKey, type TimerProgram, valueAt } from './program.js';
 
 /**
- * How far a write came that nobody saw the end of, by a fresh read.
+ * How far an interrupted write came, by a fresh reading.
  *
  * - `nothing`: the timer holds what it held before.
  * - `part`: what it holds is explained by the old content and a part of the write.
@@ -17,13 +17,15 @@ export interface PartOfWrite {
   readonly written: readonly Change[];
   /** The values that the write was to change and that are as before. */
   readonly missing: readonly Change[];
-  /** The values that are neither as before nor as wanted; `from` is what they were before, `to` what the timer holds. */
+  /**
+   * The values that are neither as before nor as wanted; `from` is what they were before, `to` what the timer holds.
+   */
   readonly foreign: readonly Change[];
 }
 
 /**
- * Tells what became of an interrupted write. Nothing on the wire identifies a timer: this says only whether what it holds can be
- * explained, and `foreign` is the one answer that is certain to need a person.
+ * Tells what became of an interrupted write. Nothing on the wire identifies a timer: this says only whether what it
+ * holds can be explained, and `foreign` is the one answer that is certain to need a person.
  * @param before what the timer held before the write.
  * @param goal what it was to hold. An idle throttle that is null was not to be written.
  * @param held what a fresh read gave.

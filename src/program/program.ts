@@ -8,8 +8,8 @@ export interface TimerProgram {
   /** The memory that it was read from, counted from 0; null when the timer does not say. */
   readonly memory: number | null;
   /**
-   * The time of each slot in hundredths of a second, 0..65535, absolute from launch. Slot 0 is the motor stop on class Q
-   * and reserved on B and E.
+   * The time of each slot in hundredths of a second, 0..65535, absolute from launch. Slot 0 is the motor stop on class
+   * Q and reserved on B and E.
    */
   readonly times: readonly number[];
   /** `[servo][slot]`, steps 0..130. A timer may hold 131..255; such a value is kept as it was read. */

@@ -13,8 +13,8 @@ const HEADER = '# Sidus capture 1';
 const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
 
 /**
- * A capture as text: a heading, then a line for each entry with its time in seconds, `>` to the timer or `<` from it, and the bytes in
- * hex. Lines that begin with `#` and empty lines say nothing.
+ * A capture as text: a heading, then a line for each entry with its time in seconds, `>` to the timer or `<` from it,
+ * and the bytes in hex. Empty lines and lines that begin with `#` are skipped.
  *
  *     # Sidus capture 1
  *     0.000 > 00 00 00 00 00 03 6b 6b 45
@@ -30,7 +30,8 @@ export function formatCapture(entries: readonly CaptureEntry[]): string {
 
 /**
  * Reads a capture. Line ends may be those of any system.
- * @throws CodecError `bad-capture` with `line N` as field: no heading, a line of another form, a time before the one above it.
+ * @throws CodecError `bad-capture` with `line N` as field: no heading, a line of another form, a time before the one
+ * above it.
  */
 export function parseCapture(text: string): CaptureEntry[] {
   const lines = text.replace(/^\uFEFF/, '').split(/\r\n|\r|\n/);

@@ -23,7 +23,7 @@ export interface Command {
   readonly sends: readonly Field[];
   /** The values that the reply carries. */
   readonly answers: readonly Field[];
-  /** Asking once more does no harm: the same request twice leaves the timer as once. */
+  /** It may be sent again: two of it leave the timer as one does. */
   readonly repeatable: boolean;
   /** What it does to the timer: nothing, to what it stores, to its servos or its motor. */
   readonly effect: 'reads' | 'stores' | 'moves' | 'frees-motor' | 'unknown';

@@ -1,12 +1,12 @@
 import { checksum, type Frame, MAX_LENGTH, MIN_LENGTH, TERMINATOR, ZEROS_NEEDED, ZEROS_SENT } from './frame.js';
 
 /**
- * Why bytes were passed over.
+ * Why bytes were skipped.
  *
  * - `noise`: no header (four zeros and a length) stands in them.
  * - `length`: the length after the zeros is 1 or 2.
  * - `terminator`: the byte where the frame should end is not 45.
- * - `checksum`: the sum of command and data is another.
+ * - `checksum`: the sum of command and data is wrong.
  * - `silence`: the line fell silent before the frame was whole.
  */
 export type RejectionReason = 'noise' | 'length' | 'terminator' | 'checksum' | 'silence';
@@ -21,9 +21,9 @@ export interface Rejection {
 
 export interface DecoderQuirks {
   /**
-   * Takes a frame of four bytes whose checksum is the bare command byte, as the source prints it: `true` for the reply to GETLOWRPM
-   * (76), or the letters for which to do so. Off unless asked for: it lets more damaged frames pass. May be switched while the
-   * decoder runs.
+   * Takes a frame of four bytes whose checksum is the bare command byte, as the source prints it: `true` for the reply
+   * to GETLOWRPM (76), or the letters for which to do so. Off unless asked for: it lets more damaged frames pass. May
+   * be switched while the decoder runs.
    */
   bareChecksum?: boolean | readonly number[];
 }
@@ -31,7 +31,10 @@ export interface DecoderQuirks {
 export interface FrameDecoderOptions {
   /** Told of all bytes that belong to no frame. */
   readonly onRejected?: ((rejection: Rejection) => void) | undefined;
-  /** Told of each frame together with its bytes as they came, before `push` returns it. Of more than five zeros five are shown. */
+  /**
+   * Told of each frame together with its bytes as they came, before `push` returns it. Of more than five zeros five are
+   * shown.
+   */
   readonly onFrame?: ((frame: Frame, bytes: Uint8Array, bareChecksum: boolean) => void) | undefined;
   readonly quirks?: DecoderQuirks | undefined;
 }
@@ -54,11 +57,15 @@ export class FrameDecoder {
   readonly #onRejected: FrameDecoderOptions['onRejected'];
   readonly #onFrame: FrameDecoderOptions['onFrame'];
   /**
-   * A frame that is not whole yet, from its length byte on. There is room for two, so that one which begins inside another that
-   * turned out to be none mostly stays where it is: a stream of false headers would move all of it for each.
+   * A frame that is not whole yet, from its length byte on. There is room for two, so that one which begins inside
+   * another that turned out to be none mostly stays where it is: a stream of false headers would move all of it for
+   * each.
    */
   readonly #held = new Uint8Array(2 * LONGEST);
-  /** Where in there the frame begins, how far it has come, and where it will be whole. When it has come that far, none is held. */
+  /**
+   * Where in there the frame begins, how far it has come, and where it will be whole. When it has come that far, none
+   * is held.
+   */
   #from = 0;
   #to = 0;
   #whole = 0;
@@ -78,8 +85,8 @@ export class FrameDecoder {
 
   /**
    * Takes the next bytes from the line, cut anywhere.
-   * @returns the frames that became whole, in order. Their data never shares memory with `chunk`; frames that came together may lie
-   * in one buffer, so whoever takes `data.buffer` has to mind `byteOffset` and `byteLength`.
+   * @returns the frames that became whole, in order. Their data never shares memory with `chunk`; frames that came
+   * together may lie in one buffer, so whoever takes `data.buffer` has to mind `byteOffset` and `byteLength`.
    */
   push(chunk: Uint8Array): Frame[] {
     const frames: Frame[] = [];
@@ -124,8 +131,8 @@ export class FrameDecoder {
   }
 
   /**
-   * The one walk over the bytes from `from` to `end`. It never goes back: a frame that is not whole ends the walk early, and then
-   * the rest is held.
+   * The one walk over the bytes from `from` to `end`. It never goes back: a frame that is not whole ends the walk
+   * early, and then the rest is held.
    *
    * @param givenUp why the frame that begins at `from` is no longer waited for.
    */
@@ -134,13 +141,13 @@ export class FrameDecoder {
     const listening = this.#onRejected !== undefined;
     let at = from;
     let zeros = this.#zeros;
-    // Where the bytes begin that belong to no frame so far, how many zeros came before them in earlier chunks, and why the first
-    // header among them was refused.
+    // Where the bytes begin that belong to no frame so far, how many zeros came before them in earlier chunks, and why
+    // the first header among them was refused.
     let skipped = from;
     let skippedZeros = zeros;
     let reason = givenUp;
-    // One copy for all frames of a chunk: an array of its own for each would cost more than finding them. Not by slice(), which gives
-    // no copy of a Buffer of Node.
+    // One copy for all frames of a chunk: an array of its own for each would cost more than finding them. Not by
+    // slice(), which gives no copy of a Buffer of Node.
     let own: ArrayBuffer | undefined;
     if (givenUp) {
       zeros = 0;
@@ -228,8 +235,8 @@ export class FrameDecoder {
   }
 
   /**
-   * Reports the bytes from `from` to `to`, less the zeros at their end, which may begin a frame. `zerosBefore` of them came in
-   * earlier chunks; `zerosAfter` is the length of the run of zeros that ends at `to`.
+   * Reports the bytes from `from` to `to`, less the zeros at their end, which may begin a frame. `zerosBefore` of them
+   * came in earlier chunks; `zerosAfter` is the length of the run of zeros that ends at `to`.
    */
   #report(
     bytes: Uint8Array,
@@ -245,7 +252,10 @@ export class FrameDecoder {
   }
 }
 
-/** The sum of some bytes, modulo 256: four at a time and from the end, the fastest of the plain ways to what takes most of the time. */
+/**
+ * The sum of some bytes, modulo 256: four at a time and from the end, the fastest of the plain ways to what takes most
+ * of the time.
+ */
 function sumOf(bytes: Uint8Array, from: number, to: number): number {
   let sum = 0;
   let at = to - 1;

@@ -1,7 +1,7 @@
 import { CodecError, requireInteger } from './errors.js';
 import { decodeIdentity, encodeIdentity, type Identity, slotCount } from './identity.js';
 
-/** How this timer departs from the reading of the protocol that is taken for right. All off unless asked for. */
+/** How this timer differs from the usual reading of the protocol. All are off unless asked for. */
 export interface LayoutQuirks {
   /** Times have their high byte first. */
   readonly bigEndianTimes?: boolean;
@@ -73,9 +73,9 @@ export const memoryField: Field<'memory', number> = {
 };
 
 /**
- * The memory that is current, or null: the source prints this reply once with an index and once without. The index is let through for
- * the caller to judge, also one that the timer cannot have: the number of its memories tells that it counts from 1, and -1 that it
- * does not although that was assumed.
+ * The memory that is current, or null: the source prints this reply once with an index and once without. The caller
+ * judges the index, also one that the timer cannot have: an index equal to the number of memories shows that the timer
+ * counts from 1; -1 shows that it does not, although that was assumed.
  */
 export const currentMemoryField: Field<'memory', number | null> = {
   name: 'memory',
@@ -92,7 +92,10 @@ export const currentMemoryField: Field<'memory', number | null> = {
   },
 };
 
-/** The idle throttle that the timer holds, unit unknown, or null: the source prints this reply once with a value and once without. */
+/**
+ * The idle throttle that the timer holds, unit unknown, or null: the source prints this reply once with a value and
+ * once without.
+ */
 export const currentIdleThrottleField: Field<'idleThrottle', number | null> = {
   name: 'idleThrottle',
   size: () => 1,

@@ -37,7 +37,9 @@ export function checksum(code: number, data: ArrayLike<number>): number {
 }
 
 export interface EncodeFrameOptions {
-  /** Sends the bare command byte where the checksum belongs, as three examples of the source print it. Default false. */
+  /**
+   * Sends the bare command byte where the checksum belongs, as three examples of the source print it. Default false.
+   */
   readonly bareChecksum?: boolean;
 }
 

@@ -1,7 +1,10 @@
 import { CodecError } from './errors.js';
 import { MAX_DATA } from './frame.js';
 
-/** The letters the maker gives: B for rubber motor, Q for electric motor, E for slope. Any other letter is kept as it came. */
+/**
+ * The letters the maker gives: B for rubber motor, Q for electric motor, E for slope. Any other letter is kept as it
+ * came.
+ */
 export type TimerClass = 'B' | 'Q' | 'E' | (string & {});
 
 /**

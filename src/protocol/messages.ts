@@ -4,7 +4,7 @@ import type { Field, LayoutOptions } from './fields.js';
 import { type EncodeFrameOptions, encodeFrame, type Frame, frameSize } from './frame.js';
 import type { Identity } from './identity.js';
 
-/** Everything in which a timer may depart from the reading of the protocol that is taken for right, as far as bytes go. */
+/** All ways in which the bytes of a timer may differ from the usual reading of the protocol. */
 export interface CodecOptions extends LayoutOptions, EncodeFrameOptions {}
 
 export interface DecodeReplyOptions extends LayoutOptions {
@@ -16,7 +16,7 @@ type Values = Readonly<Record<string, unknown>>;
 
 /**
  * A request as it goes on the wire.
- * @param options with an identity every value is held to what that timer has; without, to what its bytes can carry.
+ * @param options with an identity every value must fit that timer; without one it must fit its bytes.
  * @throws CodecError `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
  */
 export function encodeRequest(request: Request, options: CodecOptions = {}): Uint8Array {
@@ -45,10 +45,10 @@ export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Arra
 }
 
 /**
- * A reply as the client reads it. With a pending GETTIMERS the letter 66 is taken for 62, with a pending UNLOCK 6A for 6E,
- * as the source prints them in one place; whoever calls decides whether that is safe now (see {@link answers}).
- * @throws CodecError `unexpected-reply` when it does not answer the pending request, `unknown-command` when no reply has
- * this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
+ * A reply as the client reads it. With a pending GETTIMERS the letter 66 is taken for 62, with a pending UNLOCK 6A for
+ * 6E, as the source prints them in one place. The caller decides whether that is safe now (see {@link answers}).
+ * @throws CodecError `unexpected-reply` when it does not answer the pending request, `unknown-command` when no reply
+ * has this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
  */
 export function decodeReply(frame: Frame, options: DecodeReplyOptions = {}): Reply {
   const { pending } = options;
@@ -68,8 +68,8 @@ export function decodeReply(frame: Frame, options: DecodeReplyOptions = {}): Rep
 }
 
 /**
- * Whether a frame with this letter answers a request: `exact`, or by a letter that the source misprints and that belongs to
- * another command. A misprint is safe to take only when no earlier request can still be answered.
+ * Whether a frame with this letter answers a request: `exact`, or by a letter that the source misprints and that
+ * belongs to another command. A misprint is safe to take only when no earlier request can still be answered.
  */
 export function answers(code: number, asked: CommandName): 'exact' | 'misprint' | undefined {
   const command: { reply: number; misprint?: number } = COMMANDS[asked];

@@ -17,8 +17,8 @@ const DT = 18000;
 const MOTOR_STOP = 1000;
 
 /**
- * What a memory holds when the timer is new: the captured positions for each servo, rising times, and a DT of 3 minutes that is
- * 30 s longer in each further memory, so that memories can be told apart.
+ * What a memory holds when the timer is new: the captured positions for each servo, rising times, and a DT of 3 minutes
+ * that is 30 s longer in each further memory, so that memories can be told apart.
  */
 export function firstContent(identity: Identity, memory: number): MemoryContent {
   const slots = slotCount(identity);

@@ -1,8 +1,8 @@
 import type { LayoutQuirks } from '../protocol/index.js';
 
 /**
- * How a timer may differ from the reading of the protocol that is taken for right. Each is a contradiction of the source that
- * nobody has settled with a real timer yet; all are off by default.
+ * How a timer may differ from the usual reading of the protocol. Each is a contradiction in the source that nobody has
+ * settled with a real timer yet. All are off by default.
  */
 export interface TimerQuirks extends LayoutQuirks {
   /** Zeros before each reply: the source's examples print four, a real timer sent five. Default 5. */
@@ -24,8 +24,8 @@ export interface TimerQuirks extends LayoutQuirks {
   /** SETSERVO is answered, but kept only for the function the servos were last moved to. */
   readonly servoNeedsMove?: boolean;
   /**
-   * Whether SETSERVO alone moves the servo (rows 15 and 17 of the protocol page leave it open): never, when the servos stand at that function,
-   * or whatever function they stand at. Default `there`.
+   * Whether SETSERVO alone moves the servo (rows 15 and 17 of the protocol page leave it open): never, when the servos
+   * stand at that function, or whatever function they stand at. Default `there`.
    */
   readonly setMoves?: 'never' | 'there' | 'always';
   /** The adapter returns every byte that is sent to the timer. */

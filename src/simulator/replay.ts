@@ -16,7 +16,9 @@ interface Exchange {
   /** The request from its length byte on: how many zeros came before it makes no difference. */
   readonly request: string;
   readonly pieces: Piece[];
-  /** When the last frame among them is whole, as {@link Piece.after}; what comes later is noise, which holds up nothing. */
+  /**
+   * When the last frame among them is whole, as {@link Piece.after}; what comes later is noise, which holds up nothing.
+   */
   answered: number;
 }
 
@@ -24,11 +26,12 @@ interface Exchange {
 const SILENCE = 100;
 
 /**
- * A timer that answers as another one did while its line was recorded, at the far end of a pair of byte streams. A request that equals
- * the next recorded one, looked for from the last match on and then from the beginning, is answered with the bytes that followed
- * it in the recording up to the next request: in the pieces in which they came, as long after the request as then, damage and all. A
- * request that was recorded without a reply gets none, and so does one that the recording does not know. What was recorded
- * before the first request comes by itself.
+ * A timer that answers as another one did while its line was recorded, at the far end of a pair of byte streams.
+ *
+ * A request is looked for in the recording, from the last match on and then from the beginning. The answer is what
+ * followed it there, up to the next request: in the same pieces, as long after the request, damage and all. A request
+ * that got no reply in the recording gets none, nor does one that the recording does not know. What was recorded before
+ * the first request comes by itself.
  *
  *     const timer = new TimerClient(new ReplayTimer(parseCapture(text)));
  */
@@ -72,7 +75,9 @@ export class ReplayTimer {
     this.#send(unasked, clock.now());
   }
 
-  /** Cuts the line as a pulled cable does: reading and writing fail from now on, and nothing that is under way arrives. */
+  /**
+   * Cuts the line as a pulled cable does: reading and writing fail from now on, and nothing that is under way arrives.
+   */
   cut(reason: unknown = new Error('The line to the recorded timer is cut.')): void {
     this.#cut = true;
     this.#cancelSilence();

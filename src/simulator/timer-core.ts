@@ -26,8 +26,8 @@ export interface TimerCoreOptions {
 }
 
 /**
- * What is behind the line: memories, servos, motor lock, phase, and an answer to each request. A bad frame or a value out of
- * range gets no answer, since the protocol has no letter for one.
+ * What is behind the line: memories, servos, motor lock, phase, and an answer to each request. A bad frame or a value
+ * out of range gets no answer, since the protocol has no letter for one.
  */
 export class TimerCore {
   readonly identity: Identity;
@@ -112,7 +112,7 @@ export class TimerCore {
     const { bareChecksumRequests, idleThrottleOnQOnly } = this.#quirks;
     if (request.name === 'GETLOWRPM') return !idleThrottleOnQOnly || this.identity.timerClass === 'Q';
     if (request.name !== 'SETMEMORY' && request.name !== 'SETLOWRPM') return true;
-    // With a data byte of 0 the bare checksum is the true one.
+    // With a data byte of 0 the bare checksum is the correct one.
     return !bareChecksumRequests || bare || checksum(code, data) === code;
   }
 

@@ -7,7 +7,10 @@ import { TimerCore } from './timer-core.js';
 export type LineFaults = Omit<ByteLineOptions, 'clock' | 'baudRate' | 'latency'>;
 
 export interface VirtualTimerOptions {
-  /** What it says of itself. Default: class B, firmware 536, 10 functions, 4 memories, 3 servos, as in the source's example. */
+  /**
+   * What it says of itself. Default: class B, firmware 536, 10 functions, 4 memories, 3 servos, as in the source's
+   * example.
+   */
   readonly identity?: Partial<Identity>;
   readonly quirks?: TimerQuirks;
   /** Default: the real clock. */
@@ -27,15 +30,18 @@ export interface VirtualTimerOptions {
 /** The requests for which the source prints a bare checksum. */
 const BARE_REQUESTS = [COMMANDS.SETMEMORY.request, COMMANDS.SETLOWRPM.request];
 
-/** Milliseconds of silence after which a frame that is not whole is given up, so that a damaged length does not swallow what follows. */
+/**
+ * Milliseconds of silence after which a frame that is not whole is given up, so that a damaged length does not swallow
+ * what follows.
+ */
 const SILENCE = 100;
 
 const EXAMPLE: Identity = { timerClass: 'B', firmware: '536', functions: 10, memories: 4, servos: 3 };
 
 /**
- * A timer that is not there, at the far end of a pair of byte streams: `readable` gives what it sends, `writable` takes what is
- * sent to it. It answers as the protocol page reads the source, and keeps memories, positions, motor lock, sleep and phase in
- * {@link TimerCore | core}, where tests may look and change.
+ * A timer that is not there, at the far end of a pair of byte streams: `readable` gives what it sends, `writable` takes
+ * what is sent to it. It answers as the protocol page reads the source, and keeps memories, positions, motor lock,
+ * sleep and phase in {@link TimerCore | core}, where tests may look and change.
  */
 export class VirtualTimer {
   readonly core: TimerCore;
@@ -83,7 +89,9 @@ export class VirtualTimer {
     });
   }
 
-  /** Cuts the line as a pulled cable does: reading and writing fail from now on, and nothing that is under way arrives. */
+  /**
+   * Cuts the line as a pulled cable does: reading and writing fail from now on, and nothing that is under way arrives.
+   */
   cut(reason: unknown = new Error('The line to the virtual timer is cut.')): void {
     this.#ended = true;
     this.#toTimer.cut();

@@ -1,9 +1,9 @@
-// Our decoder against others on npm and against a plain loop, and the client against the wire. `npm run bench` prints the tables and
-// writes dist/bench.json; docs/bench.md says how to read them.
+// Our decoder against others on npm and against a plain loop, and the client against the wire. `npm run bench` prints
+// the tables and writes dist/bench.json; docs/bench.md says how to read them.
 //
-// All decoders take turns, round by round, and each counts by its best round: on a machine that does other things at the same
-// time only what was measured in one run can be compared, and the best round is the least disturbed one. A tool that measures one
-// after another, as tinybench does, compares different moments.
+// All decoders take turns, round by round, and each counts by its best round: on a machine that does other things at
+// the same time only what was measured in one run can be compared, and the best round is the least disturbed one. A
+// tool that measures one after another, as tinybench does, compares different moments.
 
 import { execSync } from 'node:child_process';
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
@@ -32,7 +32,10 @@ const FRAMES = new Map([
 /** Milliseconds that each decoder gets for each stream, and how many rounds at least and at most. */
 const BUDGET = 200;
 const ROUNDS = [7, 300];
-/** Milliseconds after which a hostile megabyte is given up: what some decoders hold back grows, and with it the time for each byte. */
+/**
+ * Milliseconds after which a hostile megabyte is given up: what some decoders hold back grows, and with it the time for
+ * each byte.
+ */
 const LONGEST = 1000;
 
 install();
@@ -113,7 +116,8 @@ async function compare(stream, payload, chunk) {
  * @param {Sink} sink
  * @param {number} [batch] chunks after which the clock is looked at
  * @param {number} [longest] milliseconds after which it is given up
- * @returns {Promise<{ ms: number, taken: number, failed: boolean }>} taken: how much of it, from 0 to 1, before it failed or was given up
+ * @returns {Promise<{ ms: number, taken: number, failed: boolean }>} taken: how much of it, from 0 to 1, before it
+ * failed or was given up
  */
 async function run(decoder, chunks, sink, batch = chunks.length, longest = Infinity) {
   const feed = decoder.start(sink);
@@ -132,8 +136,8 @@ async function run(decoder, chunks, sink, batch = chunks.length, longest = Infin
 }
 
 /**
- * How many of the delivered are intact frames, and how many were never sent. What was damaged and delivered as it was sent all the same
- * is neither.
+ * How many of the delivered are intact frames, and how many were never sent. What was damaged and delivered as it was
+ * sent all the same is neither.
  * @param {readonly Uint8Array[]} delivered
  * @param {readonly Uint8Array[]} sent
  * @param {readonly boolean[]} intact

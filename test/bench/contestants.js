@@ -1,6 +1,6 @@
-// The decoders, each used as its authors mean it to be, or cheaper: where a decoder is made to stand in a web stream it is called
-// directly, which saves it the 2 to 4 microseconds that a web stream takes for each chunk. Each such decoder has a loop of its own: one
-// that several share would be compiled for none.
+// The decoders, each used as its authors mean it to be, or cheaper: where a decoder is made to stand in a web stream it
+// is called directly, which saves it the 2 to 4 microseconds that a web stream takes for each chunk. Each such decoder
+// has a loop of its own: one that several share would be compiled for none.
 
 import { createRequire } from 'node:module';
 import { encodeFrame, FrameDecoder, ZEROS_NEEDED, ZEROS_SENT } from '../../dist/lib/protocol/index.js';
@@ -23,8 +23,8 @@ export class Sink {
 
 /**
  * @typedef {object} Feed
- * @property {(chunks: readonly Uint8Array[], from: number, to: number) => number} push gives it some chunks, and says how many it
- *   took: fewer when it failed for good
+ * @property {(chunks: readonly Uint8Array[], from: number, to: number) => number} push gives it some chunks, and says
+ *   how many it took: fewer when it failed for good
  * @property {(() => void)} [end] the line is silent
  *
  * @typedef {object} Contestant
@@ -175,7 +175,10 @@ function serialport() {
 function mavlink() {
   /** @type {{ MavLinkPacketSplitter: StreamClass }} */
   const { MavLinkPacketSplitter } = require('node-mavlink');
-  /** @type {{ x25crc(bytes: Buffer, start: number, trim: number, magic: number): number, MSG_ID_MAGIC_NUMBER: Record<number, number> }} */
+  /**
+   * @type {{ x25crc(bytes: Buffer, start: number, trim: number, magic: number): number, MSG_ID_MAGIC_NUMBER:
+   * Record<number, number> }}
+   */
   const { x25crc, MSG_ID_MAGIC_NUMBER } = createRequire(require.resolve('node-mavlink'))('mavlink-mappings');
   const { 0: magic = 0 } = MSG_ID_MAGIC_NUMBER;
   return {
@@ -183,7 +186,8 @@ function mavlink() {
     ours: false,
     floor: false,
     spare: 0,
-    // Version 1, the shorter one; message 0, of which the splitter knows a number that goes into the checksum, and no length.
+    // Version 1, the shorter one; message 0, of which the splitter knows a number that goes into the checksum, and no
+    // length.
     encode(payload) {
       const packet = Buffer.from([0xfe, payload.length, 0, 1, 1, 0, ...payload, 0, 0]);
       packet.writeUInt16LE(x25crc(packet, 1, 2, magic), packet.length - 2);
@@ -255,7 +259,8 @@ async function ucobs() {
       return frame;
     },
     chunk: plain,
-    // The decoder of streams, the cheaper of its two. A frame of more than 512 bytes comes in pieces; only the last one counts.
+    // The decoder of streams, the cheaper of its two. A frame of more than 512 bytes comes in pieces; only the last one
+    // counts.
     start(sink) {
       const decode = createStreamDecoder((data, end) => {
         if (end) sink.take(data);

@@ -1,7 +1,8 @@
-// How quick the built page is: from a keystroke to its picture, and what a frame costs while a mark is dragged. As a program
-// (`npm run bench:screen`) it prints the tables; docs/bench.md says how to read them.
+// How quick the built page is: from a keystroke to its picture, and what a frame costs while a mark is dragged. As a
+// program (`npm run bench:screen`) it prints the tables; docs/bench.md says how to read them.
 //
-// All times are the browser's own, from a trace. They depend on the machine: so an empty field on an empty page is measured with them.
+// All times are the browser's own, from a trace. They depend on the machine: so an empty field on an empty page is
+// measured with them.
 
 import process from 'node:process';
 import { setTimeout as pause } from 'node:timers/promises';
@@ -31,7 +32,8 @@ import { grid } from './tables.js';
  * @property {string[]} [keys] are pressed in turn
  * @property {string} [held] the key that is held meanwhile
  *
- * @typedef {{ name: string, ph: string, ts: number, dur?: number, tdur?: number, pid: number, tid: number, args: any }} TraceEvent
+ * @typedef {{ name: string, ph: string, ts: number, dur?: number, tdur?: number, pid: number, tid: number, args: any }}
+ * TraceEvent
  */
 
 /** A processor this many times slower than that of this machine. */
@@ -154,7 +156,9 @@ export async function screen() {
   return { keys, frames };
 }
 
-/** From each keystroke to the picture of what it did. Event Timing, but not rounded to 8 ms as a page would be told it. */
+/**
+ * From each keystroke to the picture of what it did. Event Timing, but not rounded to 8 ms as a page would be told it.
+ */
 function toPaint(/** @type {TraceEvent[]} */ events) {
   /** @type {Map<number, number>} */
   const strokes = new Map();
@@ -167,8 +171,8 @@ function toPaint(/** @type {TraceEvent[]} */ events) {
 }
 
 /**
- * What the page did for each frame that an event of a type came before; the others only carry on what these have begun. A layout that a
- * script has forced is counted as layout.
+ * What the page did for each frame that an event of a type came before; the others only carry on what these have begun.
+ * A layout that a script has forced is counted as layout.
  * @param {TraceEvent[]} events
  * @param {'pointermove' | 'keydown'} type
  */

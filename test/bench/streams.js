@@ -77,7 +77,8 @@ export const HOSTILE = {
   'false headers': megabyteOf([0, 0, 0, 0, 0xff]),
   // Right in all but the sum, one after another.
   'almost-frames': megabyteOf([0, 0, 0, 0, 0, 0x24, 0x68, ...Array(33).fill(7), 1, 0x45]),
-  // The dearest that we know: a header every six bytes, and what looks like its terminator 253 bytes on, so that each is summed.
+  // The dearest that we know: a header every six bytes, and what looks like its terminator 253 bytes on, so that each
+  // is summed.
   'almost-frames inside one another': megabyteOf([0, 0, 0, 0, 0xfd, 0x45]),
 };
 
@@ -94,7 +95,8 @@ export function chunksOf(bytes, size, make) {
       make(bytes.subarray(i * size, (i + 1) * size)),
     );
   }
-  // Single bytes are 256 arrays used again and again: it is the decoders that are to be measured, not a memory full of tiny arrays.
+  // Single bytes are 256 arrays used again and again: it is the decoders that are to be measured, not a memory full of
+  // tiny arrays.
   const singles = Array.from({ length: 256 }, (_, value) => make(Uint8Array.of(value)));
   return Array.from(bytes, (value) => /** @type {T} */ (singles[value]));
 }

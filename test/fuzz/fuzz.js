@@ -1,5 +1,5 @@
-// Tries the laws on stream after stream for as long as it is told to, and watches the memory. `npm run fuzz -- --minutes 10 --seed 123`.
-// A failure is shown as small as it can be made, with the line that brings it back.
+// Tries the laws on stream after stream for as long as it is told to, and watches the memory. `npm run fuzz --
+// --minutes 10 --seed 123`. A failure is shown as small as it can be made, with the line that brings it back.
 
 import { argv, exit, memoryUsage, stderr, stdout } from 'node:process';
 import { fileURLToPath } from 'node:url';
@@ -14,7 +14,10 @@ import { hex, stream } from './streams.js';
  * @typedef {{ law: string, seed: number, report: string }} Failure
  */
 
-/** Bytes by which the heap may grow from the first measurements to the last: what comes and goes, and nothing that stays. */
+/**
+ * Bytes by which the heap may grow from the first measurements to the last: what comes and goes, and nothing that
+ * stays.
+ */
 const GROWTH = 4 * 1024 * 1024;
 /** Milliseconds for one law in one round: a failure is made no smaller after that. */
 const LONGEST_ROUND = 30_000;
@@ -24,7 +27,8 @@ const WARM_UP = 3;
 /**
  * Runs rounds of all laws until it is told to stop or one of them fails. Round n of seed s is round 0 of seed s + n.
  * @param {Protocol} protocol
- * @param {{ seed: number, cases: number, more: (round: number, cases: number) => boolean }} options cases: of each law in each round
+ * @param {{ seed: number, cases: number, more: (round: number, cases: number) => boolean }} options cases: of each law
+ * in each round
  * @returns {{ cases: number, failure: Failure | null }}
  */
 export function fuzz(protocol, { seed, cases, more }) {

@@ -1,5 +1,5 @@
-// What holds for decoder and codecs whatever comes: each law as a property of the package that is handed in, so that the unit tests can
-// try them on the source for a moment and `npm run fuzz` on the built package for minutes.
+// What holds for decoder and codecs whatever comes: each law as a property of the package that is handed in, so that
+// the unit tests can try them on the source for a moment and `npm run fuzz` on the built package for minutes.
 
 import fc from 'fast-check';
 import { framesOf, isRight, PageDecoder } from '../protocol/reference.js';
@@ -8,8 +8,8 @@ import { anyByte, bareChecksum, byte, hex, pieces, piecesAndSilence, stream, usu
 
 /**
  * @typedef {import('../../src/protocol/index.js').Frame} Frame
- * @typedef {Pick<typeof import('../../src/protocol/index.js'), 'CodecError' | 'decodeReply' | 'decodeRequest' | 'encodeFrame' |
- *   'encodeReply' | 'encodeRequest' | 'FrameDecoder'>} Protocol
+ * @typedef {Pick<typeof import('../../src/protocol/index.js'), 'CodecError' | 'decodeReply' | 'decodeRequest' |
+ *   'encodeFrame' | 'encodeReply' | 'encodeRequest' | 'FrameDecoder'>} Protocol
  */
 
 /** A frame that is not whole yet, less the byte that would make it so. */

@@ -1,5 +1,5 @@
-// Streams as a line makes them: frames, and everything that can happen to frames. Built with nothing of the package, and printed part by
-// part in hex, so that what a failing law shrinks to can be read.
+// Streams as a line makes them: frames, and everything that can happen to frames. Built with nothing of the package,
+// and printed part by part in hex, so that what a failing law shrinks to can be read.
 
 import fc from 'fast-check';
 

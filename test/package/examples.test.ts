@@ -5,7 +5,10 @@ import { firstContent } from '../../src/simulator/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { Consumer, root } from '../tools/pack.js';
 
-/** What stands in for `serialport` here, whose install script this project does without: a virtual timer behind each port but one. */
+/**
+ * What stands in for `serialport` here, whose install script this project does without: a virtual timer behind each
+ * port but one.
+ */
 const SERIALPORT = `import { Duplex } from 'node:stream';
 import { VirtualTimer } from 'sidus-timer/simulator';
 

@@ -36,7 +36,9 @@ beforeAll(async () => {
     .map((path) => [path.split(sep).join('/'), readFileSync(join(lib, path), 'utf8')]);
 });
 
-/** What a module imports, and which names of Node it uses; a name behind a dot, before a colon or of its own is none. */
+/**
+ * What a module imports, and which names of Node it uses; a name behind a dot, before a colon or of its own is none.
+ */
 function uses(code: string): { imports: string[]; globals: string[] } {
   const imports: string[] = [];
   const globals: string[] = [];

@@ -8,9 +8,10 @@ import { CountedDecoder } from './counting.js';
 const SIZE = 65_536;
 
 /**
- * Visits of a byte, on average, that no stream can exceed. A header takes five bytes at least, and for each header at most the 254
- * bytes of one longest frame are summed. Beside that a byte is looked at when it comes and for the header that may end at it, is
- * held, looked at again there, moved up once at most, and told of; and a header's last two bytes are compared.
+ * Visits of a byte, on average, that no stream can exceed. A header takes five bytes at least, and for each header at
+ * most the 254 bytes of one longest frame are summed. Beside that a byte is looked at when it comes and for the header
+ * that may end at it, is held, looked at again there, moved up once at most, and told of; and a header's last two bytes
+ * are compared.
  */
 const BOUND = 254 / 5 + 8;
 

@@ -6,8 +6,8 @@ export interface Counter {
 }
 
 /**
- * An array of bytes that counts what is read of it: each byte by index, and all bytes of a copy. What it does not know it refuses, so
- * that no reading goes uncounted.
+ * An array of bytes that counts what is read of it: each byte by index, and all bytes of a copy. What it does not know
+ * it refuses, so that no reading goes uncounted.
  */
 function counting(bytes: Uint8Array, counter: Counter): Uint8Array {
   const range = (from = 0, to = bytes.length): number => Math.max(0, to - from);

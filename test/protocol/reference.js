@@ -1,10 +1,11 @@
-// The law of docs/protocol.md twice, in its plainest forms, with nothing of the package in it: what the decoder is held to. Plain
-// JavaScript, so that scripts can use it as well as tests.
+// The law of docs/protocol.md twice, in its plainest forms, with nothing of the package in it: what the decoder is held
+// to. Plain JavaScript, so that scripts can use it as well as tests.
 
 /** @typedef {{ code: number, data: Uint8Array }} Frame */
 
 /**
- * The frames of a stream that is there as a whole and after which the line falls silent, read off by the one sentence of the law.
+ * The frames of a stream that is there as a whole and after which the line falls silent, read off by the one sentence
+ * of the law.
  * @param {Uint8Array} stream
  * @returns {Frame[]}
  */

@@ -172,7 +172,8 @@ describe('hold to unlock', () => {
     // Through the hold, the answer, and what would be a second hold.
     for (const end = performance.now() + 4 * HOLD; performance.now() < end; ) await keyboard.down('Space');
     await pilot.sees(en.bench.unlocked);
-    // The button has lost the focus when it went out; where the answer is quicker than that, the next repeat finds it again.
+    // The button has lost the focus when it went out; where the answer is quicker than that, the next repeat finds it
+    // again.
     await pilot.button(en.bench.unlock).dispatchEvent('keydown', { key: ' ', repeat: true });
     expect(await pilot.button(en.bench.unlockHold).count(), 'no second hold').toBe(0);
     await keyboard.up('Space');

@@ -1,6 +1,6 @@
 // Tells what Chromium's own port chooser shows, as a line of JSON whenever that changes: { shown, rows, selected }.
-// Runs inside the box, as `node --experimental-websocket chooser-watch.js PORT`, and asks Chromium's UI DevTools, which know
-// the browser's own windows as the usual DevTools know a page. It only looks.
+// Runs inside the box, as `node --experimental-websocket chooser-watch.js PORT`, and asks Chromium's UI DevTools, which
+// know the browser's own windows as the usual DevTools know a page. It only looks.
 
 import { setTimeout as sleep } from 'node:timers/promises';
 
@@ -38,7 +38,10 @@ function ask(method, params = {}) {
   return new Promise((resolve) => waiting.set(id, resolve));
 }
 
-/** @param {UiNode | undefined} node @param {string} name @returns {UiNode | undefined} the first of this name, from the node down */
+/**
+ * @param {UiNode | undefined} node @param {string} name @returns {UiNode | undefined} the first of this name, from the
+ * node down
+ */
 function find(node, name) {
   if (!node || node.attributes?.[1] === name) return node;
   for (const child of node.children ?? []) {

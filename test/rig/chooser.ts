@@ -105,7 +105,10 @@ export class Chooser {
     await end(this.#process);
   }
 
-  /** Presses these keys in turn until they have had their effect: for a moment after it comes up the dialog ignores all keys. */
+  /**
+   * Presses these keys in turn until they have had their effect: for a moment after it comes up the dialog ignores all
+   * keys.
+   */
   async #press(keys: readonly string[], effect: (state: ChooserState) => boolean): Promise<void> {
     for (let tries = 0; tries < 10; tries++) {
       for (const key of keys) {

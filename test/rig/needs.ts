@@ -15,8 +15,8 @@ const packages: Readonly<Record<string, string>> = {
 };
 
 /**
- * What `unshare` is told to make the namespaces of a box. The user namespace is for root too: only to those without rights outside
- * does an open port refuse itself.
+ * What `unshare` is told to make the namespaces of a box. The user namespace is for root too: only to those without
+ * rights outside does an open port refuse itself.
  */
 export const NAMESPACES = ['--user', '--map-root-user', '--mount', '--net'];
 

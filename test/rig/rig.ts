@@ -15,7 +15,10 @@ export interface RigOptions {
   readonly timer?: VirtualTimerOptions;
   /** The only rate, in bits a second, at which the timer understands and is understood. Default: any. */
   readonly rate?: number;
-  /** Chromium on a screen, where its chooser can be operated; without the policy that lets the page use the port unasked. */
+  /**
+   * Chromium on a screen, where its chooser can be operated; without the policy that lets the page use the port
+   * unasked.
+   */
   readonly chooser?: boolean;
   /** What the pilot of this test asks for of the commands that are never sent unasked. */
   readonly asks?: readonly CommandName[];
@@ -161,7 +164,8 @@ export class Rig {
   }
 
   /**
-   * Pulls the plug as soon as this many more bytes have passed in this direction: the next one does not arrive any more.
+   * Pulls the plug as soon as this many more bytes have passed in this direction: the next one does not arrive any
+   * more.
    * @returns a promise that settles when it is out.
    */
   unplugAfter(bytes: number, direction: Direction): Promise<void> {
@@ -171,7 +175,8 @@ export class Rig {
   }
 
   /**
-   * Covers the infra-red head as soon as this many more bytes have passed in this direction: no more pass in any, until {@link uncover}.
+   * Covers the infra-red head as soon as this many more bytes have passed in this direction: no more pass in any, until
+   * {@link uncover}.
    * @returns a promise that settles when it is covered.
    */
   coverAfter(bytes: number, direction: Direction): Promise<void> {

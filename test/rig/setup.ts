@@ -13,7 +13,10 @@ declare module 'vitest' {
   }
 }
 
-/** Once for all tests of the rig: looks for what they need, and builds the page as it is published, in a folder of its own. */
+/**
+ * Once for all tests of the rig: looks for what they need, and builds the page as it is published, in a folder of its
+ * own.
+ */
 export function setup(project: TestProject): () => void {
   requireNeeds();
   const folder = mkdtempSync(join(tmpdir(), 'sidus-page-'));

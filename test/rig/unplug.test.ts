@@ -3,8 +3,8 @@ import { en } from '../../src/app/messages/en.js';
 import { Pilot } from './pilot.js';
 import { type Direction, Rig } from './rig.js';
 
-// Where the plug is pulled, in bytes from the start of the job, and in which direction they are counted: inside a frame, between two,
-// in the first and the last of the job.
+// Where the plug is pulled, in bytes from the start of the job, and in which direction they are counted: inside a
+// frame, between two, in the first and the last of the job.
 const whileReading: [Direction, number[]][] = [
   ['fromPage', [4, 20]],
   ['toPage', [1, 33, 82]],

@@ -9,7 +9,9 @@ export interface TimerOptions extends Omit<VirtualTimerOptions, 'clock'> {
   readonly clock?: Clock;
   /** The one rate at which timer and page understand each other. Default: every rate. */
   readonly answersAt?: number;
-  /** At any other rate something comes back for each byte that the page sends, as where both ends take noise for bytes. */
+  /**
+   * At any other rate something comes back for each byte that the page sends, as where both ends take noise for bytes.
+   */
   readonly noise?: boolean;
 }
 

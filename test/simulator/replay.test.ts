@@ -17,7 +17,10 @@ const MEMORY_0 = '00 00 00 00 00 04 72 00 72 45';
 const MEMORY_3 = '00 00 00 00 00 04 72 03 75 45';
 const TIMES = '00 00 00 00 00 19 62 00 00 32 00 64 00 96 00 c8 00 fa 00 2c 01 5e 01 90 01 c2 01 50 46 c6 45';
 
-/** What was read from a timer, with the one reply that is known from a real one as it came: in seven pieces within 100 ms. */
+/**
+ * What was read from a timer, with the one reply that is known from a real one as it came: in seven pieces within 100
+ * ms.
+ */
 const recording = [
   '# Sidus capture 1',
   '0.000 > 00 00 00 00 00 03 6b 6b 45',

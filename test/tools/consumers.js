@@ -1,5 +1,6 @@
-// Compiles what consumers write against the packed package, on each TypeScript that is meant to take its types, and runs the backup example
-// with the real `serialport` on its mock binding. Needs the registry, and so is a part of `npm run check` and not of the tests.
+// Compiles what consumers write against the packed package, on each TypeScript that is meant to take its types, and
+// runs the backup example with the real `serialport` on its mock binding. Needs the registry, and so is a part of `npm
+// run check` and not of the tests.
 
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -21,8 +21,8 @@ const LEFT_OUT = new Set(['.git', 'node_modules', 'dist', 'coverage']);
 const LONGEST = 600_000;
 
 /**
- * The package as npm unpacks it, packed once in a run of tests, whoever asks first. It is packed from a copy: packing builds anew,
- * and would take dist/ away from under the other tests.
+ * The package as npm unpacks it, packed once in a run of tests, whoever asks first. It is packed from a copy: packing
+ * builds anew, and would take dist/ away from under the other tests.
  * @returns its folder, which is `node_modules/sidus-timer` of a folder that consumers may lie in.
  */
 export async function packed(): Promise<string> {

@@ -6,8 +6,8 @@
  * @typedef {object} State
  * @property {string} title
  * @property {(page: Page) => Promise<void>} reach
- * @property {import('../site/workbench.js').WorkbenchOptions} [bench] what is in the place of the browser's serial ports, where it is
- *   not the simulated timer of the page
+ * @property {import('../site/workbench.js').WorkbenchOptions} [bench] what is in the place of the browser's serial
+ *   ports, where it is not the simulated timer of the page
  */
 
 /** @param {Page} page @param {string | RegExp} name */

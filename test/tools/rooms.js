@@ -1,5 +1,5 @@
-// Draws what imports what: the rooms of src/ into docs/rooms.svg, the folders of the page into docs/page.svg. Run it when a
-// test says that a picture is old: node test/tools/rooms.js
+// Draws what imports what: the rooms of src/ into docs/rooms.svg, the folders of the page into docs/page.svg. Run it
+// when a test says that a picture is old: node test/tools/rooms.js
 
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +9,8 @@ const root = new URL('../../', import.meta.url);
 /** @typedef {Map<string, Map<string, number>>} Graph from a room to the rooms it imports, with the number of imports */
 
 /**
- * The imports between the folders of a folder. Files that lie in it directly are a room called by the folder's own name.
+ * The imports between the folders of a folder. Files that lie in it directly are a room called by the folder's own
+ * name.
  * @param {string} folder from the root of the project, such as `src`.
  * @returns {Graph}
  */
@@ -57,7 +58,10 @@ export function levels(graph) {
   return found;
 }
 
-/** @typedef {{ room: string | null, above: Place[], x: number, y: number }} Place a room in a row, or a gap (null) for an arrow that passes */
+/**
+ * @typedef {{ room: string | null, above: Place[], x: number, y: number }} Place a room in a row, or a gap (null) for
+ * an arrow that passes
+ */
 
 /**
  * The arrows: where a longer way leads to the same room, the short one is left out.
@@ -80,7 +84,8 @@ const [BOX_WIDTH, BOX_HEIGHT, ROW_HEIGHT, GAP, PASS_WIDTH] = [116, 34, 76, 20, 1
 const widthOf = ({ room }) => (room === null ? PASS_WIDTH : BOX_WIDTH);
 
 /**
- * The rooms in rows, each below all that use it. An arrow over several rows has a gap of its own in each, so that it passes behind no room.
+ * The rooms in rows, each below all that use it. An arrow over several rows has a gap of its own in each, so that it
+ * passes behind no room.
  * @param {Graph} graph
  * @returns {Place[][]}
  */

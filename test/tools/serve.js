@@ -13,7 +13,8 @@ const HEADERS = {
 
 /**
  * Serves dist/site on this machine.
- * @param {{ port?: number, base?: string }} [options] port: 0 takes a free one; base: the path under which the page lies
+ * @param {{ port?: number, base?: string }} [options] port: 0 takes a free one; base: the path under which the page
+ * lies
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
 export async function serve({ port = 0, base = '/' } = {}) {

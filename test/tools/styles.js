@@ -1,5 +1,5 @@
-// Holds the styles of the page: what a colour or a size is stands in ui/tokens.css alone, and a class means one thing. Part of
-// `npm run lint`.
+// Holds the styles of the page: what a colour or a size is stands in ui/tokens.css alone, and a class means one thing.
+// Part of `npm run lint`.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

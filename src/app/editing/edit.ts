@@ -41,7 +41,7 @@ export interface Refusal {
 /** Why an edit is not done: it cannot be, or a text that is no value yet stands where it would read or write. */
 export type Obstacle = Refusal | Unread<ProgramField>;
 
-/** The text in this field is no value. */
+/** The text in this field is not a value. */
 export interface Unread<Field> {
   readonly code: 'unreadable';
   readonly field: Field;
