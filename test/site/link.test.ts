@@ -156,7 +156,7 @@ describe('the port is taken', () => {
     await app.says('This page tries again for 15 seconds.');
     await app.text('Close other programs and tabs that talk to the timer').waitFor();
     await app.page.getByText('What to do').first().click();
-    const rule = app.page.getByRole('listitem').filter({ hasText: 'allow this kind of adapter only' });
+    const rule = app.page.getByRole('listitem').filter({ hasText: 'allow only this kind of adapter' });
     await rule.getByRole('button', { name: /Copy/ }).first().click();
     await rule.getByText('Copied').first().waitFor();
     const copied = await app.page.evaluate(() => navigator.clipboard.readText());

@@ -33,7 +33,11 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
     },
     /Its storage does not answer/,
   ],
-  ['no locks', () => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }), /cannot be told apart/],
+  [
+    'no locks',
+    () => Object.defineProperty(Navigator.prototype, 'locks', { value: undefined }),
+    /cannot tell its tabs apart/,
+  ],
   [
     'locks that cannot be touched',
     () =>
@@ -42,7 +46,7 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
           throw new DOMException('Not here.', 'SecurityError');
         },
       }),
-    /cannot be told apart/,
+    /cannot tell its tabs apart/,
   ],
   [
     'locks that throw',
@@ -51,14 +55,14 @@ const faults: [what: string, breakIt: () => void, said: RegExp | null][] = [
         throw new TypeError('no');
       };
     },
-    /cannot be told apart/,
+    /cannot tell its tabs apart/,
   ],
   [
     'locks that never answer',
     () => {
       LockManager.prototype.request = () => new Promise(() => {});
     },
-    /cannot be told apart/,
+    /cannot tell its tabs apart/,
   ],
   ['no channel', () => Reflect.deleteProperty(window, 'BroadcastChannel'), /This page does not notice its other tabs/],
   [
