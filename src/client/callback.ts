@@ -1,6 +1,6 @@
 /**
- * Tells somebody who wants to know. What a consumer's function throws is the consumer's trouble: it is reported as an uncaught error is,
- * and whatever was under way here goes on.
+ * Calls a consumer's function. What it throws is reported as an uncaught error is, and does not disturb what is under
+ * way here.
  * @returns what the function gave; undefined when there is none, or it threw.
  */
 export function tell<Args extends readonly unknown[], Result>(

@@ -10,7 +10,10 @@ export interface CurrentMemory {
   readonly memory: number | null;
   /** Whether the question was answered, with whatever. */
   readonly answered: boolean;
-  /** Whether the answer has shown that this timer counts its memories otherwise than was assumed: no number from before is right. */
+  /**
+   * Whether the answer has shown that this timer counts its memories differently than assumed: no earlier number is
+   * right.
+   */
   readonly renumbered: boolean;
 }
 
@@ -24,8 +27,8 @@ export interface MemoryQuestion {
 }
 
 /**
- * Asks which memory is current (GETMEMORY). An answer that is not expected, or that changes how memories are counted, is believed only
- * when two in a row agree: the numbers of all memories hang on it.
+ * Asks which memory is current (GETMEMORY). An answer that is not expected, or that changes how memories are counted,
+ * is believed only when two in a row agree: the numbers of all memories depend on it.
  * @throws TimerError as Exchange.
  */
 export async function askMemory(

@@ -3,7 +3,10 @@ import { LATEST_REPLY, type LineTiming } from './retry-policy.js';
 /** Room for a timer that does not always take equally long. */
 const ROOM = 1.5;
 
-/** The speed of the line, and how slow the timer was found to be: a reply that came late makes later requests wait longer. */
+/**
+ * The speed of the line, and how slow the timer was found to be: a reply that came late makes later requests wait
+ * longer.
+ */
 export class LearnedTiming implements LineTiming {
   readonly baudRate: number;
   #margin: number;

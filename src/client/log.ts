@@ -1,12 +1,15 @@
 import type { Frame, RejectionReason } from '../protocol/index.js';
 
 /**
- * An error of the line that the port told of and that reading went on behind: `framing`, `parity`, `break` and `overrun` (the buffer
- * of the port was full) are those that Web Serial names, `other` is any other.
+ * An error of the line that the port reported, after which reading went on: `framing`, `parity`, `break` and `overrun`
+ * (the buffer of the port was full) are those that Web Serial names, `other` is any other.
  */
 export type LineErrorKind = 'framing' | 'parity' | 'break' | 'overrun' | 'other';
 
-/** One thing seen on the line: a frame that was sent, a frame that came, bytes that belong to no frame, or an error of the line. */
+/**
+ * One thing seen on the line: a frame that was sent, a frame that came, bytes that belong to no frame, or an error of
+ * the line.
+ */
 export interface LineEntry {
   /** Milliseconds since 1970, by the client's clock. */
   readonly time: number;

@@ -10,9 +10,15 @@ import { longestWrite, planWrite } from './write-plan.js';
 import { writeContent } from './write-program.js';
 import { isHeld, type WriteReport } from './write-report.js';
 
-/** What a job on several memories tells on the way. It waits for an answer that is a promise; when that fails, so does the job. */
+/**
+ * What a job on several memories tells on the way. When a hook returns a promise the job waits for it; when that fails,
+ * so does the job.
+ */
 export interface MemoriesHooks {
-  /** The memory that is current, before the first other one is selected: to be kept until it is current again. Counted from 0. */
+  /**
+   * The memory that is current, before the first other one is selected: to be kept until it is current again. Counted
+   * from 0.
+   */
   readonly onOriginal?: ((original: number) => unknown) | undefined;
   /** What a memory holds, before the first SET in it: to be kept as a backup. */
   readonly onMemory?: ((read: TimerProgram, goal: TimerProgram) => unknown) | undefined;
@@ -48,10 +54,10 @@ export interface MemoriesReport {
 }
 
 /**
- * Reads several memories one after the other, and makes the one current again that was.
+ * Reads several memories one after the other, and makes the first one current again at the end.
  * @param chosen counted from 0. Default: all.
- * @throws CodecError when the timer has no such memory; TimerError `memory-unknown`: both before anything is selected. `memory-left`, or
- * as Exchange with the first memory current again.
+ * @throws CodecError when the timer has no such memory; TimerError `memory-unknown`: both before anything is selected.
+ * `memory-left`, or as Exchange with the first memory current again.
  */
 export async function readMemories(
   job: ClientJob,
@@ -86,18 +92,21 @@ export interface ReadHooks extends Pick<MemoriesHooks, 'onOriginal'> {
 
 export interface MemoriesWrite extends MemoriesHooks {
   /**
-   * What memories were believed to hold when the pilot agreed to the write: each names its memory. One that holds something else now is not
-   * written, and the job stops with `stale`. A memory without one is written over whatever it holds.
+   * What memories were believed to hold when the pilot agreed to the write: each names its memory. One that holds
+   * something else now is not written, and the job stops with `stale`. A memory without one is written over whatever it
+   * holds.
    */
   readonly baselines?: readonly TimerProgram[] | undefined;
 }
 
 /**
- * Writes several memories one after the other: selects it, reads it afresh, hands that to the caller, writes what differs from the goal as
- * `writeProgram` does, which reads it once more before, and after that reads back. Then makes the one current again that was. It goes on to the next memory only when nothing stopped the write of the one
- * before.
- * @throws before anything is selected: TimerError `memory-unknown` (also for a goal without one), `other-timer`, CodecError when a goal
- * cannot be carried. Later only what a hook throws, with the first memory current again. Of all else the report tells.
+ * Writes several memories one after the other. Selects each, reads it, hands that to the caller, and writes what
+ * differs from the goal as `writeProgram` does, which reads it once more before and reads back after. It goes on to the
+ * next memory only when nothing stopped the write of the one before. At the end it makes the memory current again that
+ * was.
+ * @throws before anything is selected: TimerError `memory-unknown` (also for a goal without one), `other-timer`,
+ * CodecError when a goal cannot be carried. Later only what a hook throws, with the first memory current again. The
+ * report tells of all else.
  */
 export async function writeMemories(
   job: ClientJob,

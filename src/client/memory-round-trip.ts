@@ -12,8 +12,8 @@ export const SELECT: readonly CommandName[] = ['GETSWVER', 'SETMEMORY', 'GETSWVE
 const BEGIN: readonly CommandName[] = ['GETSWVER', 'GETMEMORY', 'GETMEMORY'];
 
 /**
- * Makes a memory current (SETMEMORY) on the timer that was identified, and asks until it has said twice that it is (GETMEMORY). It is what
- * flies next, so one answer is not enough.
+ * Makes a memory current (SETMEMORY) on the timer that was identified, and asks until it has said twice that it is
+ * (GETMEMORY). It is what flies next, so one answer is not enough.
  * @throws TimerError `other-timer`, `other-memory`, or as Exchange; CodecError when the timer has no such memory.
  */
 export async function select(job: ClientJob, memory: number): Promise<void> {
@@ -59,7 +59,8 @@ export class MemoryRoundTrip {
    * @param planned all that will be asked between here and the way back.
    * @param numbered whether the caller has named memories by their numbers.
    * @param onOriginal told of that memory before the first other one is selected.
-   * @throws TimerError `memory-unknown`, also when the answer shows that the numbers were wrong; `other-timer`; as Exchange.
+   * @throws TimerError `memory-unknown`, also when the answer shows that the numbers were wrong; `other-timer`; as
+   * Exchange.
    */
   static async begin(
     job: ClientJob,

@@ -10,8 +10,8 @@ export interface PortReaderOptions {
 }
 
 /**
- * Reads what a port gives until its stream ends, fails for good or is let go of. A SerialPort puts a new stream in the place of one that
- * failed with a framing, parity, break or overrun error: that one is taken, and reading goes on.
+ * Reads what a port gives until its stream ends, fails for good or is let go of. A SerialPort puts a new stream in the
+ * place of one that failed with a framing, parity, break or overrun error: that one is taken, and reading goes on.
  */
 export class PortReader {
   readonly #port: BytePort;
@@ -34,7 +34,7 @@ export class PortReader {
   /** Lets go of the stream. */
   async stop(): Promise<void> {
     this.#stopped = true;
-    // A stream that has failed refuses to be cancelled; its lock is released all the same.
+    // A stream that has failed refuses to be cancelled; its lock is released anyway.
     await this.#reader?.cancel().catch(() => {});
     await this.#reading;
   }

@@ -1,19 +1,19 @@
 import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
 
 /**
- * In what this timer or its adapter was found to depart from the reading of the protocol that is taken for right. The rows are
- * those of the open questions on the protocol page.
+ * What this timer or its adapter was found to do differently from the usual reading of the protocol. The rows are those
+ * of the open questions on the protocol page.
  *
  * - `timers-reply-66`: GETTIMERS was answered with 66 (row 2).
  * - `unlock-reply-6a`: UNLOCK was answered with 6A (row 3).
  * - `memory-unknown`: the reply to GETMEMORY has no index, or none came (row 4).
  * - `memory-impossible` (index): GETMEMORY is answered with an index that this timer cannot have (row 4).
  * - `bare-checksum`: the reply to GETLOWRPM carries its command byte as checksum (row 5).
- * - `times-big-endian`: the times fall, and with their bytes exchanged they rise (row 7). A hint, not a proof: times are not
- *   written before the pilot has chosen.
+ * - `times-big-endian`: the times fall, and with the two bytes of each swapped they rise (row 7). A hint, not a proof:
+ *   times are not written before the pilot has chosen.
  * - `servo-first` (servo, slot): SETSERVO changed this cell, where function and servo are exchanged (row 9).
- * - `servo-unanswered` (servo, slot): a SETSERVO got no answer where others did. It would be out of range for a timer that
- *   takes the servo first (row 9).
+ * - `servo-unanswered` (servo, slot): a SETSERVO got no answer where others did. It would be out of range for a timer
+ *   that takes the servo first (row 9).
  * - `times-rounded` (slot, sent, held): SETTIMERS was answered with another time than was sent (row 13).
  * - `memories-from-one`: the timer counts its memories from 1 (row 14).
  * - `positions-unchanged`: SETSERVO was acknowledged and nothing changed (row 15).
@@ -21,8 +21,8 @@ import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
  * - `idle-throttle-unanswered`: GETLOWRPM got no answer (row 19).
  * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
  *
- * What changes how values are read or where they go to is found only when two replies agree, and is no longer found when the timer
- * contradicts it: `timers-reply-66`, `times-big-endian`, `memories-from-one`, `positions-unchanged`.
+ * What changes how values are read or where they go to is found only when two replies agree, and is no longer found
+ * when the timer contradicts it: `timers-reply-66`, `times-big-endian`, `memories-from-one`, `positions-unchanged`.
  */
 export type QuirkCode =
   | 'timers-reply-66'
@@ -43,15 +43,15 @@ export type QuirkCode =
 export type QuirkParams = Readonly<Record<string, number>>;
 
 /**
- * What is taken for true of a timer: because it was found in an earlier session, or because the pilot has chosen. What is left out is
- * open, and taken as the protocol page says.
+ * What is assumed of a timer: found in an earlier session, or chosen by the pilot. For what is left out, the protocol
+ * page decides.
  */
 export interface AssumedQuirks extends LayoutQuirks {
   /** SETMEMORY and SETLOWRPM go out with the bare command byte where their checksum belongs (row 5). */
   readonly bareChecksumRequests?: boolean;
   /**
-   * Positions are kept only for the function at which the servos stand (row 15). Taken for true once `positions-unchanged` was found. Nothing
-   * moves because of it: each write has to be told that it may, see `moveServos`.
+   * Positions are kept only for the function at which the servos stand (row 15). Assumed once `positions-unchanged` was
+   * found. Nothing moves because of it: each write must be told that it may, see `moveServos`.
    */
   readonly positionsNeedMove?: boolean;
 }
@@ -62,7 +62,7 @@ const MISPRINTS: Partial<Record<CommandName, QuirkCode>> = {
   UNLOCK: 'unlock-reply-6a',
 };
 
-/** What is known of one timer's ways: found on the line, or assumed. */
+/** What one timer does differently: found on the line, or assumed. */
 export class Quirks {
   readonly found = new Map<QuirkCode, QuirkParams>();
   assumed: AssumedQuirks;
@@ -129,7 +129,7 @@ export class Quirks {
     return this.#misprints.get(name) === 1;
   }
 
-  /** Nothing is known of this timer's ways any more, nor what was said of them. */
+  /** Forgets what was found of this timer, and what was assumed. */
   forget(): void {
     this.reset();
     this.assumed = {};

@@ -1,8 +1,8 @@
 import { wireTime } from '../line/index.js';
 import { type CommandName, exchangeSize, frameSize, type Identity, MAX_DATA } from '../protocol/index.js';
 
-// How long the client waits, how often it asks again, and when it gives up: all numbers stand here. Schedule makes of them the
-// time that a job takes at most. The protocol page explains them under "Rules for a client".
+// How long the client waits, how often it asks again, and when it gives up: all numbers stand here. Schedule makes of
+// them the time that a job takes at most. The protocol page explains them under "Rules for a client".
 
 /** The speed of the line, and how slow a timer may be. */
 export interface LineTiming {
@@ -17,8 +17,8 @@ export const SILENCE = 60;
 /** Milliseconds after which draining a line that never falls silent is given up. */
 export const DRAIN = 1000;
 /**
- * Milliseconds after which an unanswered request can no longer be answered. It is the bound of the law that a late reply is never
- * taken for a later request's: a timer that answers later than this breaks it.
+ * Milliseconds after which an unanswered request can no longer be answered. It is the bound of the law that a late
+ * reply is never taken for a later request's: a timer that answers later than this breaks it.
  */
 export const LATEST_REPLY = 3000;
 /** Bytes of the longest frame. */
@@ -26,13 +26,19 @@ export const LONGEST_FRAME = frameSize(MAX_DATA);
 
 /** How often a question, or the questions for a memory, are asked at most to find two answers in a row that agree. */
 export const READS = 6;
-/** How often a reading of a memory is begun again at most, because the memory changed or frames came that nobody asked for. */
+/**
+ * How often a reading of a memory is begun again at most, because the memory changed or frames came that nobody asked
+ * for.
+ */
 export const ATTEMPTS = 4;
-/** How often a request goes out at most. A request and reply of 62 bytes pass one in two times when 1 % of all bytes are damaged. */
+/**
+ * How often a request goes out at most. A request and reply of 62 bytes pass one in two times when 1 % of all bytes are
+ * damaged.
+ */
 export const SENDS = 20;
 /**
- * How often it goes out at most when nothing at all comes of it while fences are answered, and no damage was seen: the timer does not
- * answer this request.
+ * How often it goes out at most when nothing at all comes of it while fences are answered, and no damage was seen: the
+ * timer does not answer this request.
  */
 export const UNANSWERED = 10;
 /** The same for a question that not every timer is known to answer. */
@@ -41,15 +47,23 @@ export const UNANSWERED_OPTIONAL = 6;
 export const TRIES_OF_UNANSWERED = 2;
 /** Exchanges in a row without an answer, fences included, after which a line that damages is given up. */
 export const MISSES = 12;
-/** Exchanges in a row in which nothing came at all, after which a timer that has answered before is not there: it fell asleep. */
+/**
+ * Exchanges in a row in which nothing came at all, after which a timer that has answered before is not there: it fell
+ * asleep.
+ */
 export const SILENT = 7;
-/** The same for a timer that has not answered yet, or not since it was given up, and before a request that must not be repeated. */
+/**
+ * The same for a timer that has not answered yet, or not since it was given up, and before a request that must not be
+ * repeated.
+ */
 export const SILENT_AT_FIRST = 3;
 /** Replies with a right checksum and impossible content after which that is how this timer answers. */
 export const BAD_REPLIES = 3;
 /** Milliseconds that a job may lose to damage, beyond twice what its exchanges can take. */
 export const LOST_TO_DAMAGE = 45_000;
-/** Milliseconds of those that are kept for what has to be done at its end: reading back, going back to the first memory. */
+/**
+ * Milliseconds of those that are kept for what has to be done at its end: reading back, going back to the first memory.
+ */
 export const KEPT_FOR_THE_END = 15_000;
 
 /** Milliseconds that so many bytes and the timer's thinking may take before the request counts as unanswered. */
@@ -62,13 +76,18 @@ export function overtime({ baudRate }: LineTiming): number {
   return wireTime(LONGEST_FRAME, baudRate) + SILENCE;
 }
 
-/** Milliseconds that one exchange takes at most: its own answer does not come, and something else does until the end. */
+/**
+ * Milliseconds that one exchange takes at most: its own answer does not come, and something else does until the end.
+ */
 export function longestExchange(name: CommandName, identity: Identity | null, timing: LineTiming): number {
   const { request, reply } = identity ? exchangeSize(name, identity) : { request: LONGEST_FRAME, reply: LONGEST_FRAME };
   return replyTime(request + reply, timing) + overtime(timing) + SILENCE;
 }
 
-/** Milliseconds that making sure of one's own replies takes at most: draining, then a fence or the wait until nothing older can come. */
+/**
+ * Milliseconds that making sure of one's own replies takes at most: draining, then a fence or the wait until nothing
+ * older can come.
+ */
 export function longestFence(timing: LineTiming): number {
   return DRAIN + SILENCE + Math.max(LATEST_REPLY, replyTime(2 * LONGEST_FRAME, timing) + overtime(timing) + SILENCE);
 }

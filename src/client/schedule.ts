@@ -22,8 +22,8 @@ export interface PlannedJob {
 }
 
 /**
- * The job under way: what it needs, how far it is, and when it has ended at the latest. Each answer moves it on by itself; what has to be
- * asked once more than was planned moves nothing.
+ * The job under way: what it needs, how far it is, and when it has ended at the latest. Each answer moves it on by
+ * itself; what has to be asked once more than was planned moves nothing.
  */
 export class Schedule {
   /** The memory that a job on several is at. */
@@ -124,8 +124,8 @@ export class Schedule {
   }
 
   /**
-   * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may have to be read
-   * twice, and what was written be put right and read back again.
+   * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may
+   * have to be read twice, and what was written be put right and read back again.
    */
   #timeFor(names: readonly CommandName[]): number {
     const { identity } = this.#job;

@@ -33,17 +33,20 @@ export interface TimerClientOptions {
   /** What is known of this timer from an earlier session, or chosen by the pilot. Default: nothing. */
   readonly quirks?: AssumedQuirks | undefined;
   /**
-   * Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered, at first: it grows when a reply
-   * turns out to come later. Default 600.
+   * Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered, at first:
+   * it grows when a reply turns out to come later. Default 600.
    */
   readonly margin?: number;
   /** Told of everything on the line. */
   readonly onLine?: ((entry: LineEntry) => void) | undefined;
-  /** Told once when the streams end or fail although nobody closed this client. They are watched from the first request on. */
+  /**
+   * Told once when the streams end or fail although nobody closed this client. They are watched from the first request
+   * on.
+   */
   readonly onLost?: ((error: TimerError) => void) | undefined;
 }
 
-/** What every job takes. */
+/** The options of every job. */
 export interface JobOptions {
   /** Asks to stop. The exchange under way is waited for, so the port stays usable: at most one reply time. */
   readonly signal?: AbortSignal | undefined;
@@ -51,24 +54,30 @@ export interface JobOptions {
 }
 
 export interface IdentifyOptions extends JobOptions {
-  /** How often the question goes out at most until it is answered, 1 or more. Default: as any other, more often when damage is seen. */
+  /**
+   * How often the question goes out at most until it is answered, 1 or more. Default: as any other, more often when
+   * damage is seen.
+   */
   readonly tries?: number | undefined;
   /**
-   * A late reply to an earlier call of this method will do as well, so that nothing is asked in between to tell the two apart. Default
-   * false.
+   * A late reply to an earlier call of this method will do as well, so that nothing is asked in between to tell the two
+   * apart. Default false.
    */
   readonly anyReply?: boolean | undefined;
 }
 
 export interface ReadOptions extends JobOptions {
-  /** Asks for the idle throttle on a timer of another class than Q too, where it is not known whether there is one. Default false. */
+  /**
+   * Asks for the idle throttle on a timer of another class than Q too, where it is not known whether there is one.
+   * Default false.
+   */
   readonly idleThrottle?: boolean | undefined;
 }
 
 export interface MoveOptions {
   /**
-   * The pilot agrees that the servos move: each function's positions are sent after a MOVETOFUNC to it, for a timer that keeps them only
-   * then (quirk `positions-unchanged`). Default false: nothing moves.
+   * The pilot agrees that the servos move: each function's positions are sent after a MOVETOFUNC to it, for a timer
+   * that keeps them only then (quirk `positions-unchanged`). Default false: nothing moves.
    */
   readonly moveServos?: boolean | undefined;
 }
@@ -86,8 +95,8 @@ export interface ReadMemoriesOptions extends ReadOptions, Pick<MemoriesHooks, 'o
 export interface WriteMemoriesOptions extends JobOptions, MoveOptions, MemoriesWrite {}
 
 /**
- * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time; each
- * rejects with a {@link TimerError} and leaves the port usable.
+ * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time;
+ * each rejects with a {@link TimerError} and leaves the port usable.
  */
 export class TimerClient {
   readonly #wire: Wire;
@@ -109,30 +118,30 @@ export class TimerClient {
     return this.#exchange.identity;
   }
 
-  /** In what this timer was found to depart from the usual reading of the protocol, with the facts of the first time. */
+  /** What this timer was found to do differently, with the facts of the first time. */
   get quirksFound(): ReadonlyMap<QuirkCode, QuirkParams> {
     return this.#quirks.found;
   }
 
-  /** What is taken for true of this timer. */
+  /** What this client assumes of this timer. */
   get quirksAssumed(): AssumedQuirks {
     return this.#quirks.assumed;
   }
 
-  /** Whether it is open how times are to be written: `undecided` until the pilot has chosen, see quirk `times-big-endian`. */
+  /** Whether the pilot still has to choose how times are written (error `undecided`): see quirk `times-big-endian`. */
   get byteOrderOpen(): boolean {
     return this.#quirks.byteOrderOpen;
   }
 
   /**
-   * Takes the pilot's word for how this timer is, from the next request on. A program that was read before with another byte order has
-   * to be read again.
+   * Takes the pilot's word for what this timer does, from the next request on. Read a program again if it was read with
+   * another byte order.
    */
   assume(quirks: AssumedQuirks): void {
     this.#quirks.assume(quirks);
   }
 
-  /** Forgets what was found and what is taken for true of this timer, from the next request on. */
+  /** Forgets what was found and what is assumed of this timer, from the next request on. */
   forgetQuirks(): void {
     this.#quirks.forget();
   }
@@ -143,16 +152,16 @@ export class TimerClient {
   }
 
   /**
-   * How many frames came that nobody asked for, such as those of a second timer in the beam. From the first on a read is believed only when
-   * two agree.
+   * How many frames came that nobody asked for, such as those of a second timer in the beam. From the first on a read
+   * is believed only when two agree.
    */
   get strays(): number {
     return this.#wire.strays;
   }
 
   /**
-   * Milliseconds, beyond the time of the bytes, after which the latest reply came that came too late; null while all came in time. Later
-   * requests are given that much longer.
+   * How late the latest of the late replies came, in milliseconds beyond the time of its bytes; null while all came in
+   * time. Later requests are given that much longer.
    */
   get delay(): number | null {
     return this.#timing.delay;
@@ -163,7 +172,7 @@ export class TimerClient {
     return this.#timing.margin;
   }
 
-  /** How often the port told of each kind of error of the line. Reading went on behind all of them. */
+  /** How often the port reported each kind of error of the line. Reading went on after all of them. */
   get lineErrors(): ReadonlyMap<LineErrorKind, number> {
     return this.#wire.lineErrors;
   }
@@ -193,9 +202,9 @@ export class TimerClient {
   }
 
   /**
-   * Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, on class Q GETLOWRPM, then GETMEMORY again and GETSWVER, so that
-   * another memory or another timer does not pass unnoticed on the way. The content is read until two readings agree when anything speaks
-   * against believing one.
+   * Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, on class Q GETLOWRPM, then GETMEMORY again
+   * and GETSWVER, so that another memory or another timer does not pass unnoticed on the way. The content is read until
+   * two readings agree when anything speaks against believing one.
    * @throws TimerError `other-timer` when another timer answers than the one that was identified.
    */
   readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
@@ -210,10 +219,11 @@ export class TimerClient {
   }
 
   /**
-   * Reads what several memories hold, one after the other. Selects them for that, and makes the first one current again at the end, also
-   * after an abort or an error; an abort takes that much longer.
-   * @throws CodecError when the timer has no such memory; TimerError `memory-unknown` before anything is selected, `memory-left` when
-   * the first memory could not be made current again; `other-timer`, after which nothing more is sent.
+   * Reads what several memories hold, one after the other. Selects them for that, and makes the first one current again
+   * at the end, also after an abort or an error; an abort takes that much longer.
+   * @throws CodecError when the timer has no such memory; TimerError `memory-unknown` before anything is selected,
+   * `memory-left` when the first memory could not be made current again; `other-timer`, after which nothing more is
+   * sent.
    */
   readMemories(options: ReadMemoriesOptions = {}): Promise<MemoriesRead> {
     return this.#inTurn(async () => {
@@ -223,22 +233,24 @@ export class TimerClient {
   }
 
   /**
-   * Writes several memories, one after the other; each goal names its memory. Each is read afresh before, and only what differs is written
-   * and read back as by {@link writeProgram}. Makes the first memory current again at the end, also after an abort or an error. The idle
-   * throttle may belong to the timer and not to a memory (row 17), so goals should not differ in it.
-   * @throws before anything is selected: TimerError `memory-unknown`, `other-timer`; CodecError when a goal cannot be carried. Afterwards only
-   * what a hook throws: of all else the report tells.
+   * Writes several memories, one after the other; each goal names its memory. Each is read afresh before, and only what
+   * differs is written and read back as by {@link writeProgram}. Makes the first memory current again at the end, also
+   * after an abort or an error. The idle throttle may belong to the timer and not to a memory (row 17), so goals should
+   * not differ in it.
+   * @throws before anything is selected: TimerError `memory-unknown`, `other-timer`; CodecError when a goal cannot be
+   * carried. Afterwards only what a hook throws: the report tells of all else.
    */
   writeMemories(goals: readonly TimerProgram[], options: WriteMemoriesOptions = {}): Promise<MemoriesReport> {
     return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options, options.moveServos));
   }
 
   /**
-   * Reads everything afresh and compares it with the baseline. Only when timer, memory and every value are the same it writes what differs,
-   * reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing it again with what the timer holds as
-   * baseline finishes a write that was stopped.
-   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `memory-unknown`, `stale` (details.held),
-   * `undecided` or `aborted`: all before anything is written. Once something was sent, the report says what stopped it.
+   * Reads everything afresh and compares it with the baseline. Only when timer, memory and every value are the same it
+   * writes what differs, reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing
+   * it again with what the timer holds as baseline finishes a write that was stopped.
+   * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `memory-unknown`,
+   * `stale` (details.held), `undecided` or `aborted`: all before anything is written. Once something was sent, the
+   * report says what stopped it.
    */
   writeProgram(edited: TimerProgram, options: WriteOptions): Promise<WriteReport> {
     const { baseline } = options;
@@ -257,11 +269,11 @@ export class TimerClient {
   }
 
   /**
-   * Makes another memory current (SETMEMORY) and asks whether it is (GETMEMORY). It is what flies next. Without a word where the timer does
-   * not say which one is current.
+   * Makes another memory current (SETMEMORY) and asks whether it is (GETMEMORY). It is what flies next. It does not
+   * fail when the timer does not say which one is current.
    * @param memory counted from 0.
-   * @throws CodecError when the timer has no such memory; TimerError `other-memory` when another one is current afterwards; `no-answer` with
-   * `request` SETMEMORY when the timer did not answer that.
+   * @throws CodecError when the timer has no such memory; TimerError `other-memory` when another one is current
+   * afterwards; `no-answer` with `request` SETMEMORY when the timer did not answer that.
    */
   selectMemory(memory: number, options: JobOptions = {}): Promise<void> {
     return this.#inTurn(async () => {
@@ -277,7 +289,10 @@ export class TimerClient {
     return this.#command({ name: 'MOVETOFUNC', function: slot }, options);
   }
 
-  /** Frees the motor (UNLOCK). A propeller may start after that. Sent once: after `no-answer` the motor may be free. */
+  /**
+   * Unlocks the motor (UNLOCK). The propeller may start after that. Sent once: after `no-answer` the motor may be
+   * unlocked.
+   */
   unlockMotor(options: JobOptions = {}): Promise<void> {
     return this.#command({ name: 'UNLOCK' }, options);
   }
@@ -288,11 +303,13 @@ export class TimerClient {
   }
 
   /**
-   * Stores one position in the current memory (SETSERVO). The acknowledgement is all that is known of it until the next read.
+   * Stores one position in the current memory (SETSERVO). The acknowledgement is all that is known of it until the next
+   * read.
    * @param servo counted from 0.
    * @param slot 0 start, 1 .. NF-1 functions, NF is DT.
    * @param position steps, 0..130.
-   * @throws CodecError before anything is sent when the value cannot be carried; else TimerError, after which it may have been stored.
+   * @throws CodecError before anything is sent when the value cannot be carried; else TimerError, after which it may
+   * have been stored.
    */
   setPosition(servo: number, slot: number, position: number, options: JobOptions = {}): Promise<void> {
     return this.#command({ name: 'SETSERVO', servo, function: slot, position }, options);
@@ -302,8 +319,8 @@ export class TimerClient {
    * Sets the idle throttle (SETLOWRPM) and reads it back (GETLOWRPM) until two answers agree.
    * @param idleThrottle 0..255, unit unknown.
    * @returns what the timer holds now.
-   * @throws CodecError before anything is sent when the value cannot be carried; TimerError `other-timer`: nothing more was sent. After any
-   * other it may have been set.
+   * @throws CodecError before anything is sent when the value cannot be carried; TimerError `other-timer`: nothing more
+   * was sent. After any other it may have been set.
    */
   setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
     return this.#inTurn(async () => {
@@ -321,8 +338,8 @@ export class TimerClient {
   }
 
   /**
-   * Lets go of the streams: the request under way comes to its end, whatever waits rejects with `closed`, both locks are released.
-   * The port itself stays open.
+   * Lets go of the streams: the request under way comes to its end, whatever waits rejects with `closed`, both locks
+   * are released. The port itself stays open.
    */
   async close(): Promise<void> {
     await this.#exchange.close();
@@ -332,7 +349,7 @@ export class TimerClient {
   /** One job after another: two that mixed their requests could read half of one memory and half of another. */
   #inTurn<T>(work: () => Promise<T>): Promise<T> {
     const turn = this.#queue.then(work);
-    // A failure belongs to its caller alone: the next in the queue starts all the same.
+    // A failure belongs to its caller alone: the next in the queue starts anyway.
     this.#queue = turn.catch(() => {});
     return turn;
   }

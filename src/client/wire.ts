@@ -52,7 +52,7 @@ interface Unanswered {
  * What became of something that was sent once, when its time was up or its answer came.
  *
  * - `answer`: its own answer came.
- * - `bad`: one came with a right checksum and a content that cannot be; `error` says what.
+ * - `bad`: one came with a right checksum and an impossible content; `error` says what.
  * - `damaged`: bytes came that belong to no frame, or an error of the line.
  * - `stray`: whole frames came, and none of them was the answer.
  * - `silent`: nothing came, but perhaps an echo.
@@ -65,8 +65,8 @@ export type Outcome<Answer> =
 const NO_BYTES = new Uint8Array(0);
 
 /**
- * One request at a time on a pair of byte streams: sends it, waits for its own reply or until its time is up, and tells what else
- * was on the line. It never repeats anything; see Exchange for that.
+ * One request at a time on a pair of byte streams: sends it, waits for its own reply or until its time is up, and tells
+ * what else was on the line. It never repeats anything; see Exchange for that.
  */
 export class Wire {
   /** How often the port told of each kind of error of the line. */
@@ -115,15 +115,18 @@ export class Wire {
     return this.#lost;
   }
 
-  /** How often damage was seen since the first request: bytes that belong to no frame, errors of the line, impossible replies. */
+  /**
+   * How often damage was seen since the first request: bytes that belong to no frame, errors of the line, impossible
+   * replies.
+   */
   get damage(): number {
     return this.#damage;
   }
 
   /**
-   * How many frames came that nobody asked for: no echo of the last request, not what waits, and not the late reply to a request whose
-   * time is up. A second timer or programmer in the beam sends such, or a line that doubles frames. A reply that was taken need not be the
-   * one to its request then.
+   * How many frames came that nobody asked for: no echo of the last request, not what waits, and not the late reply to
+   * a request whose time is up. A second timer or programmer in the beam sends such, or a line that doubles frames. A
+   * reply that was taken need not be the one to its request then.
    */
   get strays(): number {
     return this.#strays;
@@ -146,8 +149,8 @@ export class Wire {
 
   /**
    * Sends a request once and waits for its reply.
-   * @param misprints whether a letter that belongs to another command may be taken for the reply's: `known` where this timer was seen
-   * to use it.
+   * @param misprints whether a letter that belongs to another command may be taken for the reply's: `known` where this
+   * timer was seen to use it.
    * @throws TimerError `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
   async ask(request: Request, identity: Identity | null, misprints: 'no' | 'known' | 'yes'): Promise<Outcome<Reply>> {
@@ -172,7 +175,10 @@ export class Wire {
     return this.#exchange(bytes, size, (frame) => (frame.code === code + 1 ? frame : undefined));
   }
 
-  /** Settles once nothing has come for a moment, or on a line that never falls silent after a second; looks into an unfinished frame then. */
+  /**
+   * Settles once nothing has come for a moment, or on a line that never falls silent after a second; looks into an
+   * unfinished frame then.
+   */
   async silence(signal: AbortSignal | undefined): Promise<void> {
     const { clock } = this.#options;
     const latest = clock.now() + DRAIN;
@@ -263,7 +269,10 @@ export class Wire {
     }
   }
 
-  /** Ends the wait when the time is up; while bytes are still coming it lasts until they stop, one longest frame at most. */
+  /**
+   * Ends the wait when the time is up; while bytes are still coming it lasts until they stop, one longest frame at
+   * most.
+   */
   #waitFor(size: number): () => void {
     const { clock, timing } = this.#options;
     const begin = clock.now();
@@ -316,7 +325,10 @@ export class Wire {
     return false;
   }
 
-  /** The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been the answer to it. */
+  /**
+   * The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been
+   * the answer to it.
+   */
   #noteDue(bytes: Uint8Array, sentAt: number, isUnanswered: boolean): void {
     const letter = bytes[ZEROS_SENT + 1] as number;
     const due = (this.#unanswered.get(letter)?.due ?? 0) + (isUnanswered ? 1 : 0);

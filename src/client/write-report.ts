@@ -10,7 +10,7 @@ export interface ValueReport {
   readonly held: number | null;
   /** `verified`: a fresh read gave the wanted value. `differs`: it gave another. `unknown`: there was no fresh read. */
   readonly status: 'verified' | 'differs' | 'unknown';
-  /** False for a value that was not to be changed and changed all the same; then `verified` means that it was put back. */
+  /** False for a value that was not to be changed but did change; then `verified` means that it was put back. */
   readonly asked: boolean;
 }
 

@@ -5,7 +5,10 @@ import type { SerialLike, SerialPortLike } from './types.js';
 export interface Surroundings {
   readonly serial?: SerialLike | undefined;
   readonly isSecureContext: boolean;
-  /** Whether the Permissions-Policy of the page lets it use serial ports. Left out: not known, as in browsers that do not tell. */
+  /**
+   * Whether the Permissions-Policy of the page lets it use serial ports. Left out: not known, as in browsers that do
+   * not tell.
+   */
   readonly policyAllows?: boolean | undefined;
 }
 
@@ -34,8 +37,8 @@ export async function rememberedPorts(serial: SerialLike, policyAllows?: boolean
 }
 
 /**
- * Lets the pilot choose a port in the browser's own dialog. Must be called from a click. Asks without filters: a list of USB
- * vendors would hide Bluetooth ports and adapters that nobody has heard of.
+ * Lets the pilot choose a port in the browser's own dialog. Must be called from a click. Asks without filters: a list
+ * of USB vendors would hide Bluetooth ports and adapters that nobody has heard of.
  * @param policyAllows see {@link Surroundings}.
  * @throws ConnectionError `nothing-chosen`, `policy` or `not-allowed`.
  */

@@ -6,7 +6,7 @@ import type { LinkEvent } from './link-table.js';
 import type { SerialSettings } from './settings.js';
 import type { SerialLike } from './types.js';
 
-/** What is common to all stays at a port, from the pilot's wish to connect to the end of it. */
+/** What all port sessions of one wish to connect share. */
 export interface LinkContext {
   readonly clock: Clock;
   readonly serial: SerialLike | undefined;

@@ -18,7 +18,10 @@ export interface RememberedPort {
 }
 
 export interface TimerLinkOptions {
-  /** `navigator.serial`. Without it there is no chooser, and a port that was lost is found again only as the same object. */
+  /**
+   * `navigator.serial`. Without it there is no chooser, and a port that was lost is found again only as the same
+   * object.
+   */
   readonly serial?: SerialLike | undefined;
   /** See `Surroundings`. */
   readonly policyAllows?: boolean | undefined;
@@ -35,8 +38,8 @@ export interface TimerLinkOptions {
 }
 
 /**
- * A link to a timer that survives the field: it finds rate and timer, waits for one that sleeps, opens a port again that was
- * lost, and stops at any time. It sends nothing but the question what is there (GETSWVER); all else is the business of
+ * A link to a timer that survives the field: it finds rate and timer, waits for one that sleeps, opens a port again
+ * that was lost, and stops at any time. It sends nothing but the question what is there (GETSWVER); all else is up to
  * whoever has the connection. Every method may be called at any time, and none rejects unless it says so.
  */
 export class TimerLink {
@@ -69,8 +72,8 @@ export class TimerLink {
   }
 
   /**
-   * Lets the pilot choose a port and connects to it. Must be called from a click. What is open stays until a port is chosen, also if none is:
-   * only where nothing is, the state says why none was.
+   * Lets the pilot choose a port and connects to it. Must be called from a click. What is open stays until a port is
+   * chosen, also if none is: only where nothing is, the state says why none was.
    * @param settings default: those remembered of the port that is chosen, else `DEFAULT_SETTINGS`.
    * @returns when nothing was chosen, or as {@link connect}.
    */
@@ -125,7 +128,9 @@ export class TimerLink {
     await settled;
   }
 
-  /** Ends whatever is open or under way. Settles once the link is off and the port closed, within the time of one reply. */
+  /**
+   * Ends whatever is open or under way. Settles once the link is off and the port closed, within the time of one reply.
+   */
   async stop(): Promise<void> {
     const mine = this.#supersede();
     if (this.#state.status === 'choosing') this.#enter('stop', { status: 'off', error: null });
@@ -134,21 +139,26 @@ export class TimerLink {
       this.#enter('closed', { status: 'off', error: null });
   }
 
-  /** A timer that is connected does not answer any more: asks quietly on the same port until it does. Where it is not `on`, nothing happens. */
+  /**
+   * To be called when a connected timer no longer answers: asks quietly on the same port until it does. Does nothing
+   * unless the link is `on`.
+   */
   wait(): void {
     this.#reconnector?.askAgain();
   }
 
   /**
-   * Looks whether all is still as the link believes, as after the sleep of the computer. A timer that is `on` is asked what it is once
-   * it has nothing else to do: if it is the same kind as before nothing happens, if it is another it is identified anew, and if nothing
-   * answers it is waited for. While the port is `away` it is looked for at once.
+   * Looks whether all is still as the link believes, as after the sleep of the computer. A timer that is `on` is asked
+   * what it is once it has nothing else to do: if it is the same kind as before nothing happens, if it is another it is
+   * identified anew, and if nothing answers it is waited for. While the port is `away` it is looked for at once.
    */
   async recheck(): Promise<void> {
     await this.#reconnector?.recheck();
   }
 
-  /** Gives the permission to use a port back to the browser, where the browser can take it. A link to it is ended first. */
+  /**
+   * Gives the permission to use a port back to the browser, where the browser can take it. A link to it is ended first.
+   */
   async forget(port: SerialPortLike): Promise<void> {
     if (this.#reconnector?.known.port === port) await this.stop();
     await port.forget?.();
@@ -159,7 +169,7 @@ export class TimerLink {
     return ++this.#newest;
   }
 
-  /** Ends the reconnector, if there is one. Whoever begins another one waits for that: it may be to the same port. */
+  /** Ends the reconnector, if there is one. Whoever starts another one waits for that: it may be to the same port. */
   async #end(): Promise<void> {
     const reconnector = this.#reconnector;
     if (!reconnector) return;

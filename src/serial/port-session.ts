@@ -18,7 +18,7 @@ const OPEN_FOR = 15_000;
 /** Milliseconds from one quiet question to the next. */
 const ASK_EVERY = 1000;
 
-/** Why a visit ended. The port is closed. */
+/** Why a port session ended. The port is closed. */
 export type PortSessionEnd =
   | { readonly why: 'stopped' }
   | { readonly why: 'failed'; readonly error: ConnectionError }
@@ -32,7 +32,10 @@ export type PortSessionEnd =
       readonly lasted: number;
     };
 
-/** One stay at a port that is plugged in, from opening it until it is lost or left: `opening`, `searching`, `waiting`, `on`. */
+/**
+ * One port session, from opening a port that is plugged in until it is lost or left: `opening`, `searching`, `waiting`,
+ * `on`.
+ */
 export class PortSession {
   readonly #context: LinkContext;
   readonly #known: KnownPort;
@@ -115,7 +118,10 @@ export class PortSession {
     return ratesToTry(settings, this.#known.kind === 'bluetooth', knownRate);
   }
 
-  /** Opens the port, again and again while it is there and refuses. @throws ConnectionError `busy` in the end, or `bad-settings`. */
+  /**
+   * Opens the port, again and again while it is there and refuses. @throws ConnectionError `busy` in the end, or
+   * `bad-settings`.
+   */
   async #open(event: 'open' | 'returned' | 'refused'): Promise<void> {
     const { clock, settings } = this.#context;
     const [baudRate] = this.#rates;

@@ -17,8 +17,8 @@ export interface Found {
 }
 
 /**
- * Asks on an open port, at one rate, whether there is a timer (GETSWVER), as often as one likes. A late reply to an earlier question says
- * the same, so a timer that is slow is found too.
+ * Asks on an open port, at one rate, whether there is a timer (GETSWVER), as often as one likes. A late reply to an
+ * earlier question says the same, so a timer that is slow is found too.
  */
 export class Probe {
   readonly #client: TimerClient;

@@ -1,11 +1,11 @@
 import type { LineEntry } from '../client/index.js';
 import { commandOf } from '../protocol/index.js';
 
-/** What else than a timer was heard at a port that is asked for one. */
+/** What was heard on a port in place of a timer. */
 export interface Heard {
   /**
-   * `text`: readable lines, as of a receiver, a printer or a terminal. `echo`: only what was sent came back. `noise`: anything else that
-   * belongs to no frame.
+   * `text`: readable lines, as of a receiver, a printer or a terminal. `echo`: only what was sent came back. `noise`:
+   * anything else that belongs to no frame.
    */
   readonly kind: 'text' | 'noise' | 'echo';
   /** The last of it, 64 bytes at most; none of an echo. */
@@ -18,16 +18,21 @@ export interface Heard {
 const SAMPLE = 64;
 /** So many bytes, or errors of the line, are more than plugging in and a flash of light leave behind. */
 const ENOUGH = 8;
-/** The share of readable bytes from which on they are text. Of bytes that mean nothing about one in three is readable. */
+/**
+ * The share of readable bytes from which on they are text. Of bytes that mean nothing about one in three is readable.
+ */
 const READABLE = 0.9;
 /** Questions in a row in which nothing came, after which what came before is forgotten. */
 const FORGET_AFTER = 8;
 
-/** Listens at one rate to what comes in the place of a timer's answer. */
+/** Listens at one rate to what comes in place of a timer's answer. */
 export class RateListener {
   readonly #baudRate: number;
   #sample = new Uint8Array(0);
-  /** Bytes that belong to no frame, those of them that can be read, errors of the line, and what came back of what was sent. */
+  /**
+   * Bytes that belong to no frame, those of them that can be read, errors of the line, and what came back of what was
+   * sent.
+   */
   #bytes = 0;
   #readable = 0;
   #errors = 0;

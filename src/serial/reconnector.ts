@@ -5,12 +5,14 @@ import { PortSession, type PortSessionEnd } from './port-session.js';
 import { type KnownPort, known } from './ports.js';
 import type { ReturnWatch } from './return-watch.js';
 
-/** Milliseconds after which a port that fails with its plug in is opened again, the first time in a row, the second ... */
+/**
+ * Milliseconds after which a port that fails with its plug in is opened again, the first time in a row, the second ...
+ */
 const REOPEN_AFTER = [200, 1000, 2000, 4000, 8000];
 /** Milliseconds after which a port that stayed open so long does not count as failing in a row. */
 const STEADY = 10_000;
 
-/** The way of one wish to connect: visits to a port, and between them waiting for it to return. */
+/** One wish to connect: port sessions, and between them waiting for the port to return. */
 export class Reconnector {
   readonly #context: LinkContext;
   readonly #stop: AbortController;
@@ -76,7 +78,8 @@ export class Reconnector {
     this.#watch = watch;
     try {
       if (lasted >= STEADY) this.#failures = 0;
-      // The plug may be pulled at any moment from the loss on: then nothing failed in a row, and there is nothing to wait for.
+      // The plug may be pulled at any moment from the loss on: then nothing failed in a row, and there is nothing to
+      // wait for.
       if ((await watch.isThere()) && !watch.gone.aborted) {
         // Opened at once and for ever, a port that fails as soon as it is open would keep the page busy.
         const delay = REOPEN_AFTER[this.#failures++];

@@ -3,12 +3,15 @@ import { pause } from './pause.js';
 import { portKey } from './ports.js';
 import type { SerialLike, SerialPortLike } from './types.js';
 
-/** Milliseconds between two looks for the port. They are needed only where an event was missed, as in the sleep of a computer. */
+/**
+ * Milliseconds between two looks for the port. They are needed only where an event was missed, as in the sleep of a
+ * computer.
+ */
 const LOOK_EVERY = 3000;
 
 /**
- * Waits for a lost port to be there again: the same object, or another one that says the same of itself and was not there when this one
- * was lost. Make it at the loss, so that it misses nothing.
+ * Waits for a lost port to be there again: the same object, or another one that says the same of itself and was not
+ * there when this one was lost. Make it at the loss, so that it misses nothing.
  */
 export class ReturnWatch {
   readonly #lost: SerialPortLike;

@@ -27,12 +27,15 @@ export const DEFAULT_SETTINGS: SerialSettings = Object.freeze({
 /** Rates in the order in which they are tried, never none. */
 export type Rates = readonly [number, ...number[]];
 
-/** The rates at which a timer may answer, the likeliest first. The capture of a real one rules out 2400 bits a second and below. */
+/**
+ * The rates at which a timer may answer, the likeliest first. The capture of a real one rules out 2400 bits a second
+ * and below.
+ */
 export const RATES: Rates = Object.freeze([9600, 19200, 38400, 57600, 115200, 4800]) as Rates;
 
 /**
- * The rates to try at a port, the likeliest first: the one known to have worked there, then {@link RATES}. One alone if the settings say
- * which, or over Bluetooth, where the rate asked for has no meaning.
+ * The rates to try at a port, the likeliest first: the one known to have worked there, then {@link RATES}. One alone if
+ * the settings say which, or over Bluetooth, where the rate asked for has no meaning.
  */
 export function ratesToTry({ baudRate }: SerialSettings, isBluetooth: boolean, knownRate?: number): Rates {
   if (baudRate !== 'find') return [baudRate];
@@ -45,8 +48,9 @@ export function ratesToTry({ baudRate }: SerialSettings, isBluetooth: boolean, k
 const OTHER_RATE_EVERY = 4;
 
 /**
- * The rate of the quiet question number `asked`, counted from 0: mostly the likeliest, each fourth time the next of the others. So each
- * of the rates is asked at least once in 4 times as many questions as there are other rates: at one a second within 24 seconds.
+ * The rate of the quiet question number `asked`, counted from 0: mostly the likeliest, each fourth time the next of the
+ * others. So each of the rates is asked at least once in 4 times as many questions as there are other rates: at one a
+ * second within 24 seconds.
  */
 export function quietRate([likeliest, ...others]: Rates, asked: number): number {
   const round = Math.floor(asked / OTHER_RATE_EVERY);
