@@ -354,7 +354,7 @@ export class Follow {
     if (this.#isKept) this.#isKept = await keeping;
     options.stillOn();
     if (!this.#on.peek()) return;
-    editor.fresh.value = false;
+    editor.sent();
     await connection.client.setPosition(field.servo, field.slot, pending.value, options);
     if (editor.baseline.peek() !== before) return;
     batch(() => {

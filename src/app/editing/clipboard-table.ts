@@ -14,8 +14,8 @@ export interface Table {
 }
 
 /**
- * A range as a spreadsheet takes it: cells apart by tabs, rows by line breaks. Times and intervals are seconds with two decimals, positions
- * steps. Intervals are left out where the times are in the range too.
+ * A range as a spreadsheet takes it: cells apart by tabs, rows by line breaks. Times and intervals are seconds with two
+ * decimals, positions steps. Intervals are left out where the times are in the range too.
  */
 export function formatTable(
   program: TimerProgram,
@@ -44,9 +44,10 @@ function formatSeconds(hundredths: number, decimal: string): string {
 }
 
 /**
- * A text as a table, whatever it is: cells apart by tabs, else by semicolons, else by commas where these cannot be decimal ones; rows by
- * any line break. A cell in quotation marks may contain them all, a mark of its own doubled. White space around a cell is dropped, also
- * the kinds that do not break. At most {@link MAX_CELLS} cells of {@link MAX_CHARACTERS} characters are read, in whole rows.
+ * A text as a table, whatever it is: cells apart by tabs, else by semicolons, else by commas where these cannot be
+ * decimal ones; rows by any line break. A cell in quotation marks may contain them all, a mark of its own doubled.
+ * White space around a cell is dropped, also the kinds that do not break. At most {@link MAX_CELLS} cells of {@link
+ * MAX_CHARACTERS} characters are read, in whole rows.
  */
 export function readTable(text: string): Table {
   const long = text.length > MAX_CHARACTERS;

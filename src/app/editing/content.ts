@@ -11,7 +11,10 @@ import type { Identity } from '../../protocol/index.js';
 import { type EditValues, type FieldValue, withValues } from './edit.js';
 import { formatTime, parseSteps, type Question, type Reading, readTime, type UnreadableReason } from './units.js';
 
-/** What the pilot wants, and the texts in fields as they were typed, by field: what an edit changes and undo brings back. */
+/**
+ * What the pilot wants, and the texts in fields as they were typed, by field: what an edit changes and undo brings
+ * back.
+ */
 export interface Content {
   readonly working: TimerProgram;
   readonly texts: Readonly<Record<string, string>>;
@@ -57,7 +60,8 @@ export function meansSame(a: Content, b: Content): boolean {
 }
 
 /**
- * The value of a text that was typed; null when it has none. One that asks what it means has none: the field is worth again what it was before.
+ * The value of a text that was typed; null when it has none. One that asks what it means has none: the field is worth
+ * again what it was before.
  * @param before the program before anything was typed there: on the way to `230` stood `23`.
  */
 export function valueOfText(field: ProgramField, text: string, before: TimerProgram): number | null {
@@ -66,7 +70,10 @@ export function valueOfText(field: ProgramField, text: string, before: TimerProg
   return 'either' in parsed ? valueAt(before, field) : null;
 }
 
-/** The field in which a text stands that is no value, where an edit would put something else without the pilot seeing it. */
+/**
+ * The field in which a text stands that is no value, where an edit would put something else without the pilot seeing
+ * it.
+ */
 export function inTheWay(unreadable: ReadonlyMap<string, unknown>, edit: EditValues): ProgramField | null {
   const { texts = {} } = edit;
   const isHidden = (key: string): boolean => unreadable.has(key) && !Object.hasOwn(texts, key);
@@ -85,7 +92,10 @@ export function applied({ working, texts }: Content, edit: EditValues): Content 
   };
 }
 
-/** What the pilot wants, on top of what the timer holds by another reading. @param held what it held by the one before. */
+/**
+ * What the pilot wants, on top of what the timer holds by another reading.
+ * @param held what it held by the one before.
+ */
 export function ontoReading({ working, texts }: Content, held: TimerProgram, read: TimerProgram): Content {
   const edits = differences(held, working).flatMap(({ field, to }): FieldValue[] =>
     to === null ? [] : [{ field, value: to }],

@@ -28,16 +28,16 @@ import {
 import { groupOf } from './history.js';
 
 /**
- * DT is set by the rules of a contest, not by what the model does before it: an edit of other times moves it only when asked.
- * Functions that are pushed past it are found by the check.
+ * DT is set by the rules of a contest, not by what the model does before it: an edit of other times moves it only when
+ * asked. Functions that are pushed past it are found by the check.
  */
 export interface DtOption {
   readonly moveDt?: boolean;
 }
 
 /**
- * Sets an interval: the slot keeps this distance to the one before it, and the functions after it keep theirs, as on a sheet of
- * intervals. DT stays unless it is this slot or `moveDt` is set.
+ * Sets an interval: the slot keeps this distance to the one before it, and the functions after it keep theirs, as on a
+ * sheet of intervals. DT stays unless it is this slot or `moveDt` is set.
  * @param interval hundredths of a second; a negative one makes times fall.
  */
 export function setInterval(
@@ -59,8 +59,8 @@ function ofInterval(how: 'type' | 'step', slot: number, outcome: Outcome): Edit 
 }
 
 /**
- * Moves this and all later functions. From DT only DT is moved; else it stays unless `moveDt` is set. From the motor stop of a Q
- * timer those functions go along that are at its time or later, for they follow it in flight.
+ * Moves this and all later functions. From DT only DT is moved; else it stays unless `moveDt` is set. From the motor
+ * stop of a Q timer those functions go along that are at its time or later, for they follow it in flight.
  * @param by hundredths of a second, negative to earlier.
  */
 export function shiftFrom(program: TimerProgram, slot: number, by: number, options: DtOption = {}): Edit {
@@ -91,9 +91,9 @@ export interface StepOptions {
 }
 
 /**
- * One step up or down: of a time the step that the manual gives for it, else 0.01 s; of all else 1. A value between two steps goes to the
- * next one. It ends at 0 and at the last step that the wire carries; a value past them can only come back. Steps that follow each other are
- * one to undo. A text that is no value has no next one.
+ * One step up or down: of a time the step that the manual gives for it, else 0.01 s; of all else 1. A value between two
+ * steps goes to the next one. It ends at 0 and at the last step that the wire carries; a value past them can only come
+ * back. Steps that follow each other are one to undo. A text that is no value has no next one.
  */
 export function stepValue(
   program: TimerProgram,
@@ -123,8 +123,8 @@ function nextStep(
 }
 
 /**
- * Steps an interval as {@link stepValue} steps the time at its end, and moves what follows as {@link setInterval} does. It is never
- * stepped below 0.
+ * Steps an interval as {@link stepValue} steps the time at its end, and moves what follows as {@link setInterval} does.
+ * It is never stepped below 0.
  */
 export function stepInterval(
   program: TimerProgram,
@@ -150,7 +150,10 @@ function steppedInterval(
   return shifted(program, slot, Math.max(by, Math.min(0, -interval)), options);
 }
 
-/** Gives one servo all positions of another. A position past the last step, as a timer may hold it, can be given to no other. */
+/**
+ * Gives one servo all positions of another. A position past the last step, as a timer may hold it, can be given to no
+ * other.
+ */
 export function copyServo(program: TimerProgram, from: number, to: number): Edit {
   const row = program.positions[from] ?? [];
   const copies = row.map((value, slot): CellValue => ({ field: { kind: 'position', servo: to, slot }, value }));
@@ -168,9 +171,9 @@ export function reverseServo(program: TimerProgram, servo: number): Edit {
 }
 
 /**
- * Puts the values of the first row of a range into its other rows: times, or intervals where no times are in it, and positions. The start
- * has neither the time of a function nor an interval to give, and DT keeps its time unless `moveDt` is set. A text that is no value has
- * nothing to give.
+ * Puts the values of the first row of a range into its other rows: times, or intervals where no times are in it, and
+ * positions. The start has neither the time of a function nor an interval to give, and DT keeps its time unless
+ * `moveDt` is set. A text that is no value has nothing to give.
  */
 export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
   const outcome = filledDown(program, range, options);
@@ -205,10 +208,10 @@ function sourcesOf(field: GridField): CellField[] {
 }
 
 /**
- * The times that follow from given times and intervals, first to last: a slot takes its time, else its interval after the one before,
- * else it is moved as far as the nearest interval above moved its own slot. DT without either stays unless `moveDt` is set. Only what
- * comes out has to be carried by the wire, not what would be on the way there. No interval counts from a time that cannot be read, and none
- * moves one.
+ * The times that follow from given times and intervals, first to last: a slot takes its time, else its interval after
+ * the one before, else it is moved as far as the nearest interval above moved its own slot. DT without either stays
+ * unless `moveDt` is set. Only what comes out has to be carried by the wire, not what would be on the way there. No
+ * interval counts from a time that cannot be read, and none moves one.
  * @param given times by slot; whether the wire carries them is not looked at.
  * @param intervals by slot, from 1 on.
  * @returns with a refusal also `cause`, the slot of the interval that led to it.

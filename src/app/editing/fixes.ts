@@ -5,9 +5,10 @@ import { type FieldValue, MAX_VALUE } from './edit.js';
 const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repeats', 'position-never-reached']);
 
 /**
- * The value that a finding asks for, where there is one that a pilot would choose without thinking: the nearest that the wire carries, the
- * step that the manual gives, the limit that was passed, the next step after the function before. When DT comes too early, it is as likely
- * that another time was mistyped: nothing that lengthens the flight is offered.
+ * The value that a finding asks for, where there is one that a pilot would choose without thinking: the nearest that
+ * the wire carries, the step that the manual gives, the limit that was passed, the next step after the function before.
+ * When DT comes too early, it is as likely that another time was mistyped: nothing that lengthens the flight is
+ * offered.
  * @returns null where the pilot has to decide.
  */
 export function fixFor({ code, field, params }: Finding, program: TimerProgram): FieldValue | null {

@@ -2,8 +2,8 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../../program/in
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
- * The program as a grid, like the table on the screen: a row for each column of the timer, start to DT; across it the time, the
- * interval, then each servo. Rows and grid columns count from 0.
+ * The program as a grid, like the table on the screen: a row for each column of the timer, start to DT; across it the
+ * time, the interval, then each servo. Rows and grid columns count from 0.
  */
 export interface GridCell {
   readonly row: number;
@@ -68,8 +68,8 @@ export function rangeBetween(a: GridCell, b: GridCell): GridRange {
 }
 
 /**
- * The grid columns of a range, from left to right, as far as there are any. The intervals are left out where the times are in it too:
- * one of two views of the same thing is enough.
+ * The grid columns of a range, from left to right, as far as there are any. The intervals are left out where the times
+ * are in it too: one of two views of the same thing is enough.
  */
 export function columnsIn(identity: Identity, { left, right }: GridRange): number[] {
   const last = Math.min(right, gridColumns(identity) - 1);
@@ -92,8 +92,9 @@ export function fieldsIn(identity: Identity, range: GridRange): GridField[] {
 }
 
 /**
- * The time of a slot after the one before it, in hundredths of a second; of function 1 (or a DT without functions) after launch.
- * Negative where times fall. Null for the start: its time is the motor stop or reserved, and nothing counts from it.
+ * The time of a slot after the one before it, in hundredths of a second; of function 1 (or a DT without functions)
+ * after launch. Negative where times fall. Null for the start: its time is the motor stop or reserved, and nothing
+ * counts from it.
  */
 export function intervalAt({ times }: TimerProgram, slot: number): number | null {
   const time = times[slot];

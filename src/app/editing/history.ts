@@ -23,7 +23,8 @@ export const STEP_CODES = [
 export type StepCode = (typeof STEP_CODES)[number];
 
 /**
- * What a step is called. Parameters, where a step has any: `field`, the key of a field; `slot`, `servo`, `from` and `to`, counted from 0;
+ * What a step is called. Parameters, where a step has any: `field`, the key of a field; `slot`, `servo`, `from` and
+ * `to`, counted from 0;
  * `by`, hundredths of a second; `count`, how many values it changed.
  */
 export interface StepName {
@@ -31,15 +32,19 @@ export interface StepName {
   readonly params: Readonly<Record<string, string | number>>;
 }
 
-/** A step, and the state on the far side of it: before it for one that can be undone, after it for one that can be redone. */
+/**
+ * A step, and the state on the far side of it: before it for one that can be undone, after it for one that can be
+ * redone.
+ */
 export interface Step<T> {
   readonly name: StepName;
   readonly state: T;
 }
 
 /**
- * What was done, to be undone and redone. States are immutable and whole: what two of them have in common they share, also when they
- * are stored by structured clone. The present state is not in it. Plain data; after it was stored, see {@link settle}.
+ * What was done, to be undone and redone. States are immutable and whole: what two of them have in common they share,
+ * also when they are stored by structured clone. The present state is not in it. Plain data; after it was stored, see
+ * {@link settle}.
  */
 export interface History<T> {
   /** Oldest first. */
@@ -69,8 +74,8 @@ export function groupOf(how: 'type' | 'step' | 'move', field: string): string {
 /**
  * Something was done. What could be redone is forgotten.
  * @param before the state before it.
- * @param group steps of one group that follow each other become one, until {@link settle}: typing in one field, one drag. The step then
- * has the name that it was given last.
+ * @param group steps of one group that follow each other become one, until {@link settle}: typing in one field, one
+ * drag. The step then has the name that it was given last.
  */
 export function record<T>(history: History<T>, name: StepName, before: T, group: string | null = null): History<T> {
   const last = history.past.at(-1);
@@ -124,8 +129,8 @@ export function abandon<T>({ past, future, open }: History<T>): Turned<T> | null
 }
 
 /**
- * The history with each of its states replaced, as when a timer was read that holds something else by now: undo must not bring back what
- * nobody typed.
+ * The history with each of its states replaced, as when a timer was read that holds something else by now: undo must
+ * not bring back what nobody typed.
  */
 export function mapStates<T, U>(history: History<T>, map: (state: T) => U): History<U> {
   const mapped = (steps: readonly Step<T>[]): Step<U>[] =>

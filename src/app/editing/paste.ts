@@ -65,7 +65,10 @@ export interface PasteReading {
   readonly value: number;
 }
 
-/** What a text would do to a program. Nothing is done if there is a problem, unless the rest is taken on purpose: see {@link pasted}. */
+/**
+ * What a text would do to a program. Nothing is done if there is a problem, unless the rest is taken on purpose: see
+ * {@link pasted}.
+ */
 export interface PastePreview {
   /** What would change. */
   readonly changes: readonly Change[];
@@ -75,7 +78,10 @@ export interface PastePreview {
   readonly problems: readonly PasteProblem[];
   /** How texts are read that would be asked about where they are typed, row by row. */
   readonly readings: readonly PasteReading[];
-  /** How many cells with something in them have no place: past the edge of the grid, or under a heading of something else. */
+  /**
+   * How many cells with something in them have no place: past the edge of the grid, or under a heading of something
+   * else.
+   */
   readonly ignored: number;
   /** The first row was taken for headings. */
   readonly headings: boolean;
@@ -84,7 +90,10 @@ export interface PastePreview {
 }
 
 export interface PasteOptions extends TextOption {
-  /** What the columns of the grid are called, time first. A table pasted at the time column under such headings goes where they say. */
+  /**
+   * What the columns of the grid are called, time first. A table pasted at the time column under such headings goes
+   * where they say.
+   */
   readonly headings?: readonly string[];
 }
 
@@ -99,10 +108,10 @@ interface Pasted {
 const LONGEST_TEXT = 60;
 
 /**
- * What pasting a text at a range would do. The text begins at the first cell of the range and may go beyond the range; a single cell fills all
- * of the range. Empty cells leave what is there. At the time column a table is taken to have no intervals, unless it is as wide as the
- * grid. Where a row has both, its time counts and the interval must agree; else intervals are set from top to bottom, and functions
- * without a cell keep their distance to the one above.
+ * What pasting a text at a range would do. The text begins at the first cell of the range and may go beyond the range;
+ * a single cell fills all of the range. Empty cells leave what is there. At the time column a table is taken to have no
+ * intervals, unless it is as wide as the grid. Where a row has both, its time counts and the interval must agree; else
+ * intervals are set from top to bottom, and functions without a cell keep their distance to the one above.
  */
 export function previewPaste(
   program: TimerProgram,
@@ -184,7 +193,9 @@ function acrossFrom(identity: Identity, left: number, width: number): number[] {
     : columnsIn(identity, { top: 0, bottom: 0, left, right });
 }
 
-/** The columns of the grid that stand under their names, -1 for others; null where no name is known or one comes twice. */
+/**
+ * The columns of the grid that stand under their names, -1 for others; null where no name is known or one comes twice.
+ */
 function columnsByName(texts: readonly string[], known: readonly string[]): number[] | null {
   const plain = (text: string): string => text.trim().toLowerCase();
   const names = known.map(plain);
@@ -195,7 +206,10 @@ function columnsByName(texts: readonly string[], known: readonly string[]): numb
 
 const WORD = /^(?!(?:nan|inf|infinity)$)\p{L}/iu;
 
-/** Whether these are headings or names: there are some, and each begins with a letter. What spreadsheets say in place of a number is no word. */
+/**
+ * Whether these are headings or names: there are some, and each begins with a letter. What spreadsheets say in place of
+ * a number is no word.
+ */
 function areWords(texts: readonly string[]): boolean {
   const some = texts.filter((text) => text !== '');
   return some.length > 0 && some.every((text) => WORD.test(text));

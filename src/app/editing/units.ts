@@ -1,11 +1,11 @@
 /**
- * Between what a pilot types and what the rooms below count in: hundredths of a second and whole steps. Digits are taken apart as
- * text, so that 0.07 is 7 and never 7.000000000000001.
+ * Between what a pilot types and what the rooms below count in: hundredths of a second and whole steps. Digits are
+ * taken apart as text, so that 0.07 is 7 and never 7.000000000000001.
  */
 
 /**
- * Why a typed text is no value: nothing in it, no number, finer than a hundredth of a second, not a whole number, or one that a pilot can mean
- * in two ways.
+ * Why a typed text is no value: nothing in it, no number, finer than a hundredth of a second, not a whole number, or
+ * one that a pilot can mean in two ways.
  */
 export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whole-number' | 'ambiguous';
 
@@ -26,9 +26,9 @@ const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?s?)?$/i;
 const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?min$/i;
 
 /**
- * `12.5`, `12,5`, `.5`, `2:05`, `2:05.5` to hundredths of a second; `2.05.5` too, since the number pads of some phones have no
- * colon; and with units, `20 s`, `3 min`, `2 min 30 s`, `3:00 min`. Without units and colon it is seconds: see {@link readTime} for what a
- * pilot may have meant.
+ * `12.5`, `12,5`, `.5`, `2:05`, `2:05.5` to hundredths of a second; `2.05.5` too, since the number pads of some phones
+ * have no colon; and with units, `20 s`, `3 min`, `2 min 30 s`, `3:00 min`. Without units and colon it is seconds: see
+ * {@link readTime} for what a pilot may have meant.
  */
 export function parseTime(text: string): Parsed {
   const trimmed = text.trim();
@@ -56,11 +56,12 @@ const MINUTES_POINT_SECONDS = /^(\d{0,2})[.,]([0-5]\d?)$/;
 const MINUTES_AND_SECONDS = /^(\d{1,2})([0-5]\d)$/;
 
 /**
- * Like {@link parseTime}, but where a pilot may as well have meant minutes it asks which: silently taking the wrong one costs a flight or a
- * model. With a colon, with units and with two marks a text is never in question. Else it is
+ * Like {@link parseTime}, but where a pilot may as well have meant minutes it asks which: silently taking the wrong one
+ * costs a flight or a model. With a colon, with units and with two marks a text is never in question. Else it is
  *
  * - everywhere, `230` and `0230`: 2 min 30 s or 230 s;
- * - for DT, which is set in minutes and whole seconds, also `2.30`, `2,30`, `.30`, and `2.3` for 2.30: 2 min 30 s or 2.3 s;
+ * - for DT, which is set in minutes and whole seconds, also `2.30`, `2,30`, `.30`, and `2.3` for 2.30: 2 min 30 s or
+ * 2.3 s;
  * - for DT also `3`: 3 min or 3 s.
  *
  * Minutes are in question up to the 12 of the longest DT: `20` is 20 s, and so is `20.30` no 20 minutes.
@@ -131,8 +132,8 @@ export interface Figure {
 }
 
 /**
- * Below a minute seconds, from a minute on minutes and seconds: `10.0` s, `20` s, `3:00` min. It has the decimals of the step in which the time is
- * set, and more where the time has them.
+ * Below a minute seconds, from a minute on minutes and seconds: `10.0` s, `20` s, `3:00` min. It has the decimals of
+ * the step in which the time is set, and more where the time has them.
  * @param step hundredths of a second.
  */
 export function formatFigure(hundredths: number, step: number): Figure {

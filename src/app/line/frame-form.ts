@@ -121,7 +121,7 @@ export class FrameForm {
       batch(() => {
         this.#asking.value = null;
         this.#result.value = null;
-        if (mayStore) editor.fresh.value = false;
+        if (mayStore) editor.sent();
         // Until the reading below has said which memory is current it is not known which one flies next.
         if (maySelect) nextFlight.leave(null);
       });

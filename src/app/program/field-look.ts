@@ -10,7 +10,10 @@ import { notesFor } from './field-notes.js';
 /** Which of several fields for the same value this is. */
 export type FieldPlace = 'table' | 'large';
 
-/** What one field shows. Each part tells of its own changes alone: a keystroke elsewhere draws the field anew only where it says something else. */
+/**
+ * What one field shows. Each part tells of its own changes alone: a keystroke elsewhere draws the field anew only where
+ * it says something else.
+ */
 export class FieldLook {
   readonly text: ReadonlySignal<string>;
   readonly unit: ReadonlySignal<Figure['unit'] | null>;

@@ -11,8 +11,8 @@ export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 const NOTCH = 50;
 
 /**
- * The wheel with Alt steps the field that has the focus, ten steps with Shift. Without Alt, and over any other field, it moves the page: who
- * only wants to see what is further down changes no value.
+ * The wheel with Alt steps the field that has the focus, ten steps with Shift. Without Alt, and over any other field,
+ * it moves the page: who only wants to see what is further down changes no value.
  */
 export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
   const latest = useRef(onStep);
@@ -55,8 +55,9 @@ interface FieldToolsProps {
 }
 
 /**
- * At the field that has the focus: back to what the timer holds, and for a thumb, which has no arrows and no wheel, a step down and a step
- * up; in the table also a way to select. The focus stays, until more is to be selected: then the keyboard makes room for it.
+ * At the field that has the focus: back to what the timer holds, and for a thumb, which has no arrows and no wheel, a
+ * step down and a step up; in the table also a way to select. The focus stays, until more is to be selected: then the
+ * keyboard makes room for it.
  */
 export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
   const { down, up, putBack, selectRange, signs } = messages.value.edits.field;

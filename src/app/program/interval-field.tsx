@@ -33,8 +33,9 @@ interface IntervalFieldProps {
 }
 
 /**
- * The time since the function before: the same truth as the time, seen from there. What is typed moves this function and those after it. A
- * text that is no interval, or asks what it means, changes nothing, and the interval stands there again when the field is left.
+ * The time since the function before: the same truth as the time, seen from there. What is typed moves this function
+ * and those after it. A text that is no interval, or asks what it means, changes nothing, and the interval stands there
+ * again when the field is left.
  */
 export function IntervalField({ editor, slot, label }: IntervalFieldProps) {
   const input = useRef<HTMLInputElement>(null);

@@ -1,6 +1,6 @@
 /**
- * A field gives its text to no drag and takes none: both would change a value without a key being pressed, and one that is carried from field
- * to field changes two. Spread it on what surrounds the field.
+ * A field gives its text to no drag and takes none: both would change a value without a key being pressed, and one that
+ * is carried from field to field changes two. Spread it on what surrounds the field.
  */
 export const refuseDrag = {
   onDragStart: (event: DragEvent): void => event.preventDefault(),

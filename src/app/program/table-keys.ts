@@ -20,8 +20,8 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
 };
 
 /**
- * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes from it to its buttons, Ctrl+D fills
- * down. Left and right move within a text until its end.
+ * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes from it to its
+ * buttons, Ctrl+D fills down. Left and right move within a text until its end.
  */
 export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   const { target } = event;

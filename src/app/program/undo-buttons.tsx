@@ -6,7 +6,10 @@ import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import './undo-buttons.css';
 
-/** Undo and redo, with the name of what they would do; by keys everywhere on the page but in texts that are no part of the program. */
+/**
+ * Undo and redo, with the name of what they would do; by keys everywhere on the page but in texts that are no part of
+ * the program.
+ */
 export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const { edits } = messages.value;

@@ -18,8 +18,8 @@ interface Swipe {
 }
 
 /**
- * A finger or a pen that goes sideways over the field that has the focus steps it, to the right up. One that goes up or down, or over any
- * other field, moves the page; a mouse marks the text.
+ * A finger or a pen that goes sideways over the field that has the focus steps it, to the right up. One that goes up or
+ * down, or over any other field, moves the page; a mouse marks the text.
  */
 export function useSwipe(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
   const latest = useRef(onStep);

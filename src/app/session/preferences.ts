@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { MAX_TIME } from '../../protocol/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
@@ -13,14 +13,15 @@ const times = v.pipe(v.array(time), v.maxLength(MOST_PRESETS));
 
 /** What a pilot has set once for all timers: the presets of DT, and below which one it is called short. Times are hundredths of a second. */
 export class Preferences {
+  readonly #presets = signal<readonly number[]>(loadSetting('dt-presets', times) ?? USUAL_PRESETS);
   /** In rising order. */
-  readonly presets = signal<readonly number[]>(loadSetting('dt-presets', times) ?? USUAL_PRESETS);
+  readonly presets: ReadonlySignal<readonly number[]> = this.#presets;
   readonly #editor: Editor;
 
   constructor(editor: Editor) {
     this.#editor = editor;
     const shortDt = loadSetting('short-dt', time);
-    if (shortDt !== null) editor.shortDt.value = shortDt;
+    if (shortDt !== null) editor.callShort(shortDt);
   }
 
   /** @returns false when the list is full or no timer could hold it. */
@@ -38,13 +39,13 @@ export class Preferences {
   /** @returns false when no timer could hold such a time. */
   setShortDt(value: number): boolean {
     if (!v.is(time, value)) return false;
-    this.#editor.shortDt.value = value;
+    this.#editor.callShort(value);
     saveSetting('short-dt', value);
     return true;
   }
 
   #keep(presets: readonly number[]): void {
-    this.presets.value = presets;
+    this.#presets.value = presets;
     saveSetting('dt-presets', presets);
   }
 }

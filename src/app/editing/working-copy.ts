@@ -1,0 +1,200 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { computedList } from './computed-list.js';
+import {
+  applied,
+  type Content,
+  formatValue,
+  inTheWay,
+  meansSame,
+  type UnreadableField,
+  unreadableIn,
+  valueOfText,
+  without,
+} from './content.js';
+import { type Edit, type Obstacle, setValues } from './edit.js';
+import * as histories from './history.js';
+import { EMPTY_HISTORY, groupOf, type History, type StepName, type Turned } from './history.js';
+import type { Question } from './units.js';
+
+/**
+ * What the pilot wants, with what can be undone. A text that is no value is kept as it was typed, beside the last value
+ * that was one.
+ */
+export class WorkingCopy {
+  readonly #working = signal<TimerProgram | null>(null, { name: 'working' });
+  readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
+  readonly #history = signal<History<Content>>(EMPTY_HISTORY, { name: 'history' });
+  /** The field in which a text is being typed. */
+  readonly #typing = signal<string | null>(null, { name: 'typing' });
+
+  readonly working: ReadonlySignal<TimerProgram | null> = this.#working;
+  /** What kind of timer it is for; null when there is none. */
+  readonly identity: ReadonlySignal<Identity | null> = computed(() => this.#working.value?.identity ?? null);
+  /** What it is now, with what was typed, and how it came to that. */
+  protected readonly content: ReadonlySignal<Content | null> = computed(() => {
+    const working = this.#working.value;
+    return working && { working, texts: this.#texts.value };
+  });
+  protected readonly history: ReadonlySignal<History<Content>> = this.#history;
+
+  readonly #unreadable: ReadonlySignal<readonly UnreadableField[]> = computedList(() => {
+    const content = this.content.value;
+    return content ? [...unreadableIn(content).values()] : [];
+  }, isSameText);
+  /** Fields whose text is no value. */
+  readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(
+    () => new Map(this.#unreadable.value.map((each) => [fieldKey(each.field), each])),
+  );
+  /**
+   * What each of these texts may mean: the pilot is asked. One that is being typed is not finished: it is not asked
+   * about.
+   */
+  readonly asked: ReadonlySignal<ReadonlyMap<string, Question['either']>> = computed(() => {
+    const typing = this.#typing.value;
+    const open = [...this.unreadable.value].flatMap(([key, { either }]) =>
+      either && key !== typing ? [[key, either] as const] : [],
+    );
+    return new Map(open);
+  });
+
+  /** What would be undone, and redone, next; null when there is nothing. */
+  readonly undoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.past.at(-1)?.name ?? null);
+  readonly redoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.future.at(-1)?.name ?? null);
+
+  /** What stands in a field: the text as typed, else its value. */
+  textOf(field: ProgramField): string {
+    const text = this.#texts.value[fieldKey(field)];
+    if (text !== undefined) return text;
+    const value = this.#working.value && valueAt(this.#working.value, field);
+    return value === null ? '' : formatValue(field, value);
+  }
+
+  /** Whether a text that was typed stands in a field: it may not be finished. */
+  isTyped(field: ProgramField): boolean {
+    return this.#texts.value[fieldKey(field)] !== undefined;
+  }
+
+  /**
+   * Does an edit, as one step with its name. Edits of one group that follow each other become one step, until
+   * {@link settle}.
+   * @returns why it was not done; null when it was.
+   */
+  apply(edit: Edit): Obstacle | null {
+    const before = this.content.value;
+    if (!before) return null;
+    if ('refused' in edit) return edit.refused;
+    const field = inTheWay(this.unreadable.value, edit);
+    if (field) return { code: 'unreadable', field };
+    const after = applied(before, edit);
+    // What changes nothing is no step.
+    if (after.working === before.working && after.texts === before.texts) return null;
+    this.show(after, histories.record(this.#history.value, edit.name, before, edit.group));
+    return null;
+  }
+
+  /**
+   * A key was pressed in a field: the text is kept, and its value taken over if it has one. One step until the field is
+   * left.
+   */
+  type(field: ProgramField, text: string): void {
+    const now = this.#working.value;
+    if (!now) return;
+    const key = fieldKey(field);
+    const { open, past } = this.#history.value;
+    const began = open === groupOf('type', key) ? past.at(-1)?.state.working : undefined;
+    const value = valueOfText(field, text, began ?? now);
+    batch(() => {
+      this.apply({ ...typing(field, value), texts: { [key]: text } });
+      this.#typing.value = key;
+    });
+  }
+
+  /**
+   * The field was left, or Enter was pressed in it: a text that has a value gives way to that value's usual form. One
+   * that may mean two things is asked about: see {@link asked}.
+   */
+  leave(field: ProgramField): void {
+    const key = fieldKey(field);
+    batch(() => {
+      if (this.#typing.value === key) this.#typing.value = null;
+      if (!this.unreadable.value.has(key)) this.#texts.value = without(this.#texts.value, [key]);
+      this.settle();
+    });
+  }
+
+  /** What was asked about the text in a field is answered, as part of the same step: it is this value. */
+  answer(field: ProgramField, value: number): void {
+    batch(() => {
+      if (this.endsWithTyping(field)) {
+        this.#history.value = { ...this.#history.value, open: groupOf('type', fieldKey(field)) };
+      }
+      this.apply(typing(field, value));
+      this.settle();
+    });
+  }
+
+  /** Whether the last thing that was done is typing in this field. */
+  protected endsWithTyping(field: ProgramField): boolean {
+    const last = this.undoStep.value;
+    if (last?.code !== 'type') return false;
+    const { field: key } = last.params;
+    return key === fieldKey(field);
+  }
+
+  /**
+   * The field was left, the drag has ended: what follows is a step of its own. What has come back to where it began was
+   * none.
+   */
+  settle(): void {
+    const now = this.content.value;
+    this.#history.value = histories.settle(this.#history.value, (state) => now !== null && meansSame(state, now));
+  }
+
+  undo(): void {
+    const now = this.content.value;
+    if (now) this.#turn(histories.undo(this.#history.value, now));
+  }
+
+  redo(): void {
+    const now = this.content.value;
+    if (now) this.#turn(histories.redo(this.#history.value, now));
+  }
+
+  /**
+   * Takes the step back that is still growing, if it is of this group.
+   * @returns whether it was.
+   */
+  abandon(group: string | undefined): boolean {
+    const { value: history } = this.#history;
+    const growing = group !== undefined && history.open === group ? histories.abandon(history) : null;
+    this.#turn(growing);
+    return growing !== null;
+  }
+
+  #turn(turned: Turned<Content> | null): void {
+    if (turned) this.show(turned.state, turned.history);
+  }
+
+  /** Puts another content in the place of all there is; null: there is none. */
+  protected show(content: Content | null, history: History<Content>): void {
+    batch(() => {
+      this.#working.value = content?.working ?? null;
+      this.#texts.value = content?.texts ?? {};
+      this.#history.value = history;
+    });
+  }
+}
+
+/** A value that is typed in a field, or none yet. */
+function typing(field: ProgramField, value: number | null): Edit {
+  const key = fieldKey(field);
+  const values = value === null ? [] : [{ field, value }];
+  return setValues({ code: 'type', params: { field: key } }, values, groupOf('type', key));
+}
+
+function isSameText(a: UnreadableField, b: UnreadableField): boolean {
+  const isSameQuestion = a.either?.[0] === b.either?.[0] && a.either?.[1] === b.either?.[1];
+  return fieldKey(a.field) === fieldKey(b.field) && a.reason === b.reason && isSameQuestion;
+}
