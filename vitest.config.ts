@@ -3,7 +3,10 @@ import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
 import { launchOptions } from './test/tools/browser.js';
 
-/** The parts of the screen are tested twice, by the same files: fast in happy-dom, and in a real browser, which alone has a storage. */
+/**
+ * The parts of the screen are tested twice, by the same files: fast in happy-dom, and in a real browser, which alone
+ * has a storage.
+ */
 const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
   setupFiles: ['test/app/setup.ts'],
@@ -11,7 +14,10 @@ const parts = {
 };
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
-/** A journey in a browser on a slow and busy machine: nothing is judged by how long it takes, and the limits are there for what hangs. */
+/**
+ * A journey in a browser on a slow and busy machine: nothing is judged by how long it takes, and the limits are there
+ * for what hangs.
+ */
 const PATIENCE = { testTimeout: 600_000, hookTimeout: 600_000, expect: { poll: { timeout: 120_000 } } };
 
 /** One project for each floor of tests: a fault is caught on the lowest floor that can catch it. */

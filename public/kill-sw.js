@@ -1,10 +1,10 @@
-// The way out, should a published version of Sidus Timer keep its own page from loading.
+// The way out, if a published version of Sidus Timer keeps its own page from loading.
 //
-// Serve this file in the place of sw.js (copy it over sw.js on the host). Each browser fetches it at its next visit, at the latest a day
-// later. It takes the place of the worker that is there, throws the kept page away and removes itself: from then on the page comes from
-// the host. Drafts, backups and settings are not touched. A tab that is open loads the page again by itself, as soon as no port is open
-// and what was typed is kept; one that shows nothing has to be loaded again by hand. When a good version is published, with its own sw.js,
-// that is installed again.
+// Copy this file over sw.js on the host. Each browser loads it at its next visit, at the latest a day later. It
+// replaces the worker that is there, removes the kept page, and then itself: from then on the page comes from the host.
+// Drafts, backups and settings stay. An open tab loads the page again by itself, as soon as no port is open and what
+// was typed is kept. A tab that shows nothing has to be loaded again by hand. When you publish a good version with its
+// own sw.js, that is installed again.
 
 self.addEventListener('install', () => self.skipWaiting());
 self.addEventListener('activate', (event) => {

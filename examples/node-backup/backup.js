@@ -3,8 +3,8 @@
 //     node backup.js                          lists the serial ports
 //     node backup.js PORT FILE [--all]        writes FILE, which must not be there yet
 //
-// Without --all it reads the memory that is current, and changes nothing on the timer. With --all it makes one memory
-// after the other current, and at the end again the one that was.
+// Without --all it reads the current memory and changes nothing on the timer. With --all it makes one memory after the
+// other current, and at the end the first one again.
 
 import { existsSync } from 'node:fs';
 import { writeFile } from 'node:fs/promises';

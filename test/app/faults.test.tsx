@@ -118,7 +118,10 @@ describe('in any order of the answers', () => {
   it.each(SEEDS)('nor with the seed %s %s', (seed, path) => fc.assert(law, { seed, path, endOnFailure: true }));
 });
 
-/** All that the page says of what the timer holds, judged by what it does hold. While bytes move nothing is said but that they do. */
+/**
+ * All that the page says of what the timer holds, judged by what it does hold. While bytes move nothing is said but
+ * that they do.
+ */
 function expectNoFalseWord({ session, editor, write, timer }: AppBench, before: TimerProgram, why: string): void {
   const { times, positions } = timer.core.content;
   const holds = (program: TimerProgram): boolean =>

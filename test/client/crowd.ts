@@ -2,7 +2,9 @@ import type { BytePort } from '../../src/client/index.js';
 import { FrameDecoder } from '../../src/protocol/index.js';
 import type { VirtualTimer } from '../../src/simulator/index.js';
 
-/** When a frame that nobody asked for comes: before the request is with the timer, or behind the timer's reply to it. */
+/**
+ * When a frame that nobody asked for comes: before the request is with the timer, or behind the timer's reply to it.
+ */
 export type Moment = 'before' | 'after';
 
 /** A port into whose beam something else talks, at the requests that a test names. */

@@ -22,7 +22,8 @@ describe('a line that damages bytes', () => {
   });
 
   it('believes a read only when two agree, once damage was seen, and reads again what it had believed', async () => {
-    // The second of two flips keeps the sum right: this reply to GETSERVOPOS passes, and is wrong. Damage shows only behind it.
+    // The second of two flips keeps the sum right: this reply to GETSERVOPOS passes, and is wrong. Damage shows only
+    // behind it.
     const reply = 18 + 10 + 31;
     const up = at([reply + 7], (byte) => [byte + 1]);
     const down = at([reply + 8], (byte) => [byte - 1]);
@@ -124,7 +125,8 @@ describe('stopping while the line is being cleared', () => {
     const { client, timer, run, clock } = bench();
     await run(client.identify());
     timer.core.sleep();
-    // After about two and a half seconds every letter that could serve as a fence has gone unanswered, and it waits for three more.
+    // After about two and a half seconds every letter that could serve as a fence has gone unanswered, and it waits for
+    // three more.
     const stop = new AbortController();
     clock.after(3000, () => stop.abort());
     const begin = clock.now();

@@ -27,8 +27,8 @@ interface Page {
 }
 
 /**
- * What lies between a page and a timer in the field: a line on which one fault can be set off at any byte of either direction, and which
- * can be opened again after it was cut, or after the page that had it open is gone.
+ * What lies between a page and a timer in the field: a line on which one fault can be set off at any byte of either
+ * direction, and which can be opened again after it was cut, or after the page that had it open is gone.
  */
 export class FieldLine {
   readonly timer: VirtualTimer;

@@ -125,7 +125,10 @@ export async function allCases(identity: Partial<Identity>, act: ActName): Promi
   );
 }
 
-/** Lets a case happen, and the field be as it is afterwards: the timer awake, the line open, on a new page if the old one is gone. */
+/**
+ * Lets a case happen, and the field be as it is afterwards: the timer awake, the line open, on a new page if the old
+ * one is gone.
+ */
 async function happen(hit: Case): Promise<{ field: Field; result: unknown }> {
   const { identity, act: name, direction, index, fault } = hit;
   const field = new Field(identity);
@@ -152,7 +155,8 @@ function label({ act, direction, index, fault }: Case): string {
 }
 
 /**
- * What must hold for a read or a write that any one fault befalls: nothing is said that is not so, and the way goes on from there.
+ * What must hold for a read or a write that any one fault befalls: nothing is said that is not so, and the way goes on
+ * from there.
  * @param aim what is written afterwards: the goal once more, or the backup.
  */
 export async function holds(hit: Case, aim: 'goal' | 'before'): Promise<void> {
@@ -185,7 +189,10 @@ export async function holds(hit: Case, aim: 'goal' | 'before'): Promise<void> {
   for (const name of DANGEROUS) expect([field.timesSent(name), field.timesAnswered(name)], text).toEqual([0, 0]);
 }
 
-/** What must hold for a dangerous command that any one fault befalls: it went out once, and was carried out once at most. */
+/**
+ * What must hold for a dangerous command that any one fault befalls: it went out once, and was carried out once at
+ * most.
+ */
 export async function wentOutOnce(hit: Case): Promise<void> {
   const { field } = await happen(hit);
   // Whatever is still to come has come by now, and the page has gone on.

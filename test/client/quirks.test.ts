@@ -94,7 +94,8 @@ describe('a timer that departs from the usual reading', () => {
         sent.push(name);
         const reply = sent.includes('SETTIMERS') ? undefined : replies[name];
         if (reply) line?.enqueue(encodeReply(reply, { identity }));
-        // From then on nothing is answered in time; what comes while GETTIMERS waits belongs to the SETTIMERS of before.
+        // From then on nothing is answered in time; what comes while GETTIMERS waits belongs to the SETTIMERS of
+        // before.
         if (name !== 'GETTIMERS' || !sent.includes('SETTIMERS') || !late) return;
         late = false;
         line?.enqueue(encodeReply({ name: 'SETTIMERS', times: [0, 7000] }, { identity }));

@@ -225,8 +225,8 @@ export class AppPage {
   }
 
   /**
-   * Waits until what was typed has come to rest in the storage: the page keeps it when it has nothing else to do. What is being written
-   * is written before each look, and what waits behind it before the next.
+   * Waits until what was typed has come to rest in the storage: the page keeps it when it has nothing else to do. What
+   * is being written is written before each look, and what waits behind it before the next.
    */
   async kept(): Promise<void> {
     let before = '';
@@ -274,7 +274,9 @@ export class AppPage {
     });
   }
 
-  /** Waits until a tab that was opened, or loaded again, has its number: what others have left it has looked at by then. */
+  /**
+   * Waits until a tab that was opened, or loaded again, has its number: what others have left it has looked at by then.
+   */
   async hasNumber(): Promise<void> {
     await this.page.waitForFunction(async () => {
       const { held = [] } = await navigator.locks.query();

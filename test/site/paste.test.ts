@@ -2,7 +2,10 @@ import { describe, expect, test } from 'vitest';
 import { parseTime } from '../../src/app/editing/units.js';
 import { AppPage } from './app-page.js';
 
-/** What other programs put on the clipboard, and people too; and how many changes it makes at function 1, and at function 8 of S2. */
+/**
+ * What other programs put on the clipboard, and people too; and how many changes it makes at function 1, and at
+ * function 8 of S2.
+ */
 const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[] = [
   {
     what: 'text in the place of numbers',

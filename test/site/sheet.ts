@@ -1,7 +1,10 @@
 import { expect } from 'vitest';
 import type { AppPage } from './app-page.js';
 
-/** A setting as a pilot brings it to the field on paper: of an F1Q with three servos, nothing in it as the new timer holds it. */
+/**
+ * A setting as a pilot brings it to the field on paper: of an F1Q with three servos, nothing in it as the new timer
+ * holds it.
+ */
 export const SHEET = {
   times: ['8', '8.2', '8.7', '9,5', '11', '14.3', '20', '45.5', '1:00', '1:30', '4:00'],
   positions: [

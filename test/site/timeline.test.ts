@@ -32,7 +32,9 @@ const cell = (app: AppPage): Locator => app.table.getByRole('textbox', { name: F
 const stands = (mark: Locator, time: number): Promise<void> =>
   expect.poll(() => mark.getAttribute('aria-valuenow')).toBe(String(time));
 
-/** A mark that was moved: by whole steps of 0.1 s, in the table with the old value, and in one step that can be undone. */
+/**
+ * A mark that was moved: by whole steps of 0.1 s, in the table with the old value, and in one step that can be undone.
+ */
 async function isMoved({ app, mark }: Seen): Promise<void> {
   const value = await cell(app).inputValue();
   const hundredths = Math.round(Number(value) * 100);

@@ -1,5 +1,5 @@
-// Runs in the page before its own scripts, in the place of the browser's serial ports: an adapter, a timer in front of it, and a
-// pilot's hands. Tests reach it as `window.workbench`; see app-page.ts.
+// Runs in the page before its own scripts, in the place of the browser's serial ports: an adapter, a timer in front of
+// it, and a pilot's hands. Tests reach it as `window.workbench`; see app-page.ts.
 
 import { type Fault, MockSerial } from '../../src/mock-serial/index.js';
 import type { CommandName, Identity } from '../../src/protocol/index.js';
@@ -29,7 +29,10 @@ export class Workbench {
   /** The rates at which the page has opened the port, in turn. */
   readonly rates: number[] = [];
   readonly #serial: MockSerial;
-  /** The first bytes that reach the page from now on that are to be damaged: how many are let through before, and how many. */
+  /**
+   * The first bytes that reach the page from now on that are to be damaged: how many are let through before, and how
+   * many.
+   */
   #intact = Number.POSITIVE_INFINITY;
 
   constructor(
@@ -162,7 +165,8 @@ declare global {
   }
 }
 
-// Whether it was a click that asked cannot be told here: what drives the page counts as one. The rig uses the real chooser.
+// Whether it was a click that asked cannot be told here: what drives the page counts as one. The rig uses the real
+// chooser.
 const serial = new MockSerial({ userActivation: true });
 Object.defineProperty(navigator, 'serial', { value: serial, configurable: true });
 window.workbench = new Workbench(serial, window.workbenchOptions ?? {});

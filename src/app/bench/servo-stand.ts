@@ -14,9 +14,9 @@ interface Stand {
 }
 
 /**
- * Where the servos stand. The timer cannot be asked: it is known only from a movement that it has acknowledged on this connection, as long as
- * nothing went out since that could have moved them. Storing a position may be enough for that (rows 15 and 17 of the protocol page), so
- * it is known only while the timer holds all positions as it did then.
+ * Where the servos stand. The timer cannot be asked: it is known only from a movement that it has acknowledged on this
+ * connection, as long as nothing went out since that could have moved them. Storing a position may be enough for that
+ * (rows 15 and 17 of the protocol page), so it is known only while the timer holds all positions as it did then.
  */
 export class ServoStand {
   /** 0 start to NF; null when it is not known. */

@@ -15,7 +15,10 @@ export interface Trial {
 /** Under which name the trials are kept. */
 const TRIALS = 'trials';
 
-/** What was tried on the bench and is neither kept nor put back: for each memory of each timer that was worked on, through a reload too. */
+/**
+ * What was tried on the bench and is neither kept nor put back: for each memory of each timer that was worked on,
+ * through a reload too.
+ */
 export class Trials {
   /** Of what the timer at hand holds; null when nothing is open there. */
   readonly current: ReadonlySignal<Trial | null>;

@@ -34,9 +34,10 @@ export const tabMemory: TabMemory = {
 };
 
 /**
- * The number of this tab among those of the program, from 1: what is worked on is kept for each by itself. A tab has its number until it is
- * closed, also over a reload; then the number is free, with what was kept under it. Without locks all tabs are 1. Where the browser does not
- * say who has which, the tab takes a number that nobody else can have, and nothing of another tab.
+ * The number of this tab among those of the program, from 1: what is worked on is kept for each by itself. A tab has
+ * its number until it is closed, also over a reload; then the number is free, with what was kept under it. Without
+ * locks all tabs are 1. Where the browser does not say who has which, the tab takes a number that nobody else can have,
+ * and nothing of another tab.
  */
 export class TabNumber {
   readonly #told = signal(true, { name: 'tabsTold' });
@@ -58,7 +59,10 @@ export class TabNumber {
     return this.#number ?? 1;
   }
 
-  /** Takes the number that this tab had before it was loaded again. The page before may still have it, or a tab that this one was copied from. */
+  /**
+   * Takes the number that this tab had before it was loaded again. The page before may still have it, or a tab that
+   * this one was copied from.
+   */
   async takeBefore(): Promise<void> {
     const before = this.#memory.load();
     if (before === null) return;

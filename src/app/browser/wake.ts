@@ -4,8 +4,8 @@ const LOOK = 5;
 const SLEPT = 30;
 
 /**
- * Calls back when the computer wakes from sleep, or the browser lets the page go on after it has frozen it. A page in the background is
- * called less often without any sleep: there the gap means nothing.
+ * Calls back when the computer wakes from sleep, or the browser lets the page go on after it has frozen it. A page in
+ * the background is called less often without any sleep: there the gap means nothing.
  */
 export function onWake(callback: () => void): void {
   let last = Date.now();

@@ -10,8 +10,8 @@ const NEEDED = /\.(?:js|css)$/;
 const KEPT_WAIT = 3000;
 
 /**
- * The files of one version of the page, kept for use without a network. Nothing is kept that is not what the build has made: a host that
- * answers with something else, whatever it calls it, changes nothing.
+ * The files of one version of the page, kept for use without a network. Nothing is kept that is not what the build has
+ * made: a host that answers with something else, whatever it calls it, changes nothing.
  */
 export class SiteCache {
   readonly #files: ReadonlyMap<string, SiteFile>;
@@ -26,7 +26,10 @@ export class SiteCache {
     this.#name = `sidus-timer ${hash(files.map(({ integrity }) => integrity).join(' '))} ${scope}`;
   }
 
-  /** The address under which a file of this version is kept; null for what is none of them. The page has one, whatever follows its question mark. */
+  /**
+   * The address under which a file of this version is kept; null for what is none of them. The page has one, whatever
+   * follows its question mark.
+   */
   addressOf(request: Pick<Request, 'url' | 'method'>): string | null {
     if (request.method !== 'GET') return null;
     const { origin, pathname } = new URL(request.url);
@@ -64,7 +67,8 @@ export class SiteCache {
     if (kept && whole) return kept;
     try {
       if (whole) return await this.#fetch(cache, address);
-      // The page is no use without its scripts: when one is gone and cannot be had again, the page of the host is better.
+      // The page is no use without its scripts: when one is gone and cannot be had again, the page of the host is
+      // better.
       const fetched = await fetch(request);
       return fetched.ok || !kept ? fetched : kept;
     } catch {

@@ -20,8 +20,8 @@ export interface FieldValue {
 /**
  * Why nothing was changed.
  *
- * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire could not carry the value, as the check
- *   would find.
+ * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire could not carry the
+ *   value, as the check would find.
  * - `reserved`: slot 0 of a class other than Q, which is edited only on purpose, as a field of its own.
  * - `no-interval`: the start follows nothing.
  */
@@ -52,8 +52,9 @@ export interface EditValues {
   /** What was asked for is in the list also where it is the value already, so that a text in such a field gives way. */
   readonly values: readonly FieldValue[];
   /**
-   * What stands in these fields afterwards, by their keys, whatever text stands there now: a text as it was typed, or null for the value. In any
-   * other field a text that is no value is in the way of an edit: the pilot may not see that field.
+   * What stands in these fields afterwards, by their keys, whatever text stands there now: a text as it was typed, or
+   * null for the value. In any other field a text that is no value is in the way of an edit: the pilot may not see that
+   * field.
    */
   readonly texts?: Readonly<Record<string, string | null>>;
 }
@@ -64,12 +65,18 @@ export type Outcome = EditValues | { readonly refused: Obstacle };
 /** Something to be done to the program, and what undo calls it. {@link Editor.apply} does it. */
 export type Edit = Outcome & {
   readonly name: StepName;
-  /** Edits of one group that follow each other are one step, until the field is left or the handle let go. Default: a step of its own. */
+  /**
+   * Edits of one group that follow each other are one step, until the field is left or the handle let go. Default: a
+   * step of its own.
+   */
   readonly group?: string | undefined;
 };
 
 export interface TextOption {
-  /** The keys of the fields whose text is no value: what the program has there is not what the pilot sees. Default: none. */
+  /**
+   * The keys of the fields whose text is no value: what the program has there is not what the pilot sees. Default:
+   * none.
+   */
   readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
 }
 
@@ -99,7 +106,9 @@ export function setValues(name: StepName, values: readonly FieldValue[], group?:
   return { name, group, values, texts: noTexts(values.map(({ field }) => field)) };
 }
 
-/** Puts fields back to what a program has there. One that is not known there keeps its value; a text in it gives way. */
+/**
+ * Puts fields back to what a program has there. One that is not known there keeps its value; a text in it gives way.
+ */
 export function putBack(name: StepName, to: TimerProgram, fields: readonly ProgramField[]): Edit {
   const values = fields.flatMap((field): FieldValue[] => {
     const value = valueAt(to, field);

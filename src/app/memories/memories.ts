@@ -5,7 +5,9 @@ import type { Session } from '../session/session.js';
 import { MemoryJobs } from './memory-jobs.js';
 import { MemoryWalk } from './memory-walk.js';
 
-/** The memories of the timer at hand: which one is looked at, and which one flies next. Only when the pilot asks for it. */
+/**
+ * The memories of the timer at hand: which one is looked at, and which one flies next. Only when the pilot asks for it.
+ */
 export class Memories {
   /** Back up all of them, copy one to another, restore several. */
   readonly jobs: MemoryJobs;

@@ -25,7 +25,10 @@ export type MemoriesStep =
       readonly connection: TimerConnection;
       readonly changes: readonly MemoryChange[];
     }
-  /** Where the browser does not keep a copy of what a memory holds, the job asks the pilot before anything is written into it. */
+  /**
+   * Where the browser does not keep a copy of what a memory holds, the job asks the pilot before anything is written
+   * into it.
+   */
   | { readonly step: 'running'; readonly plan: Plan }
   | {
       readonly step: 'done';
@@ -49,7 +52,10 @@ interface Done {
   readonly begun: Set<number>;
 }
 
-/** Back up all memories, copy one to another, restore several: shows the difference, does it, and says what became of it. */
+/**
+ * Back up all memories, copy one to another, restore several: shows the difference, does it, and says what became of
+ * it.
+ */
 export class MemoryJobs extends JobDialog<MemoriesStep> {
   readonly #session: Session;
   readonly #walk: MemoryWalk;

@@ -45,7 +45,10 @@ export class MemoryWalk {
     nextFlight.leave(null);
   }
 
-  /** The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer answers by now. */
+  /**
+   * The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer
+   * answers by now.
+   */
   async wasRestored(identity: Identity, original: number | null, stopped: unknown): Promise<void> {
     const { recovery, simulated, nextFlight, editor } = this.#session;
     const wasLeft = this.#original !== null;

@@ -11,8 +11,9 @@ const EARLY = '';
 const CLEARING_WAIT = 30_000;
 
 /**
- * What a pilot works on, with what can be undone, by kind of timer, memory and tab: through a reload or a crash where the browser keeps
- * anything, else for as long as the page is open. What was left in a tab that is closed falls to the next one that needs it.
+ * What a pilot works on, with what can be undone, by kind of timer, memory and tab: through a reload or a crash where
+ * the browser keeps anything, else for as long as the page is open. What was left in a tab that is closed falls to the
+ * next one that needs it.
  */
 export class Drafts {
   readonly #shelf: Keeper<Draft>;
@@ -40,7 +41,8 @@ export class Drafts {
   }
 
   /**
-   * The one that was worked on last and was not written: in this tab, else in one that is closed. From its end on this tab has its number.
+   * The one that was worked on last and was not written: in this tab, else in one that is closed. From its end on this
+   * tab has its number.
    * @param wanted asked when it was found, which may take its time: whether it still has a place.
    */
   async latest(wanted: () => boolean): Promise<Draft | undefined> {
@@ -58,8 +60,8 @@ export class Drafts {
   }
 
   /**
-   * Waits a while for one of the tabs that seem to be open and have edits: a tab that has just been closed may have its number until the
-   * browser has cleared it away.
+   * Waits a while for one of the tabs that seem to be open and have edits: a tab that has just been closed may have its
+   * number until the browser has cleared it away.
    * @param wanted as in {@link latest}, which was asked before.
    */
   async leftBehind(wanted: () => boolean): Promise<Draft | undefined> {
@@ -134,7 +136,9 @@ export class Drafts {
     return all.sort((a, b) => b.savedAt - a.savedAt);
   }
 
-  /** Keeps what is on the screen while there is anything to bring back, or to undo, and forgets it when there is not. */
+  /**
+   * Keeps what is on the screen while there is anything to bring back, or to undo, and forgets it when there is not.
+   */
   readonly keep = (content: EditorContent, simulated: boolean): void => {
     if (!this.#hasBegun) {
       this.#early = () => this.keep(content, simulated);
@@ -155,7 +159,10 @@ export class Drafts {
     }
   };
 
-  /** The page is left, or may be: what waits for its turn is kept at once, for nothing may come back any more that ends the waiting. */
+  /**
+   * The page is left, or may be: what waits for its turn is kept at once, for nothing may come back any more that ends
+   * the waiting.
+   */
   flush(): void {
     for (const key of this.#unsaved.peek()) {
       const draft = this.#open.get(key);
@@ -196,7 +203,10 @@ export class Drafts {
     return draft;
   }
 
-  /** What the browser did not give back when it was asked for is not overwritten: it is kept as the work of a tab that is closed. */
+  /**
+   * What the browser did not give back when it was asked for is not overwritten: it is kept as the work of a tab that
+   * is closed.
+   */
   async #save(draft: Draft): Promise<void> {
     const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
     if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {

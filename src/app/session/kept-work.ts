@@ -40,7 +40,9 @@ export class KeptWork {
     this.#drafts.flush();
   }
 
-  /** Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile. */
+  /**
+   * Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile.
+   */
   bringBack(): Promise<void> {
     // One look at a time; what comes back meanwhile is looked for once more.
     this.#lookAgain = this.#looking !== null;

@@ -15,7 +15,10 @@ import {
 import { type Keeper, type PortRecord, within } from '../storage/index.js';
 import { kindKey } from './record-keys.js';
 
-/** So long a browser has to say which ports are plugged in, in milliseconds: a click that asks for a port does not count for long. */
+/**
+ * So long a browser has to say which ports are plugged in, in milliseconds: a click that asks for a port does not count
+ * for long.
+ */
 const PORTS_LIMIT = 1000;
 
 export interface LinkOptions {

@@ -4,14 +4,17 @@ import { kindKey } from './record-keys.js';
 
 /** What the pilot has to know of the memory that flies next; memories are counted from 0. */
 export type NextFlightWord =
-  /** By the timer's own word another one is current than at connect; `original` is null when that one was never known. */
+  /**
+   * By the timer's own word another one is current than at connect; `original` is null when that one was never known.
+   */
   | { readonly code: 'other'; readonly memory: number; readonly original: number | null }
   /** Others were selected and it is not known which one is current; `asked` was selected last, if that is known. */
   | { readonly code: 'unknown'; readonly asked: number | null; readonly original: number | null };
 
 /**
- * The current memory is what flies next. It is changed only by selecting one (SETMEMORY), and this page does that when the pilot asks for
- * it, or to read others and come back. So it is remembered which one was current at connect, and said when that is no longer so.
+ * The current memory is what flies next. It is changed only by selecting one (SETMEMORY), and this page does that when
+ * the pilot asks for it, or to read others and come back. So it is remembered which one was current at connect, and
+ * said when that is no longer so.
  */
 export class NextFlight {
   readonly #open = signal(false, { name: 'memoryOpen' });
@@ -21,9 +24,15 @@ export class NextFlight {
   /** Others were selected since the one of the time of connect was current. */
   readonly #left = signal(false, { name: 'left' });
   readonly #asked = signal<number | null>(null, { name: 'asked' });
-  /** None was read since the timer came, or since another one was asked for: the memory on the screen need not be the current one. */
+  /**
+   * None was read since the timer came, or since another one was asked for: the memory on the screen need not be the
+   * current one.
+   */
   readonly open: ReadonlySignal<boolean> = this.#open;
-  /** The memory that was current when the timer was connected; null when it was not said before another one was selected. */
+  /**
+   * The memory that was current when the timer was connected; null when it was not said before another one was
+   * selected.
+   */
   readonly original: ReadonlySignal<number | null> = this.#original;
   /** What there is to say; null while the memory of the time of connect is current, or nothing was selected. */
   readonly word: ReadonlySignal<NextFlightWord | null> = computed(() => {

@@ -57,7 +57,9 @@ export class Notices {
     this.#current.value = notice;
   }
 
-  /** Says that something went wrong on the wire, in the pilot's words: the one place where an error becomes a notice. */
+  /**
+   * Says that something went wrong on the wire, in the pilot's words: the one place where an error becomes a notice.
+   */
   report(error: unknown): void {
     if (!(error instanceof TimerError)) this.say('unexpected');
     else if (isRefusedSelection(error)) this.say('select-unanswered');

@@ -3,7 +3,10 @@ import { type OtherTab, OtherTabs, type TabChannel, type TakeOver } from '../bro
 import { messages, timerName } from '../messages/index.js';
 import type { Session } from './session.js';
 
-/** Another tab of this program that holds the port which is wanted here; and letting go for one that wants the port of this one. */
+/**
+ * Another tab of this program that holds the port which is wanted here; and letting go for one that wants the port of
+ * this one.
+ */
 export class PortHolder {
   readonly #tab = signal<OtherTab | null>(null, { name: 'portHolder' });
   /** The tab that holds the port which could not be opened; null when there is none. */

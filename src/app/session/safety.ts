@@ -1,6 +1,9 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 
-/** The pilot's word that it is safe: propeller off or model held, timer not armed. It is asked for once for each connection. */
+/**
+ * The pilot's word that it is safe: propeller off or model held, timer not armed. It is asked for once for each
+ * connection.
+ */
 export class Safety {
   readonly #confirmed = signal(false, { name: 'safe' });
   readonly confirmed: ReadonlySignal<boolean> = this.#confirmed;

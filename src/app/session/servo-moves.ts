@@ -3,7 +3,10 @@ import type { WriteReport } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { Safety } from './safety.js';
 
-/** Whether a write may move the servos, for timers that keep positions only where they stand. It is asked anew for each write. */
+/**
+ * Whether a write may move the servos, for timers that keep positions only where they stand. It is asked anew for each
+ * write.
+ */
 export class ServoMoves {
   readonly #allowed = signal(false, { name: 'moveServos' });
   readonly #count = signal(0, { name: 'servoMoves' });

@@ -3,7 +3,10 @@ import type { TimerConnection } from '../../serial/index.js';
 import type { Editor } from '../editing/editor.js';
 import type { Knowledge } from './knowledge.js';
 
-/** How far what was read of the memory on the screen can be called what the timer holds. Times are milliseconds since 1970. */
+/**
+ * How far what was read of the memory on the screen can be called what the timer holds. Times are milliseconds since
+ * 1970.
+ */
 export type Standing =
   /** It was read on this connection, and nothing was sent since. */
   | { readonly sure: 'now'; readonly at: number; readonly verified: boolean }

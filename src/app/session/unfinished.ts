@@ -3,8 +3,9 @@ import type { TabNumber } from '../browser/tab-number.js';
 import type { Keeper, Unfinished } from '../storage/index.js';
 
 /**
- * The records of jobs that change a timer, from before their first byte until their end was seen: in the browser's storage, which all
- * tabs share, and in this page alone where that keeps nothing. What another tab has under way is not among them.
+ * The records of jobs that change a timer, from before their first byte until their end was seen: in the browser's
+ * storage, which all tabs share, and in this page alone where that keeps nothing. What another tab has under way is not
+ * among them.
  */
 export class UnfinishedRecords {
   readonly list: ReadonlySignal<readonly Unfinished[]>;

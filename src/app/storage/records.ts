@@ -6,8 +6,8 @@ import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
 import { withPresentNames } from './former-names.js';
 
 /*
- * What is stored is checked as strictly as what comes over a wire: an error of another version, of the browser or of a disk must not
- * become a value that somebody writes to a timer.
+ * What is stored is checked as strictly as what comes over a wire: an error of another version, of the browser or of a
+ * disk must not become a value that somebody writes to a timer.
  */
 
 const whole = (min: number, max: number) => v.pipe(v.number(), v.safeInteger(), v.minValue(min), v.maxValue(max));
@@ -99,7 +99,9 @@ export const draftSchema = v.pipe(
     working: wanted,
     /** Texts in fields that are no values yet, by field. */
     texts,
-    /** What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft. */
+    /**
+     * What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft.
+     */
     history: v.optional(v.fallback(v.optional(history), undefined)),
     /** Milliseconds since 1970. */
     savedAt: date,
@@ -115,8 +117,8 @@ export const draftSchema = v.pipe(
 export type Draft = v.InferOutput<typeof draftSchema>;
 
 /**
- * A job that has begun to change a timer, kept from before its first byte until its end was seen. A write, under the kind of timer and
- * the memory that it is for; or a walk through the memories, under the kind alone.
+ * A job that has begun to change a timer, kept from before its first byte until its end was seen. A write, under the
+ * kind of timer and the memory that it is for; or a walk through the memories, under the kind alone.
  */
 export const unfinishedSchema = v.variant('kind', [
   v.pipe(
@@ -196,7 +198,10 @@ export const portSchema = v.object({
 });
 export type PortRecord = v.InferOutput<typeof portSchema>;
 
-/** What was stored and cannot be read, as it was found: it may matter to somebody, and a later version may be able to read it. */
+/**
+ * What was stored and cannot be read, as it was found: it may matter to somebody, and a later version may be able to
+ * read it.
+ */
 export const asideSchema = v.object({
   key: v.pipe(v.string(), v.maxLength(1000)),
   /** Where it lay. */

@@ -12,8 +12,8 @@ const LINE_REACH = { coarse: 14, fine: 7 };
 const MARK_REACH = 4;
 
 /**
- * The handle under a pointer: the nearest one within reach. A mouse can also take a line by any part of it, and a function by its
- * upright; a finger would do that without wanting to.
+ * The handle under a pointer: the nearest one within reach. A mouse can also take a line by any part of it, and a
+ * function by its upright; a finger would do that without wanting to.
  */
 export function aimAt(arrangement: Arrangement, front: number, { x, y }: Point, coarse: boolean): ProgramField | null {
   const { layout } = arrangement;

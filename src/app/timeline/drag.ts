@@ -20,8 +20,8 @@ export function timeStep(identity: Identity, slot: number): number {
 }
 
 /**
- * How far a field can be moved. A time keeps its place among its neighbours, at least one step away from each; a neighbour that it
- * has reached or passed already does not hold it there. The motor stop lies between launch and DT.
+ * How far a field can be moved. A time keeps its place among its neighbours, at least one step away from each; a
+ * neighbour that it has reached or passed already does not hold it there. The motor stop lies between launch and DT.
  * @param free lifts the neighbours.
  */
 export function limitsOf(program: TimerProgram, field: ProgramField, free = false): Limits {

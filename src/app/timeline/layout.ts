@@ -120,8 +120,8 @@ export function linesOf(program: TimerProgram, layout: Layout): LinePaths[] {
 }
 
 /**
- * Moves numbers as little as may be, so that neighbours are `gap` apart; equal ones keep their order. Where there is no room for
- * that they are closer.
+ * Moves numbers as little as may be, so that neighbours are `gap` apart; equal ones keep their order. Where there is no
+ * room for that they are closer.
  */
 export function spread(numbers: readonly number[], gap: number, min: number, max: number): number[] {
   const order = numbers.map((_, i) => i).sort((a, b) => (numbers[a] as number) - (numbers[b] as number) || a - b);

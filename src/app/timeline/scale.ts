@@ -1,7 +1,10 @@
 /** The length of run-out that is shown, and played, after the last event: hundredths of a second. */
 export const RUN_OUT = 300;
 
-/** More than anybody can type: later times are drawn here, so that nothing is counted through to a time that never comes. */
+/**
+ * More than anybody can type: later times are drawn here, so that nothing is counted through to a time that never
+ * comes.
+ */
 const LAST_DRAWN = 1e9;
 
 /** A time as it can be drawn, whatever a program holds: hundredths of a second from launch, finite. */
@@ -15,8 +18,9 @@ const BEND = 50;
 const EVEN_SHARE = 0.8;
 
 /**
- * A time axis. Times are hundredths of a second from launch, places run from 0 at launch to 1 at the end of the picture. Strictly
- * rising and straight between its knots, so that every place has one time and every time one place, also past the end.
+ * A time axis. Times are hundredths of a second from launch, places run from 0 at launch to 1 at the end of the
+ * picture. Strictly rising and straight between its knots, so that every place has one time and every time one place,
+ * also past the end.
  */
 export class Scale {
   readonly times: readonly number[];
@@ -74,8 +78,8 @@ export interface StretchOptions {
 }
 
 /**
- * An axis that shows 0.05 s and 6 min alike: the gap between two neighbouring marks gets a share that all gaps have and a share
- * that grows with the logarithm of its length.
+ * An axis that shows 0.05 s and 6 min alike: the gap between two neighbouring marks gets a share that all gaps have and
+ * a share that grows with the logarithm of its length.
  * @param marks times that must be told apart, in any order; launch is always one.
  */
 export function stretchedScale(marks: readonly number[], { minGap, runOut, others = [] }: StretchOptions): Scale {

@@ -6,7 +6,10 @@ import { SlotTable } from '../ui/slot-table.js';
 import { motorStopOf, stagesOf } from './preview/flight.js';
 import './timeline-table.css';
 
-/** The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is opened. */
+/**
+ * The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is
+ * opened.
+ */
 export function TimelineTable({ program }: { program: TimerProgram }) {
   const open = useSignal(false);
   return (

@@ -8,8 +8,8 @@ interface AnyStep {
 }
 
 /**
- * The dialog of a job that changes a timer: it shows what is about to be done, runs that, and says what became of it. While it is open
- * nothing else is sent to the timer.
+ * The dialog of a job that changes a timer: it shows what is about to be done, runs that, and says what became of it.
+ * While it is open nothing else is sent to the timer.
  */
 export abstract class JobDialog<Step extends AnyStep> {
   readonly #current = signal<Step | null>(null, { name: 'dialog' });

@@ -134,7 +134,10 @@ export async function connectedBench(options: BenchOptions = {}): Promise<AppBen
   return bench;
 }
 
-/** The page is loaded anew, in the middle of whatever it was doing: the same storage, the same timer as it is now, awake. */
+/**
+ * The page is loaded anew, in the middle of whatever it was doing: the same storage, the same timer as it is now,
+ * awake.
+ */
 export async function reloaded({ store, timer: { core } }: AppBench): Promise<AppBench> {
   const { identity } = core;
   // A new clock: the page that is gone does nothing more.
@@ -162,7 +165,9 @@ export async function run<T>(promise: Promise<T>): Promise<T> {
   return promise;
 }
 
-/** Lets everything happen that is under way: more time than any job takes, while what waits for ever goes on waiting. */
+/**
+ * Lets everything happen that is under way: more time than any job takes, while what waits for ever goes on waiting.
+ */
 export async function idle(ms = 20_000): Promise<void> {
   await vi.advanceTimersByTimeAsync(ms);
 }

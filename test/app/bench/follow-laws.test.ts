@@ -59,7 +59,10 @@ const act: fc.Arbitrary<Act> = fc.oneof(
 const step = fc.record({ act, ms: fc.constantFrom(0, 10, 30, 70, 700, 5000) });
 const setMoves = fc.constantFrom<NonNullable<TimerQuirks['setMoves']>>('never', 'there', 'always');
 
-/** Judges each movement on the wire by what the pilot has done, as the pilot would: it knows nothing of how the page decides. */
+/**
+ * Judges each movement on the wire by what the pilot has done, as the pilot would: it knows nothing of how the page
+ * decides.
+ */
 class Judge {
   /** A click on the bench, which holds now or never. */
   #moved: number | null = null;

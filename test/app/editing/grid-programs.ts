@@ -29,7 +29,9 @@ export function programOf(): TimerProgram {
 const time = fc.oneof(fc.integer({ min: 0, max: 3000 }), fc.integer({ min: 0, max: 65535 }));
 const position = fc.oneof({ weight: 9, arbitrary: fc.nat(130) }, fc.nat(255));
 
-/** A program of any class and a small layout, with times in any order and now and then a position past the last step. */
+/**
+ * A program of any class and a small layout, with times in any order and now and then a position past the last step.
+ */
 export const anyProgram: fc.Arbitrary<TimerProgram> = fc
   .record({
     timerClass: fc.constantFrom('Q', 'B', 'E', 'X'),

@@ -52,7 +52,10 @@ type WireFault = keyof typeof WIRE;
 class Witness {
   readonly #bench: AppBench;
   readonly goal: TimerProgram;
-  /** Each part as it was when a timer said it last. That a later one of the same kind holds something else nobody can see. */
+  /**
+   * Each part as it was when a timer said it last. That a later one of the same kind holds something else nobody can
+   * see.
+   */
   readonly said: { identity: Identity; times: readonly number[]; positions: readonly (readonly number[])[] };
   /** Requests that were answered, and how many of them changed something. */
   answers = 0;

@@ -2,8 +2,8 @@ import type { ProgramField, TimerProgram } from '../../../program/index.js';
 import { drawable, RUN_OUT } from '../scale.js';
 
 /**
- * How a slot of a program is run through: its positions are `held` until the next one, or `passed` over because the next one
- * has the same time, or the next one lies `back` before it; what the timer does then is not known.
+ * How a slot of a program is run through: its positions are `held` until the next one, or `passed` over because the
+ * next one has the same time, or the next one lies `back` before it; what the timer does then is not known.
  */
 export type Passing = 'held' | 'passed' | 'back';
 
@@ -52,7 +52,10 @@ export function endOf(program: TimerProgram): number {
 /** Which slot a flight has reached. */
 export interface Reached {
   readonly slot: number;
-  /** False where times fall and one of the later slots has come before this one is over: what the timer does is not known. */
+  /**
+   * False where times fall and one of the later slots has come before this one is over: what the timer does is not
+   * known.
+   */
   readonly certain: boolean;
 }
 

@@ -4,7 +4,10 @@ import { servoClass } from '../layers.js';
 import type { Linkages, Surface } from './surfaces.js';
 import './model-sketch.css';
 
-/** How far a surface turns on the sketch at the end of a servo's way, in degrees. Chosen to be seen; not those of any model. */
+/**
+ * How far a surface turns on the sketch at the end of a servo's way, in degrees. Chosen to be seen; not those of any
+ * model.
+ */
 const SWING: Readonly<Record<Surface, number>> = { rudder: 30, tailplane: 24, wing: 14 };
 
 export interface ModelSketchProps {
@@ -18,7 +21,10 @@ export interface ModelSketchProps {
   readonly turning: boolean;
 }
 
-/** A free-flight model from the side and from above, in plain lines. The surfaces that servos move have the colours of their lines. */
+/**
+ * A free-flight model from the side and from above, in plain lines. The surfaces that servos move have the colours of
+ * their lines.
+ */
 export function ModelSketch(props: ModelSketchProps) {
   return (
     <div class="sketch">

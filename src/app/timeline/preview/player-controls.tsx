@@ -71,7 +71,10 @@ function SpeedChoice({ player }: { readonly player: Player }) {
   );
 }
 
-/** The slider has this many places. They are spread over the flight as on the timeline, so that short steps can be found. */
+/**
+ * The slider has this many places. They are spread over the flight as on the timeline, so that short steps can be
+ * found.
+ */
 const PLACES = 500;
 const MIN_GAP = 0.05;
 

@@ -21,8 +21,8 @@ export function usualLinkages(servos: number): Linkages {
 }
 
 /**
- * How far a surface is turned at a slot of a program: -1 at one end of the servo's way, 0 in its middle, 1 at the other end. Null
- * where nothing moves it. What angle that is in a model is not known.
+ * How far a surface is turned at a slot of a program: -1 at one end of the servo's way, 0 in its middle, 1 at the other
+ * end. Null where nothing moves it. What angle that is in a model is not known.
  */
 export function deflection({ positions }: TimerProgram, slot: number, { servo, reversed }: Linkage): number | null {
   const position = servo === null ? undefined : positions[servo]?.[slot];
