@@ -10,7 +10,7 @@ import { fieldLabel, messages, slotLabel } from '../messages/index.js';
 import { programKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
 import { IntervalField } from './interval-field.js';
-import { RowLook } from './row-look.js';
+import { RowModel } from './row-model.js';
 import type { Selection } from './selection.js';
 import { ValueField } from './value-field.js';
 
@@ -35,7 +35,7 @@ export function ProgramRow({ session, bench, follow, identity, slot, servos, sel
     return [positions, [{ kind: 'time', slot }, ...positions]] as const;
   }, [servos, slot]);
   const row = useMemo(
-    () => new RowLook({ editor, selection, marked }, slot, fields),
+    () => new RowModel({ editor, selection, marked }, slot, fields),
     [editor, selection, marked, slot, fields],
   );
   const { value: notes } = row.notes;

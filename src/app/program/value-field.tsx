@@ -4,7 +4,7 @@ import { fieldKey, type ProgramField } from '../../program/index.js';
 import { stepValue } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { FieldLook, type FieldPlace } from './field-look.js';
+import { FieldModel, type FieldPlace } from './field-model.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
 import { TimeQuestion } from './time-question.js';
@@ -33,15 +33,15 @@ export function ValueField({ session, field, label, place, readOnly = false, not
   const focused = useSignal(false);
   const key = fieldKey(field);
   const isLarge = place === 'large';
-  const look = useMemo(() => new FieldLook(editor, field, place), [editor, key, place]);
-  const { value: text } = look.text;
-  const { value: unit } = look.unit;
-  const { value: spoken } = look.spoken;
-  const { value: was } = look.was;
-  const { value: either } = look.either;
-  const { value: notes } = look.notes;
-  const isChanged = look.isChanged.value;
-  const isWrong = look.isWrong.value;
+  const model = useMemo(() => new FieldModel(editor, field, place), [editor, key, place]);
+  const { value: text } = model.text;
+  const { value: unit } = model.unit;
+  const { value: spoken } = model.spoken;
+  const { value: was } = model.was;
+  const { value: either } = model.either;
+  const { value: notes } = model.notes;
+  const isChanged = model.isChanged.value;
+  const isWrong = model.isWrong.value;
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
@@ -132,7 +132,7 @@ export function ValueField({ session, field, label, place, readOnly = false, not
         </span>
       )}
       {focused.value && !readOnly && (
-        <FieldTools label={label} onStep={step} onRevert={isChanged || look.isUnreadable.value ? revert : undefined} />
+        <FieldTools label={label} onStep={step} onRevert={isChanged || model.isUnreadable.value ? revert : undefined} />
       )}
     </span>
   );

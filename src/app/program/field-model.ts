@@ -14,7 +14,7 @@ export type FieldPlace = 'table' | 'large';
  * What one field shows. Each part tells of its own changes alone: a keystroke elsewhere draws the field anew only where
  * it says something else.
  */
-export class FieldLook {
+export class FieldModel {
   readonly text: ReadonlySignal<string>;
   readonly unit: ReadonlySignal<Figure['unit'] | null>;
   /** The value as it is said, where a wrong minute would be dear. */

@@ -6,14 +6,14 @@ import { cellFor } from '../editing/grid.js';
 import { type FieldNote, notesFor } from './field-notes.js';
 import type { Selection } from './selection.js';
 
-interface RowModels {
+interface RowSources {
   readonly editor: Editor;
   readonly selection: Selection;
   readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
-/** What one row of the table shows around its fields. Each part tells of its own changes alone, as in `FieldLook`. */
-export class RowLook {
+/** What one row of the table shows around its fields. Each part tells of its own changes alone, as in `FieldModel`. */
+export class RowModel {
   /** What is to be said about its fields. */
   readonly notes: ReadonlySignal<readonly FieldNote[]>;
   readonly isChanged: ReadonlySignal<boolean>;
@@ -23,7 +23,7 @@ export class RowLook {
   /** The column of the field that is meant in the timeline; null where it is in another row. */
   readonly markedAt: ReadonlySignal<number | null>;
 
-  constructor({ editor, selection, marked }: RowModels, slot: number, fields: readonly ProgramField[]) {
+  constructor({ editor, selection, marked }: RowSources, slot: number, fields: readonly ProgramField[]) {
     const keys = fields.map(fieldKey);
     const selected = computed(() => {
       const range = selection.shown.value;
