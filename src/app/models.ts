@@ -39,11 +39,11 @@ export interface AppModels {
 
 export interface ModelOptions extends SessionOptions {
   readonly platform: Platform;
-  /** Between the tabs of this program; null where there is none. */
+  /** Between the tabs of this page; null where there is none. */
   readonly channel: TabChannel | null;
   /** How everything is deleted that is kept outside of the storage. Default: there is nothing. */
   readonly erasers?: Erasers | undefined;
-  /** Begins the page afresh. */
+  /** Loads the page again. */
   readonly reload?: (() => void) | undefined;
   /** What was found missing when the page was opened. Default: nothing. */
   readonly lacks?: readonly Lack[];

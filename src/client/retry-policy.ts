@@ -27,7 +27,7 @@ export const LONGEST_FRAME = frameSize(MAX_DATA);
 /** How often a question, or the questions for a memory, are asked at most to find two answers in a row that agree. */
 export const READS = 6;
 /**
- * How often a reading of a memory is begun again at most, because the memory changed or frames came that nobody asked
+ * How often a reading of a memory is started again at most, because the memory changed or frames came that nobody asked
  * for.
  */
 export const ATTEMPTS = 4;

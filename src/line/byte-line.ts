@@ -23,7 +23,7 @@ export interface ByteLineOptions {
    */
   readonly chunks?: readonly number[];
   /**
-   * What arrives in the place of a byte: `[byte]` as it is, `[]` lost, another value flipped, two values doubled.
+   * What arrives in place of a byte: `[byte]` as it is, `[]` lost, another value flipped, two values doubled.
    * `index` counts all bytes ever sent on this line, from 0.
    */
   readonly fault?: (byte: number, index: number) => readonly number[];

@@ -79,7 +79,7 @@ export type ReadErrorKind = 'break' | 'framing' | 'parity' | 'overrun' | 'system
 export type WriteErrorKind = 'system' | 'lost';
 
 /**
- * What arrives in the place of a byte: `[byte]` as it is, `[]` lost. `index` counts the bytes sent that way, from 0.
+ * What arrives in place of a byte: `[byte]` as it is, `[]` lost. `index` counts the bytes sent that way, from 0.
  */
 export type Fault = (byte: number, index: number) => readonly number[];
 

@@ -150,7 +150,7 @@ export class TimerLink {
   /**
    * Looks whether all is still as the link believes, as after the sleep of the computer. A timer that is `on` is asked
    * what it is once it has nothing else to do: if it is the same kind as before nothing happens, if it is another it is
-   * identified anew, and if nothing answers it is waited for. While the port is `away` it is looked for at once.
+   * identified again, and if nothing answers it is waited for. While the port is `away` it is looked for at once.
    */
   async recheck(): Promise<void> {
     await this.#reconnector?.recheck();

@@ -174,7 +174,7 @@ export class TimerCore {
     return frame.subarray(5 - (quirks.zeros ?? 5));
   }
 
-  /** The letter that this timer puts in the place of the right one. */
+  /** The letter that this timer puts in place of the right one. */
   #misprint(name: CommandName): number | undefined {
     if (name === 'GETTIMERS' && this.#quirks.timersReplyAs66) return COMMANDS.GETTIMERS.misprint;
     if (name === 'UNLOCK' && this.#quirks.unlockReplyAs6A) return COMMANDS.UNLOCK.misprint;

@@ -9,7 +9,7 @@ import './about-timer.css';
 type Assumption = keyof AssumedQuirks & keyof typeof messages.value.aboutTimer.assumptions;
 
 /**
- * What is known of the timer at hand, and what is taken for true of those at the ports that are known; in every state
+ * What is known of the timer at hand, and what is assumed of those at the ports that are known; in every state
  * of the wire.
  */
 export function AboutTimer({ session }: { readonly session: Session }) {

@@ -8,7 +8,7 @@ interface OtherTabNoticeProps {
   readonly onTakeOver: () => Promise<TakeOver>;
 }
 
-/** Another tab of this program holds the port: which one, and may this one have it. */
+/** Another tab of this page holds the port: which one, and may this one have it. */
 export function OtherTabNotice({ tab, onTakeOver }: OtherTabNoticeProps) {
   const { otherTab } = messages.value;
   const answer = useSignal<TakeOver | 'asking' | null>(tab.writing ? 'writing' : null);

@@ -38,7 +38,7 @@ export interface Refusal {
   readonly params: Readonly<Record<'value' | 'min' | 'max', number>>;
 }
 
-/** Why an edit is not done: it cannot be, or a text that is no value yet stands where it would read or write. */
+/** Why an edit is not done: it cannot be, or a text that is not a value yet stands where it would read or write. */
 export type Obstacle = Refusal | Unread<ProgramField>;
 
 /** The text in this field is not a value. */
@@ -53,8 +53,8 @@ export interface EditValues {
   readonly values: readonly FieldValue[];
   /**
    * What stands in these fields afterwards, by their keys, whatever text stands there now: a text as it was typed, or
-   * null for the value. In any other field a text that is no value is in the way of an edit: the pilot may not see that
-   * field.
+   * null for the value. In any other field a text that is not a value is in the way of an edit: the pilot may not see
+   * that field.
    */
   readonly texts?: Readonly<Record<string, string | null>>;
 }
@@ -74,7 +74,7 @@ export type Edit = Outcome & {
 
 export interface TextOption {
   /**
-   * The keys of the fields whose text is no value: what the program has there is not what the pilot sees. Default:
+   * The keys of the fields whose text is not a value: what the program has there is not what the pilot sees. Default:
    * none.
    */
   readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
@@ -117,7 +117,7 @@ export function putBack(name: StepName, to: TimerProgram, fields: readonly Progr
   return { name, values, texts: noTexts(fields) };
 }
 
-/** Puts a whole program in the place of what the pilot wants. Both have the same layout. */
+/** Puts a whole program in place of what the pilot wants. Both have the same layout. */
 export function replaceAll(name: StepName, program: TimerProgram): Edit {
   return putBack(name, program, fieldsOf(program.identity));
 }

@@ -47,7 +47,7 @@ export const link = {
     }),
   },
   chooseAnother: 'Choose another port',
-  /** What came in the place of an answer. */
+  /** What came in place of an answer. */
   itSaid: (bytes: string, text: string) => `What came: ${bytes} (“${text}”).`,
   trySelectBare: 'Try it without a correct checksum',
   away: {

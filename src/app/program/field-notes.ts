@@ -9,7 +9,7 @@ export interface FieldNote {
   readonly text: string;
 }
 
-/** What is to be said about one field: that its text is no value, else what the check found. */
+/** What is to be said about one field: that its text is not a value, else what the check found. */
 export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
   const key = fieldKey(field);
   const unreadable = editor.unreadable.value.get(key);

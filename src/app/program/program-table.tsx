@@ -23,7 +23,7 @@ interface ProgramTableProps {
   readonly session: Session;
   readonly bench: Bench;
   readonly follow: Follow;
-  /** The field whose handle is meant in the timeline: a signal, so that only its row is drawn anew. */
+  /** The field whose handle is meant in the timeline: a signal, so that only its row is drawn again. */
   readonly marked: ReadonlySignal<ProgramField | null>;
 }
 

@@ -29,7 +29,7 @@ export interface LinkOptions {
   readonly onState: (state: LinkState, before: LinkState) => void;
 }
 
-/** What is taken for true of timers of one kind at one port. */
+/** What is assumed of timers of one kind at one port. */
 export interface Assumed {
   readonly portKey: string;
   /** See `kindKey`. */
@@ -63,7 +63,7 @@ export class Link {
     const state = this.state.value;
     return 'port' in state && this.#simulated.has(state.port);
   });
-  /** What is taken for true of timers at the ports that are remembered: a first guess for the next time. */
+  /** What is assumed of timers at the ports that are remembered: a first guess for the next time. */
   readonly assumed: ReadonlySignal<readonly Assumed[]> = computed(() =>
     [...this.#records.value.values()].flatMap(({ key, quirks }) =>
       Object.entries(quirks)
@@ -79,7 +79,7 @@ export class Link {
   readonly #simulated = new WeakSet<SerialPortLike>();
   /** On its way: what is remembered of the ports. */
   #learning: Promise<readonly PortRecord[]> = Promise.resolve([]);
-  /** What is taken for true of the timer at hand, as it was last kept. */
+  /** What is assumed of the timer at hand, as it was last kept. */
   #quirksKept: AssumedQuirks | undefined;
 
   constructor(options: LinkOptions) {

@@ -27,7 +27,7 @@ export type Notice =
       readonly port: PortInfo | null;
       /** See `portKey`; null when no port is meant. */
       readonly portKey: string | null;
-      /** What came in the place of an answer, where that tells something. */
+      /** What came in place of an answer, where that tells something. */
       readonly bytes: Uint8Array | null;
     }
   | { readonly kind: 'timer'; readonly code: TimerErrorCode }

@@ -4,7 +4,7 @@ import { messages, timerName } from '../messages/index.js';
 import type { Session } from './session.js';
 
 /**
- * Another tab of this program that holds the port which is wanted here; and letting go for one that wants the port of
+ * Another tab of this page that holds the port which is wanted here; and letting go for one that wants the port of
  * this one.
  */
 export class PortHolder {

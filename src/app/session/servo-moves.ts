@@ -4,7 +4,7 @@ import type { TimerConnection } from '../../serial/index.js';
 import type { Safety } from './safety.js';
 
 /**
- * Whether a write may move the servos, for timers that keep positions only where they stand. It is asked anew for each
+ * Whether a write may move the servos, for timers that keep positions only where they stand. It is asked again for each
  * write.
  */
 export class ServoMoves {
@@ -55,7 +55,7 @@ export class ServoMoves {
     return isAllowed;
   }
 
-  /** Whether it may have been for want of a movement that positions were not kept. */
+  /** Whether positions may not have been kept because no servo moved. */
   wanted(moved: boolean, reports: readonly WriteReport[]): boolean {
     const values = reports.flatMap((report) => report.values);
     const lost = values.some(({ field, asked, status }) => asked && field.kind === 'position' && status === 'differs');

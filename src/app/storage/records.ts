@@ -184,7 +184,7 @@ export const portSchema = v.object({
   }),
   /** The rate at which a timer answered last; null when none has. */
   foundRate: v.nullable(whole(1, 100_000_000)),
-  /** What was taken for true of the timers at this port, by kind of timer: a first guess for the next one. */
+  /** What was assumed of the timers at this port, by kind of timer: a first guess for the next one. */
   quirks: v.record(
     v.string(),
     v.object({

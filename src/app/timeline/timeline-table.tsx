@@ -59,7 +59,7 @@ function Stages({ program }: { program: TimerProgram }) {
 /** More of these are counted and not listed. */
 const MOST_NOTES = 3;
 
-/** What the picture shows that is not plain: functions that are passed over, and times that fall. */
+/** What the picture shows that is not plain: functions that are skipped, and times that fall. */
 export function TimelineNotes({ program }: { program: TimerProgram }) {
   const { timeline } = messages.value;
   const { identity } = program;

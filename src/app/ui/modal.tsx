@@ -44,7 +44,7 @@ export function Modal({ open, title, head, titleId, onEscape, held, children }: 
       onClose={() => {
         // It is told late: the dialog may be open again, for something else.
         if (dialog.current?.open) return;
-        // A browser lets Escape be refused once, then closes all the same.
+        // A browser lets Escape be refused once, then closes anyway.
         if (held) dialog.current?.showModal();
         else onEscape();
       }}

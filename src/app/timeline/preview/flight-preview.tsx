@@ -62,7 +62,7 @@ interface PlayedProps {
   readonly player: Player;
 }
 
-/** The sketch, drawn anew when something happens and not at each frame. */
+/** The sketch, drawn again when something happens and not at each frame. */
 function Model({ program, player, linkages }: PlayedProps & { readonly linkages: Linkages }) {
   const { preview, servoName } = messages.value;
   const reached = useMemo(() => computed(() => reachedAt(program, player.time.value).slot), [program, player]);
