@@ -18,8 +18,8 @@ import type { CommandName, Identity } from '../protocol/index.js';
  * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was identified; `identity` is
  *   what it says of itself. Nothing more was sent.
  * - `stale`: the timer holds something else than the caller believed, so nothing was written; `held` is what it holds.
- * - `changed`: after a write more values differ from what was read than the write can have changed: something else changed the
- *   timer, or it is another one. Nothing was put back.
+ * - `changed`: in a write, after silence or at the end, the timer held what the write cannot have brought about: something else
+ *   changed it, or it is another one. Nothing was sent again or put back.
  * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to choose first.
  * - `port-lost`: the stream of bytes ended: unplugged, closed by someone else; `cause` says how.
  * - `aborted`: the caller's signal asked to stop. The port stays usable.

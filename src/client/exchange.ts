@@ -36,6 +36,8 @@ export interface RetryPolicy {
   readonly anyReply?: boolean | undefined;
   /** Whether a letter that belongs to another command may be taken only where this timer was seen to use it. Default false. */
   readonly strict?: boolean | undefined;
+  /** Makes sure, before the request goes out again after something stayed unanswered, that it still may. */
+  readonly beforeRepeat?: (() => Promise<void>) | undefined;
 }
 
 /** How an answer is believed. */
@@ -223,7 +225,7 @@ export class Exchange {
   async #askUntilAnswered(
     request: Request,
     signal: AbortSignal | undefined,
-    { tries = SENDS, unanswered = UNANSWERED, anyReply = false, strict = false }: RetryPolicy,
+    { tries = SENDS, unanswered = UNANSWERED, anyReply = false, strict = false, beforeRepeat }: RetryPolicy,
   ): Promise<Reply> {
     const { name } = request;
     const wire = this.#wire;
@@ -232,13 +234,22 @@ export class Exchange {
     let silent = 0;
     let bad = 0;
     let badReply: unknown;
+    let isChecked = true;
     const isIgnored = (): boolean => silent === sent && sent >= (wire.damage > 0 ? tries : unanswered);
     this.#misses = 0;
     this.#silent = 0;
     while (this.#mayGoOn(request, seen()) || (await this.#comesLate(request, seen, signal))) {
       throwIfAborted(signal);
       const mayBeLate = wire.unanswered.size > 0 && !(anyReply && this.#isAlone(COMMANDS[name].request));
-      if (mayBeLate && !(await this.#fence(signal))) continue;
+      if (mayBeLate && !(await this.#fence(signal))) {
+        isChecked = false;
+        continue;
+      }
+      if (sent > 0 && beforeRepeat && !isChecked) {
+        await beforeRepeat();
+        isChecked = true;
+        continue;
+      }
       throwIfAborted(signal);
       if (sent > 0) this.schedule.repeated();
       sent++;
@@ -248,6 +259,7 @@ export class Exchange {
         this.schedule.answered(name);
         return outcome.answer;
       }
+      isChecked = outcome.kind !== 'silent';
       if (outcome.kind === 'silent') silent++;
       if (outcome.kind === 'bad') {
         badReply = outcome.error;

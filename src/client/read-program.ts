@@ -30,7 +30,7 @@ export function readingPlan(identity: Identity, { idleThrottle = false, strict, 
   return ['GETSWVER', 'GETMEMORY', ...content, ...(known ? [] : content), ...ends];
 }
 
-type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
+export type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 
 /**
  * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that another timer, or
@@ -75,8 +75,11 @@ async function isStillCurrent(job: ClientJob, memory: number | null, how: Readin
   return now.memory === memory && !now.renumbered;
 }
 
-/** Reads the content until it is believed. */
-async function agreedContent(
+/**
+ * Reads the content until it is believed.
+ * @param before a reading that came before, or what is expected: counts as the first of two.
+ */
+export async function agreedContent(
   job: ClientJob,
   { strict = false, idleThrottle = false }: Reading,
   before: Content | undefined,

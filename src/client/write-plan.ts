@@ -6,11 +6,15 @@ import {
   type ProgramField,
   type TimerProgram,
   valueAt,
+  withValue,
 } from '../program/index.js';
 import { type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
 import { type Reading, readingPlan } from './read-program.js';
 import type { Part } from './schedule.js';
 import { unasked } from './write-report.js';
+
+/** Hundredths of a second by which a timer that rounds may change a time. */
+const ROUNDING = 100;
 
 /** What a write has to do, as the pilot agreed to it. */
 export interface WritePlan {
@@ -89,6 +93,33 @@ export function isForeign(plan: WritePlan, held: TimerProgram, damaged: boolean)
   // Values that did not take beside others that nobody asked for, on a good line: the requests probably went elsewhere.
   const isExplained = damaged || wrong.some((change) => isExchanged(plan, change));
   return wrong.length > 0 && !isExplained && asked.some(({ field, to }) => valueAt(held, field) !== to);
+}
+
+/**
+ * Whether the baseline and some of the requests explain what the timer holds. It may round a time.
+ */
+export function isExplained(plan: WritePlan, held: TimerProgram): boolean {
+  const isSent = plan.requests.some(({ name }) => name === 'SETTIMERS');
+  return differences(held, plan.goal).every((change) => {
+    const { field, from, to } = change;
+    if (from === null || to === null || from === valueAt(plan.baseline, field)) return true;
+    const isRounded = isSent && field.kind === 'time' && Math.abs(from - to) < ROUNDING;
+    return isRounded || isExchanged(plan, change);
+  });
+}
+
+/** What the timer holds once it has taken a request, if it takes it as it was sent. */
+export function withRequest(program: TimerProgram, request: Request, said: readonly number[] | null): TimerProgram {
+  switch (request.name) {
+    case 'SETTIMERS':
+      return { ...program, times: said ?? request.times };
+    case 'SETSERVO':
+      return withValue(program, { kind: 'position', servo: request.servo, slot: request.function }, request.position);
+    case 'SETLOWRPM':
+      return { ...program, idleThrottle: request.idleThrottle };
+    default:
+      return program;
+  }
 }
 
 /** The cell that changed to a position that was sent for the cell with function and servo exchanged. */

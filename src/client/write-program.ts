@@ -2,15 +2,17 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../program/index
 import { encodeRequest, type Reply, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import type { ClientJob } from './job.js';
-import { readContent, readingPlan } from './read-program.js';
+import { agreedContent, readContent, readingPlan } from './read-program.js';
 import {
   arePositionsKept,
   exchangedCell,
+  isExplained,
   isForeign,
   isNoPositionKept,
   repairRequests,
   roundedSlot,
   type WritePlan,
+  withRequest,
 } from './write-plan.js';
 import { isHeld, unasked, verdict, type WriteReport } from './write-report.js';
 
@@ -77,7 +79,7 @@ class Write {
   /** @returns what stopped it. */
   async run(): Promise<TimerError | null> {
     const { quirks } = this.#job;
-    let stopped = await this.#send('write', this.#plan.requests);
+    let stopped = await this.#send('write', this.#plan);
     if (!stopped || isUnanswered(stopped)) stopped = (await this.#readBack()) ?? stopped;
     const { held } = this;
     if (!held) return stopped;
@@ -90,25 +92,27 @@ class Write {
     if (repair.requests.length === 0) return stopped;
     const { assumed } = quirks;
     quirks.assumed = { ...assumed, ...repair.quirks };
-    stopped = await this.#send('repair', repair.requests);
+    stopped = await this.#send('repair', { ...this.#plan, baseline: held, requests: repair.requests });
     quirks.assumed = assumed;
     return (await this.#readBack()) ?? stopped;
   }
 
   /** Whatever the line does to the requests, there is time left to see what came of them. */
-  #send(stage: 'write' | 'repair', requests: readonly Request[]): Promise<TimerError | null> {
+  #send(stage: 'write' | 'repair', plan: WritePlan): Promise<TimerError | null> {
     const { exchange, identity } = this.#job;
     const { schedule } = exchange;
     const work = async (): Promise<void> => {
       this.held = null;
       schedule.enter(stage);
-      for (const request of requests) {
-        const reply = await askNoting(this.#job, request);
+      let expected = plan.baseline;
+      for (const request of plan.requests) {
+        const reply = await askNoting(this.#job, request, () => requireSame(this.#job, plan, expected));
         if (reply.name === 'SETTIMERS') this.#timesSaid = reply.times;
+        expected = withRequest(expected, request, this.#timesSaid);
         if (request.name !== 'MOVETOFUNC') this.acknowledged++;
       }
     };
-    return attempt(() => schedule.keepTimeFor(readingPlan(identity, this.#plan.after), work));
+    return attempt(() => schedule.keepTimeFor(readingPlan(identity, plan.after), work));
   }
 
   #readBack(): Promise<TimerError | null> {
@@ -145,9 +149,13 @@ function isUnanswered({ code }: TimerError): boolean {
 }
 
 /** Asks, and notes a SETSERVO without an answer that a timer which takes the servo first would have found out of range. */
-async function askNoting({ exchange, identity, signal, quirks }: ClientJob, request: Request): Promise<Reply> {
+async function askNoting(
+  { exchange, identity, signal, quirks }: ClientJob,
+  request: Request,
+  beforeRepeat: () => Promise<void>,
+): Promise<Reply> {
   try {
-    return await exchange.ask(request, signal);
+    return await exchange.ask(request, signal, { beforeRepeat });
   } catch (error) {
     const isSilent = error instanceof TimerError && error.code === 'no-answer';
     if (isSilent && request.name === 'SETSERVO' && request.function >= identity.servos) {
@@ -155,6 +163,18 @@ async function askNoting({ exchange, identity, signal, quirks }: ClientJob, requ
     }
     throw error;
   }
+}
+
+/**
+ * While nothing came another timer of the same kind may have taken the place of this one: no question for the identity tells the two
+ * apart, but what they hold does.
+ * @param expected what the timer holds if it has taken all that it acknowledged, and no more.
+ * @throws TimerError `changed` when two readings agree on what this write cannot have brought about; as Exchange.
+ */
+async function requireSame(job: ClientJob, plan: WritePlan, expected: TimerProgram): Promise<void> {
+  const { content } = await agreedContent(job, plan.after, expected);
+  if (isExplained(plan, { ...expected, ...content })) return;
+  throw new TimerError('changed', 'after silence the timer holds what this write cannot have brought about');
 }
 
 async function attempt(work: () => Promise<void>): Promise<TimerError | null> {

@@ -62,7 +62,10 @@ describe('giving up', () => {
     const content = ['GETTIMERS', 'GETSERVOPOS'];
     expect(names(timer.core.answered)).toEqual([
       ...['GETSWVER', 'GETMEMORY', ...content, 'GETMEMORY', 'GETSWVER'],
-      ...Array(9).fill('GETSWVER'),
+      // A fence before each repeat, and a look whether it is still the same timer.
+      ...Array(9)
+        .fill(['GETSWVER', ...content])
+        .flat(),
       // The last fence, and the reading back.
       'GETSWVER',
       ...['GETSWVER', 'GETMEMORY', ...content, ...content, 'GETMEMORY', 'GETSWVER'],

@@ -19,8 +19,10 @@ const VERIFY = 8;
 class TwoTimers implements BytePort {
   readonly readable: ReadableStream<Uint8Array>;
   readonly writable: WritableStream<Uint8Array>;
-  /** The request, counted from 1, that the second one hears first. */
+  /** The request, counted from 1, that the second one hears first, unless it is lost on the way from one to the other. */
   swapAt = Number.POSITIVE_INFINITY;
+  /** How many requests neither hears, from that one on. */
+  lost = 0;
   requests = 0;
   at: VirtualTimer;
 
@@ -39,6 +41,7 @@ class TwoTimers implements BytePort {
       write: (bytes) => {
         this.requests++;
         if (this.requests >= this.swapAt) this.at = second;
+        if (this.requests >= this.swapAt && this.requests < this.swapAt + this.lost) return;
         return writers.get(this.at)?.write(bytes);
       },
     });
@@ -52,7 +55,7 @@ function setsOf({ core }: VirtualTimer): string[] {
 type Second = 'another class' | 'another content' | 'the same content';
 
 /** Confirms a write on the first timer and holds the head over another one from a request of the write on. */
-async function swapped(second: Second, swapAt: number) {
+async function swapped(second: Second, swapAt: number, lost = 0) {
   const clock = new VirtualClock();
   const first = new VirtualTimer({ clock, identity: SMALL });
   const identity: Partial<Identity> = second === 'another class' ? { ...SMALL, timerClass: 'E' } : SMALL;
@@ -65,6 +68,7 @@ async function swapped(second: Second, swapAt: number) {
   const goal = goalOf(baseline);
   port.requests = 0;
   port.swapAt = swapAt;
+  port.lost = lost;
   const result = await clock.run(client.writeProgram(goal, { baseline }).catch((error: unknown) => error));
   return { first, other, before, goal, result: result as Partial<WriteReport> & { code?: string } };
 }
@@ -109,6 +113,27 @@ describe('another timer under the infra-red head, from any request of a write on
       }
     },
   );
+});
+
+describe('another timer under the infra-red head, after silence among the values', () => {
+  const sets = [FRESH + 1, FRESH + 2];
+
+  it.each([1, 2, 4])('of other content: it gets none of them, however many requests were lost: %i', async (lost) => {
+    for (const swapAt of sets) {
+      const { other, before, result } = await swapped('another content', swapAt, lost);
+      expect(result, `${swapAt}`).toMatchObject({ result: 'unknown', stopped: { code: 'changed' } });
+      expect(setsOf(other), `${swapAt}`).toEqual([]);
+      expect(contentOf(other)).toEqual(before);
+    }
+  });
+
+  it('of another class: it gets none of them', async () => {
+    for (const swapAt of sets) {
+      const { other, result } = await swapped('another class', swapAt, 1);
+      expect(result.stopped, `${swapAt}`).toMatchObject({ code: 'other-timer' });
+      expect(setsOf(other), `${swapAt}`).toEqual([]);
+    }
+  });
 });
 
 describe('another memory, from any answer of the reading back on', () => {

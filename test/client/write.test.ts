@@ -221,7 +221,7 @@ describe('write program', () => {
     expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('puts back what changed by itself also after a request that got no answer', async () => {
+  it('stops, and sends nothing again, when after silence something changed that the write cannot have changed', async () => {
     let lose = false;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
     const baseline = await run(client.readProgram());
@@ -234,9 +234,29 @@ describe('write program', () => {
     };
     const goal = edited(baseline, [[10, 30000]]);
     const report = await run(client.writeProgram(goal, { baseline }));
-    expect(report).toMatchObject({ result: 'verified', stopped: null });
+    expect(report).toMatchObject({ result: 'unknown', held: null, stopped: { code: 'changed' } });
+    expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS']);
     expect(client.quirksFound.size).toBe(0);
-    expect(contentOf(timer)).toEqual(goal);
+
+    timer.core.onAnswer = undefined;
+    const held = await run(client.readProgram());
+    expect(held).toEqual(edited(goal, [], [[2, 9, 1]]));
+    expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
+  });
+
+  it('goes on after silence with a timer that rounds, or takes the servo first', async () => {
+    for (const quirks of [{ timeStep: 10 }, { servoFirst: true }]) {
+      let lose = false;
+      const { client, timer, run } = bench({ quirks, fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
+      const baseline = await run(client.readProgram());
+      let lost = 0;
+      timer.core.onAnswer = ({ name }) => {
+        lose = name.startsWith('SET') && lost++ % 2 === 0;
+      };
+      const goal = edited(baseline, [[10, 30003]], [[0, 2, 70]]);
+      const report = await run(client.writeProgram(goal, { baseline }));
+      expect(report, JSON.stringify(quirks)).toMatchObject({ result: 'differs', stopped: null });
+    }
   });
 
   it('says verified, and nothing of a reply that did not come, when the timer holds all that was wanted', async () => {
