@@ -86,26 +86,25 @@ function inOrder(requests: readonly Request[], moveServos: boolean): Request[] {
 export function isForeign(plan: WritePlan, held: TimerProgram, damaged: boolean): boolean {
   const { goal, asked } = plan;
   const wrong = unasked(held, goal, asked);
-  // Each request can have disturbed one position, and SETTIMERS any of the times.
-  const others = wrong.filter(({ field }) => field.kind !== 'time').length;
-  const times = wrong.length > others ? 1 : 0;
-  if (others + times > setsOf(plan).length) return true;
+  if (isTooMuch(plan, wrong)) return true;
   // Values that did not take beside others that nobody asked for, on a good line: the requests probably went elsewhere.
   const isExplained = damaged || wrong.some((change) => isExchanged(plan, change));
   return wrong.length > 0 && !isExplained && asked.some(({ field, to }) => valueAt(held, field) !== to);
 }
 
 /**
- * Whether the baseline and some of the requests explain what the timer holds. It may round a time.
+ * Whether the baseline and the requests explain what the timer holds in the middle of a write. It may round a time.
+ * @param damaged whether damage was seen: then each request may have disturbed something, too.
  */
-export function isExplained(plan: WritePlan, held: TimerProgram): boolean {
+export function isExplained(plan: WritePlan, held: TimerProgram, damaged: boolean): boolean {
   const isSent = plan.requests.some(({ name }) => name === 'SETTIMERS');
-  return differences(held, plan.goal).every((change) => {
+  const wrong = differences(held, plan.goal).filter((change) => {
     const { field, from, to } = change;
-    if (from === null || to === null || from === valueAt(plan.baseline, field)) return true;
+    if (from === null || to === null || from === valueAt(plan.baseline, field)) return false;
     const isRounded = isSent && field.kind === 'time' && Math.abs(from - to) < ROUNDING;
-    return isRounded || isExchanged(plan, change);
+    return !isRounded && !isExchanged(plan, change);
   });
+  return wrong.length === 0 || (damaged && !isTooMuch(plan, wrong));
 }
 
 /** What the timer holds once it has taken a request, if it takes it as it was sent. */
@@ -190,6 +189,9 @@ function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly C
   });
 }
 
-function setsOf({ requests }: WritePlan): Request[] {
-  return requests.filter(({ name }) => name !== 'MOVETOFUNC');
+/** Whether more changed than the requests can have disturbed: each of them one position, and SETTIMERS any of the times. */
+function isTooMuch({ requests }: WritePlan, wrong: readonly Change[]): boolean {
+  const others = wrong.filter(({ field }) => field.kind !== 'time').length;
+  const times = wrong.length > others ? 1 : 0;
+  return others + times > requests.filter(({ name }) => name !== 'MOVETOFUNC').length;
 }

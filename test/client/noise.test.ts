@@ -64,6 +64,20 @@ describe('a line that damages 1 % of all bytes', () => {
   });
 });
 
+it('a request that damage turned into another one, with a right sum, is put right and verified', async () => {
+  // Seeds at which that happened, and a reply was lost behind it.
+  for (const of of [1_670_909]) {
+    const field = noisy(0.01, of, { timerClass: 'Q' });
+    const { client, timer, run } = field;
+    await meet(field);
+    await run(client.readProgram());
+    const goal = everyValueChanged(snapshot(field));
+    const report = await run(client.writeProgram(goal, { baseline: snapshot(field) }));
+    expect(report).toMatchObject({ result: 'verified', stopped: null });
+    expect(contentOf(timer)).toEqual(goal);
+  }
+});
+
 describe('a line that damages 5 % of all bytes', () => {
   it('gets it done or says clearly that it did not; once the line is quiet, the goal is reached', async () => {
     await fc.assert(
