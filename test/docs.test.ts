@@ -2,10 +2,11 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { FIRST_VERSIONS } from '../src/app/browser/platform.js';
+import { longComments } from './tools/columns.js';
 import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
-import { importsBetween, levels, pictures } from './tools/rooms.js';
+import { draw, importsBetween, levels, pictures } from './tools/rooms.js';
 import { flaws, flawsOfPage, strayClasses } from './tools/styles.js';
 
 const texts = [
@@ -82,9 +83,43 @@ describe('the docs', () => {
   });
 });
 
+describe('comments', () => {
+  it('are found where they pass 120 columns, but code, and an address that fills its line, are not', () => {
+    const long = 'word '.repeat(24);
+    const lines = [
+      '// short',
+      `  // ${long}`,
+      ` * ${long}`,
+      `const text = '${long}';`,
+      `// https://${'a'.repeat(120)}`,
+    ];
+    expect(longComments(lines.join('\n'))).toEqual([2, 3]);
+  });
+});
+
 describe('the picture of the rooms', () => {
   it('finds the imports of a room', () => {
     expect(importsBetween('src').get('program')).toEqual(new Map([['protocol', expect.any(Number)]]));
+  });
+
+  it('leads an arrow over several rows beside the rooms between', () => {
+    const graph = new Map([
+      ['top', new Map(Object.entries({ left: 1, right: 1, bottom: 1 }))],
+      ['left', new Map([['under', 1]])],
+      ['right', new Map([['under', 1]])],
+      ['under', new Map()],
+      ['bottom', new Map()],
+    ]);
+    const picture = draw(graph, 'a picture');
+    const between = /<path d="[^"]*C[^"]* (\d+) (\d+)V(\d+)"\/>/.exec(picture)?.slice(1).map(Number);
+    const [x = 0, from = 0, to = 0] = between ?? [];
+    expect(to).toBeGreaterThan(from);
+    const boxes = [...picture.matchAll(/<rect x="(\d+)" y="(\d+)" width="(\d+)"/g)].map((box) =>
+      box.slice(1).map(Number),
+    );
+    const inRow = boxes.filter(([, y]) => y === from);
+    expect(inRow).toHaveLength(2);
+    for (const [left = 0, , width = 0] of inRow) expect(x < left || x > left + width).toBe(true);
   });
 
   it('refuses imports that go round', () => {

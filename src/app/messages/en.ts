@@ -265,7 +265,7 @@ export const en = {
     notKnown: 'Not known: the times fall',
     zero: '0 s',
     tools: 'View',
-    even: 'Even seconds',
+    even: 'Even time scale',
     zoomIn: 'Zoom in',
     zoomOut: 'Zoom out',
     fit: 'Show all',
