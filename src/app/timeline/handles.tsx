@@ -2,8 +2,8 @@ import type { ComponentChildren } from 'preact';
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
 import { fieldLabel, messages } from '../messages/index.js';
-import { type Arrangement, FLAG, type Flag } from './arrangement.js';
 import { limitsOf, type OnEdit } from './drag.js';
+import { FLAG, type Flag, type Geometry } from './geometry.js';
 import type { HandleKeys } from './key-control.js';
 import { servoClass } from './layers.js';
 import { timeOf } from './preview/flight.js';
@@ -11,7 +11,7 @@ import type { TimelineModel } from './view-model.js';
 import './handles.css';
 
 export interface HandlesProps {
-  readonly arrangement: Arrangement;
+  readonly geometry: Geometry;
   readonly model: TimelineModel;
   readonly keys: HandleKeys;
   readonly front: number;
@@ -25,8 +25,8 @@ export interface HandlesProps {
 
 /** The marks above the plot, the end of the motor and the steps of the servo in front, in the order of the slots. */
 export function Handles(props: HandlesProps) {
-  const { arrangement, front, onEdit } = props;
-  const { flags, stages, heights, layout, measures, motorStop } = arrangement;
+  const { geometry, front, onEdit } = props;
+  const { flags, stages, heights, layout, measures, motorStop } = geometry;
   const row = heights[front];
   const dots = onEdit && row ? row : [];
   return (
@@ -105,7 +105,7 @@ interface HandleProps extends HandlesProps {
 }
 
 function Handle({
-  arrangement,
+  geometry,
   model,
   keys,
   selected,
@@ -118,7 +118,7 @@ function Handle({
   inView,
   children,
 }: HandleProps) {
-  const { program } = arrangement;
+  const { program } = geometry;
   const key = fieldKey(field);
   const isSelected = selected !== null && fieldKey(selected) === key;
   const place = { transform: `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})` };
@@ -151,7 +151,7 @@ function Handle({
       aria-valuetext={isTime ? seconds(formatTime(value)) : steps(value)}
       onFocus={() => {
         model.setEntered(true);
-        model.reveal(arrangement.layout.scale.place(timeOf(program, field)));
+        model.reveal(geometry.layout.scale.place(timeOf(program, field)));
         onSelect?.(field);
       }}
       onKeyDown={(event) => keys.down(event, now(), field, onEdit)}

@@ -1,6 +1,6 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import type { Arrangement } from './arrangement.js';
 import { DragEdit, limitsOf, type OnEdit, stepped } from './drag.js';
+import type { Geometry } from './geometry.js';
 import { marksOf } from './preview/flight.js';
 import type { Scale } from './scale.js';
 import type { TimelineModel } from './view-model.js';
@@ -45,7 +45,7 @@ export class HandleKeys {
     const value = valueByKey(program, field, event);
     if (value === null) return;
     take(event);
-    this.#model.asked.value = null;
+    this.#model.ask(null);
     this.#edit ??= new DragEdit(program, field, onEdit);
     if (value !== valueAt(program, field)) this.#edit.move(value);
   }
@@ -61,7 +61,7 @@ const ZOOM = 1.5;
 const PAN = 0.2;
 
 /** Keys at the picture as a whole: the arrows go from mark to mark, with Shift they move what is in view; + and − zoom. */
-export function pictureKey(event: KeyboardEvent, model: TimelineModel, { program, layout }: Arrangement): void {
+export function pictureKey(event: KeyboardEvent, model: TimelineModel, { program, layout }: Geometry): void {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target !== event.currentTarget) return;
   const action = actionOf(event, model, program, layout.scale);
   if (!action) return;
@@ -78,8 +78,7 @@ function actionOf(
   const { asked } = model;
   const marks = [0, ...marksOf(program)];
   const ask = (time: number | null) => (): void => {
-    asked.value = time;
-    model.spoken.value = time;
+    model.askAloud(time);
     if (time !== null) model.reveal(scale.place(time));
   };
   const now = asked.value;

@@ -1,13 +1,13 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
-import { type Arrangement, FLAG } from './arrangement.js';
+import { FLAG, type Geometry } from './geometry.js';
 import { linesOf, spread } from './layout.js';
 import { marksOf, motorStopOf, reachedAt, stagesOf } from './preview/flight.js';
 import { shortTime } from './ticks.js';
 import './layers.css';
 
 interface PictureProps {
-  readonly arrangement: Arrangement;
+  readonly geometry: Geometry;
   readonly front: number | null;
   readonly selected: ProgramField | null;
   /** What lies behind. */
@@ -17,25 +17,25 @@ interface PictureProps {
 }
 
 /** All that is drawn of a program but its handles. */
-export function Picture({ arrangement, front, selected, overlay, clip }: PictureProps) {
-  const { left, right } = arrangement.layout.box;
-  const { height } = arrangement.measures;
+export function Picture({ geometry, front, selected, overlay, clip }: PictureProps) {
+  const { left, right } = geometry.layout.box;
+  const { height } = geometry.measures;
   return (
     <>
       <clipPath id={clip}>
         <rect x={left - 2} y={0} width={right - left + 4} height={height} />
       </clipPath>
-      <Grid {...arrangement} />
+      <Grid {...geometry} />
       <g clip-path={`url(#${clip})`}>
-        <MotorRun {...arrangement} />
-        <Unknown {...arrangement} />
-        {overlay && <Overlay program={overlay} layout={arrangement.layout} />}
-        <Marks {...arrangement} selected={selected} />
-        <Lines {...arrangement} front={front} />
+        <MotorRun {...geometry} />
+        <Unknown {...geometry} />
+        {overlay && <Overlay program={overlay} layout={geometry.layout} />}
+        <Marks {...geometry} selected={selected} />
+        <Lines {...geometry} front={front} />
       </g>
-      <TimeAxis {...arrangement} selected={selected} />
-      <LineNames {...arrangement} front={front} />
-      <Extent {...arrangement} />
+      <TimeAxis {...geometry} selected={selected} />
+      <LineNames {...geometry} front={front} />
+      <Extent {...geometry} />
     </>
   );
 }
@@ -54,7 +54,7 @@ function levels(highest: number): number[] {
 }
 
 /** The positions at the left edge and their lines across the plot. */
-function Grid({ layout, measures }: Arrangement) {
+function Grid({ layout, measures }: Geometry) {
   const { left, right } = layout.box;
   return (
     <g class="grid">
@@ -79,14 +79,7 @@ function Grid({ layout, measures }: Arrangement) {
 const FIRST_ROOM = 14;
 
 /** The times below the plot: DT in strong letters, those of the marks, and round ones where there is room. */
-function TimeAxis({
-  program,
-  layout,
-  measures,
-  ticks,
-  stages,
-  selected,
-}: Arrangement & Pick<PictureProps, 'selected'>) {
+function TimeAxis({ program, layout, measures, ticks, stages, selected }: Geometry & Pick<PictureProps, 'selected'>) {
   const dt = stages.at(-1)?.from;
   const marks = new Set(marksOf(program));
   const chosen = selected?.kind === 'time' ? program.times[selected.slot] : undefined;
@@ -110,7 +103,7 @@ function TimeAxis({
 }
 
 /** Where times fall: between a function and the one before it, which comes later. */
-function Unknown({ stages, layout }: Arrangement) {
+function Unknown({ stages, layout }: Geometry) {
   const { top, bottom } = layout.box;
   return (
     <g class="unknown">
@@ -124,7 +117,7 @@ function Unknown({ stages, layout }: Arrangement) {
 }
 
 /** The uprights of the functions and of DT, from their numbers down. */
-function Marks({ flags, layout, measures, selected }: Arrangement & { selected: ProgramField | null }) {
+function Marks({ flags, layout, measures, selected }: Geometry & { selected: ProgramField | null }) {
   const { top, bottom } = layout.box;
   const flagged = measures.left >= 24;
   const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
@@ -148,7 +141,7 @@ function Marks({ flags, layout, measures, selected }: Arrangement & { selected: 
 const MOTOR_NAME = 90;
 
 /** While the motor runs. */
-function MotorRun({ motorStop, layout, measures }: Arrangement) {
+function MotorRun({ motorStop, layout, measures }: Geometry) {
   if (motorStop === null) return null;
   const start = layout.x(0);
   const { top, bottom } = layout.box;
@@ -170,12 +163,12 @@ function MotorRun({ motorStop, layout, measures }: Arrangement) {
 }
 
 /** The lines of the servos, the one in front last. */
-function Lines({ lines, front }: Pick<Arrangement, 'lines'> & { front: number | null }) {
+function Lines({ lines, front }: Pick<Geometry, 'lines'> & { front: number | null }) {
   const order = lines.map((_, servo) => servo).sort((a, b) => Number(a === front) - Number(b === front));
   return (
     <g class={`lines ${lines.length > 12 ? 'many' : ''}`}>
       {order.map((servo) => {
-        const { held, steps, back } = lines[servo] as Arrangement['lines'][number];
+        const { held, steps, back } = lines[servo] as Geometry['lines'][number];
         return (
           <g key={servo} class={`servo-line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
             <path class="steps" d={steps} />
@@ -189,7 +182,7 @@ function Lines({ lines, front }: Pick<Arrangement, 'lines'> & { front: number | 
 }
 
 /** A second program, faint behind the first: its lines, and where its DT and its motor stop are. */
-function Overlay({ program, layout }: { program: TimerProgram; layout: Arrangement['layout'] }) {
+function Overlay({ program, layout }: { program: TimerProgram; layout: Geometry['layout'] }) {
   const { top, bottom } = layout.box;
   const dt = stagesOf(program).at(-1)?.from ?? 0;
   const stop = motorStopOf(program);
@@ -209,7 +202,7 @@ const MOST_NAMES = 10;
 const NAME_HEIGHT = 14;
 
 /** The name of each servo where its line leaves the picture. */
-function LineNames({ program, heights, layout, measures, front }: Arrangement & { readonly front: number | null }) {
+function LineNames({ program, heights, layout, measures, front }: Geometry & { readonly front: number | null }) {
   const { top, bottom, right } = layout.box;
   const { slot } = reachedAt(program, layout.time(right));
   const named = heights.map((row, servo) => ({ servo, y: row[slot] as number }));
@@ -238,7 +231,7 @@ function LineNames({ program, heights, layout, measures, front }: Arrangement & 
 }
 
 /** Which part of the whole is in view, where it is not all. */
-function Extent({ layout, measures }: Arrangement) {
+function Extent({ layout, measures }: Geometry) {
   const { start, span } = layout.view;
   if (span >= 1) return null;
   const { left } = layout.box;
@@ -253,8 +246,8 @@ function Extent({ layout, measures }: Arrangement) {
 }
 
 /** A line at one time of the flight, with a dot on each servo's line. */
-export function Crosshair({ arrangement, time }: { arrangement: Arrangement; time: number | null }) {
-  const { layout, heights, program } = arrangement;
+export function Crosshair({ geometry, time }: { geometry: Geometry; time: number | null }) {
+  const { layout, heights, program } = geometry;
   if (time === null || !layout.shows(layout.x(time))) return null;
   const { top, bottom } = layout.box;
   const { slot } = reachedAt(program, time);

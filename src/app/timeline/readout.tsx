@@ -59,9 +59,7 @@ export function MomentLegend(props: MomentProps & { readonly front: number; read
     <Legend
       {...{ program, front, overlay }}
       time={model.asked.value ?? cursor}
-      onFront={(servo) => {
-        model.bringToFront(servo);
-      }}
+      onFront={(servo) => model.bringToFront(servo)}
     />
   );
 }

@@ -1,13 +1,14 @@
 import { useEffect, useId, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
-import { arrange, measuresOf, scaleOf } from './arrangement.js';
 import type { OnEdit } from './drag.js';
+import { geometryOf, measuresOf, scaleOf } from './geometry.js';
 import { Handles } from './handles.js';
 import { useGlide, useStable, useWidth } from './hooks.js';
 import { HandleKeys, pictureKey } from './key-control.js';
 import { Crosshair, Picture } from './layers.js';
-import { PointerControl, type Target } from './pointer.js';
+import type { Target } from './pointer/gesture.js';
+import { PointerControl } from './pointer/pointer-control.js';
 import { timeOf } from './preview/flight.js';
 import { descriptionOf, Moment, MomentLegend, Spoken } from './readout.js';
 import { TimelineNotes, TimelineTable } from './timeline-table.js';
@@ -79,8 +80,8 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   const wanted = useMemo(() => scaleOf(program, behind, even, plot), [program, behind, even, plot]);
   const scale = useGlide(wanted, model.moving.value?.scale ?? null, plot);
   const view = model.view.value;
-  const arrangement = useMemo(
-    () => arrange(program, { scale, view, plot, measures, overlay: behind, selected, even }),
+  const geometry = useMemo(
+    () => geometryOf(program, { scale, view, plot, measures, overlay: behind, selected, even }),
     [program, behind, scale, view, plot, selectedKey, even],
   );
   const front = Math.min(model.front.value, program.identity.servos - 1);
@@ -89,7 +90,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   const pointer = useMemo(() => new PointerControl(model, () => target.current), []);
   const wantedField = model.wanted.value;
   useLayoutEffect(() => {
-    target.current = svg.current && { svg: svg.current, arrangement, now, onEdit };
+    target.current = svg.current && { svg: svg.current, geometry, now, onEdit };
     if (!wantedField) return;
     model.want(null);
     svg.current?.querySelector<SVGElement>(`[data-field="${fieldKey(wantedField)}"]`)?.focus({ preventScroll: true });
@@ -121,12 +122,12 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   }, [selectedKey]);
 
   const picture = useMemo(
-    () => <Picture arrangement={arrangement} front={front} selected={selected} overlay={behind} clip={`${id}-plot`} />,
-    [arrangement, front, behind],
+    () => <Picture geometry={geometry} front={front} selected={selected} overlay={behind} clip={`${id}-plot`} />,
+    [geometry, front, behind],
   );
   const handles = useMemo(
-    () => <Handles {...{ arrangement, model, keys, front, selected, now, onEdit, onSelect }} />,
-    [arrangement, front, onEdit, onSelect],
+    () => <Handles {...{ geometry, model, keys, front, selected, now, onEdit, onSelect }} />,
+    [geometry, front, onEdit, onSelect],
   );
   const { height } = measures;
   return (
@@ -156,14 +157,14 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
           // The handle that is nearest gets the focus, not the one that lies on top.
           onMouseDown={(event) => event.preventDefault()}
           onDblClick={pointer.doubleClick}
-          onKeyDown={(event) => pictureKey(event, model, arrangement)}
+          onKeyDown={(event) => pictureKey(event, model, geometry)}
           onFocusOut={(event) => {
             const next = event.relatedTarget as Node | null;
             model.setEntered(next !== svg.current && (svg.current?.contains(next) ?? false));
           }}
         >
           {picture}
-          <MomentLine arrangement={arrangement} model={model} cursor={cursor} />
+          <MomentLine geometry={geometry} model={model} cursor={cursor} />
           {handles}
         </svg>
       </div>
@@ -180,9 +181,9 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   );
 }
 
-function MomentLine(props: { arrangement: ReturnType<typeof arrange>; model: TimelineModel; cursor: number | null }) {
-  const { arrangement, model, cursor } = props;
-  return <Crosshair arrangement={arrangement} time={model.asked.value ?? cursor} />;
+function MomentLine(props: { geometry: ReturnType<typeof geometryOf>; model: TimelineModel; cursor: number | null }) {
+  const { geometry, model, cursor } = props;
+  return <Crosshair geometry={geometry} time={model.asked.value ?? cursor} />;
 }
 
 const ALL = { start: 0, span: 1 };
@@ -194,13 +195,13 @@ function SmallTimeline({ program, overlay = null, cursor = null }: TimelineProps
   const behind = overlay?.program ?? null;
   const measures = measuresOf(program, true);
   const plot = Math.max(LEAST_WIDTH, width - measures.left - measures.right);
-  const arrangement = useMemo(() => {
+  const geometry = useMemo(() => {
     const scale = scaleOf(program, behind, false, plot);
-    return arrange(program, { scale, view: ALL, plot, measures, overlay: behind, selected: null, even: false });
+    return geometryOf(program, { scale, view: ALL, plot, measures, overlay: behind, selected: null, even: false });
   }, [program, behind, plot]);
   const picture = useMemo(
-    () => <Picture arrangement={arrangement} front={null} selected={null} overlay={behind} clip={`${id}-plot`} />,
-    [arrangement, behind],
+    () => <Picture geometry={geometry} front={null} selected={null} overlay={behind} clip={`${id}-plot`} />,
+    [geometry, behind],
   );
   return (
     <div class="timeline small">
@@ -212,7 +213,7 @@ function SmallTimeline({ program, overlay = null, cursor = null }: TimelineProps
           aria-label={descriptionOf(program)}
         >
           {picture}
-          <Crosshair arrangement={arrangement} time={cursor} />
+          <Crosshair geometry={geometry} time={cursor} />
         </svg>
       </div>
     </div>

@@ -30,10 +30,7 @@ export function EvenSeconds({ model }: { model: TimelineModel }) {
       <input
         type="checkbox"
         checked={model.even.value}
-        onChange={(event) => {
-          model.setEven(event.currentTarget.checked);
-          model.fit();
-        }}
+        onChange={(event) => model.setEven(event.currentTarget.checked)}
       />
       {messages.value.timeline.even}
     </label>

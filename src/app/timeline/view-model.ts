@@ -15,52 +15,90 @@ export interface Moving {
   readonly scale: Scale;
 }
 
-/** What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program. */
+/**
+ * What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program.
+ */
 export class TimelineModel {
   readonly #even = signal(false);
+  readonly #asked = signal<number | null>(null);
+  readonly #spoken = signal<number | null>(null);
+  readonly #front = signal(0);
+  readonly #moving = signal<Moving | null>(null);
+  readonly #pointed = signal<ProgramField | null>(null);
+  readonly #entered = signal(false);
+  readonly #wanted = signal<ProgramField | null>(null);
+  readonly #view = signal<View>(ALL);
   /** Whether every second has the same length. */
   readonly even: ReadonlySignal<boolean> = this.#even;
   /** The time that a pointer or a key has asked about, in hundredths of a second. */
-  readonly asked = signal<number | null>(null);
+  readonly asked: ReadonlySignal<number | null> = this.#asked;
   /** The same where a key has asked: it is said to who does not see it. */
-  readonly spoken = signal<number | null>(null);
+  readonly spoken: ReadonlySignal<number | null> = this.#spoken;
   /** The servo whose line has handles. */
-  readonly front = signal(0);
-  readonly moving = signal<Moving | null>(null);
+  readonly front: ReadonlySignal<number> = this.#front;
+  readonly moving: ReadonlySignal<Moving | null> = this.#moving;
   /** What the mouse is over and could take hold of; null while something is in hand. */
-  readonly pointed = signal<ProgramField | null>(null);
-  readonly #entered = signal(false);
+  readonly pointed: ReadonlySignal<ProgramField | null> = this.#pointed;
   /** Whether the keyboard is among the handles. */
   readonly entered: ReadonlySignal<boolean> = this.#entered;
   /** The field whose handle shall have the focus as soon as it is there. */
-  readonly wanted = signal<ProgramField | null>(null);
-  readonly #view = signal<View>(ALL);
-
-  get view(): ReadonlySignal<View> {
-    return this.#view;
-  }
+  readonly wanted: ReadonlySignal<ProgramField | null> = this.#wanted;
+  /** What is in view. */
+  readonly view: ReadonlySignal<View> = this.#view;
 
   get zoomed(): boolean {
     return this.#view.value.span < 1;
   }
 
-  setEven(isEven: boolean): void {
-    this.#even.value = isEven;
+  /** Gives every second the same length, or room to where much happens; all is in view then. */
+  setEven(even: boolean): void {
+    this.#even.value = even;
+    this.fit();
+  }
+
+  /** @param time in hundredths of a second; null for no time. */
+  ask(time: number | null): void {
+    this.#asked.value = time;
+  }
+
+  /** Asks about a time, and says it. */
+  askAloud(time: number | null): void {
+    this.#asked.value = time;
+    this.#spoken.value = time;
+  }
+
+  bringToFront(servo: number): void {
+    this.#front.value = servo;
+  }
+
+  pointAt(field: ProgramField | null): void {
+    this.#pointed.value = field;
+  }
+
+  /** Takes a handle in hand. @param scale the axis as it is now. */
+  take(edit: DragEdit, scale: Scale): void {
+    const { field } = edit;
+    this.#asked.value = null;
+    if (field.kind === 'position') this.#front.value = field.servo;
+    this.#wanted.value = field;
+    this.#moving.value = { edit, scale };
+  }
+
+  /** Lets go of the handle. What is in view may have left the picture with it, and comes back. */
+  letGo(): void {
+    if (!this.#moving.peek()) return;
+    this.#moving.value = null;
+    this.settle();
   }
 
   /** The keyboard goes among the handles, or leaves them. */
-  setEntered(isEntered: boolean): void {
-    this.#entered.value = isEntered;
+  setEntered(entered: boolean): void {
+    this.#entered.value = entered;
   }
 
-  /** Gives handles to the line of a servo. */
-  bringToFront(servo: number): void {
-    this.front.value = servo;
-  }
-
-  /** @param field whose handle shall have the focus as soon as it is there; null when it has it. */
+  /** Wants the focus at the handle of a field; null once it is there. */
   want(field: ProgramField | null): void {
-    this.wanted.value = field;
+    this.#wanted.value = field;
   }
 
   /** Shows less or more. @param anchor the place of the scale that stays where it is; the middle of what is in view if there is none. */

@@ -97,7 +97,7 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
 }
 
 /** Everything that is to be drawn for a program, in pixels. */
-export interface Arrangement {
+export interface Geometry {
   readonly program: TimerProgram;
   readonly layout: Layout;
   readonly measures: Measures;
@@ -110,7 +110,7 @@ export interface Arrangement {
   readonly motorStop: number | null;
 }
 
-export interface ArrangeOptions {
+export interface GeometryOptions {
   readonly scale: Scale;
   readonly view: View;
   /** The width of the plot in pixels. */
@@ -125,7 +125,7 @@ export interface ArrangeOptions {
 /** Two times at the axis are this far apart, in pixels. */
 const TICK_GAP = 42;
 
-export function arrange(program: TimerProgram, options: ArrangeOptions): Arrangement {
+export function geometryOf(program: TimerProgram, options: GeometryOptions): Geometry {
   const { scale, view, plot, measures, overlay, selected, even } = options;
   const box = { left: measures.left, right: measures.left + plot, top: measures.top, bottom: measures.bottom };
   const layout = new Layout(scale, view, box, highestOf(overlay ? [program, overlay] : [program]));
@@ -147,24 +147,25 @@ export function arrange(program: TimerProgram, options: ArrangeOptions): Arrange
   };
 }
 
-/** A place that can be taken hold of. */
-export interface Grip {
+/** Where a handle is. */
+export interface HandlePlace {
   readonly field: ProgramField;
   readonly x: number;
   readonly y: number;
 }
 
-/** The places that can be taken hold of: the marks, the end of the motor, and the steps of the servo in front. */
-export function gripsOf({ flags, heights, stages, layout, measures, motorStop }: Arrangement, front: number): Grip[] {
-  const grips = flags.map(({ slot, x }): Grip => ({ field: { kind: 'time', slot }, x, y: FLAG }));
+/** Where the handles are: those of the marks, of the end of the motor, and of the steps of the servo in front. */
+export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
+  const { flags, heights, stages, layout, measures, motorStop } = geometry;
+  const places = flags.map(({ slot, x }): HandlePlace => ({ field: { kind: 'time', slot }, x, y: FLAG }));
   if (motorStop !== null) {
-    grips.push({ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor });
+    places.push({ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor });
   }
   for (const { slot, from } of stages) {
     const y = heights[front]?.[slot];
-    if (y !== undefined) grips.push({ field: { kind: 'position', servo: front, slot }, x: layout.x(from), y });
+    if (y !== undefined) places.push({ field: { kind: 'position', servo: front, slot }, x: layout.x(from), y });
   }
-  return grips;
+  return places;
 }
 
 /** How high the numbers of the marks stand. */

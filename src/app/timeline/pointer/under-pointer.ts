@@ -1,10 +1,7 @@
-import type { ProgramField } from '../../program/index.js';
-import { type Arrangement, gripsOf } from './arrangement.js';
-
-export interface Point {
-  readonly x: number;
-  readonly y: number;
-}
+import type { ProgramField } from '../../../program/index.js';
+import { type Geometry, handlePlaces } from '../geometry.js';
+import type { Layout } from '../layout.js';
+import type { Point, Target } from './gesture.js';
 
 /** How near a pointer must come, in pixels: a finger covers 44, a mouse points. */
 const REACH = { coarse: 22, fine: 13 };
@@ -12,29 +9,35 @@ const LINE_REACH = { coarse: 14, fine: 7 };
 const MARK_REACH = 4;
 
 /**
- * The handle under a pointer: the nearest one within reach. A mouse can also take a line by any part of it, and a
- * function by its upright; a finger would do that without wanting to.
+ * The field whose handle is under a pointer: the nearest one within reach. A mouse can also take a line by any part of
+ * it, and a function by its upright; a finger would do that without wanting to.
  */
-export function aimAt(arrangement: Arrangement, front: number, { x, y }: Point, coarse: boolean): ProgramField | null {
-  const { layout } = arrangement;
+export function fieldUnder(
+  { geometry, onEdit }: Pick<Target, 'geometry' | 'onEdit'>,
+  front: number,
+  { x, y }: Point,
+  coarse: boolean,
+): ProgramField | null {
+  if (!onEdit) return null;
+  const { layout } = geometry;
   const reach = coarse ? REACH.coarse : REACH.fine;
-  const near = gripsOf(arrangement, front)
-    .filter((grip) => layout.shows(grip.x) || grip.field.kind === 'time')
-    .map((grip) => ({ grip, distance: Math.hypot(grip.x - x, grip.y - y) }))
+  const near = handlePlaces(geometry, front)
+    .filter((place) => layout.shows(place.x) || place.field.kind === 'time')
+    .map((place) => ({ field: place.field, distance: Math.hypot(place.x - x, place.y - y) }))
     .filter(({ distance }) => distance <= reach)
     .sort((a, b) => a.distance - b.distance)[0];
-  if (near) return near.grip.field;
+  if (near) return near.field;
   if (coarse || y < layout.box.top || y > layout.box.bottom) return null;
 
-  const line = lineAt(arrangement, front, { x, y }, false);
+  const line = lineUnder(geometry, front, { x, y }, false);
   if (line) return { kind: 'position', ...line };
-  const mark = arrangement.flags.find(({ at }) => Math.abs(at - x) <= MARK_REACH && layout.shows(at));
+  const mark = geometry.flags.find(({ at }) => Math.abs(at - x) <= MARK_REACH && layout.shows(at));
   return mark ? { kind: 'time', slot: mark.slot } : null;
 }
 
 /** The line under a pointer and the slot that it stands at there; of several the one in front. */
-export function lineAt(
-  { heights, stages, layout }: Arrangement,
+export function lineUnder(
+  { heights, stages, layout }: Geometry,
   front: number,
   { x, y }: Point,
   coarse: boolean,
@@ -59,11 +62,16 @@ export function lineAt(
 const SNAP = 5;
 
 /** The time that a pointer asks about, in whole hundredths of a second. */
-export function timeAt({ flags, stages, motorStop, layout }: Arrangement, x: number): number {
+export function timeUnder({ flags, stages, motorStop, layout }: Geometry, x: number): number {
   const marks = flags.map(({ slot, at }) => ({ time: stages[slot]?.from ?? 0, distance: Math.abs(at - x) }));
   if (motorStop !== null) marks.push({ time: motorStop, distance: Math.abs(layout.x(motorStop) - x) });
   const nearest = marks.sort((a, b) => a.distance - b.distance)[0];
   if (nearest && nearest.distance <= SNAP) return nearest.time;
   const { left, right } = layout.box;
   return Math.min(layout.scale.end, Math.round(layout.time(Math.min(right, Math.max(left, x)))));
+}
+
+/** The place of the scale under a pointer. */
+export function placeUnder({ view, box, width }: Layout, x: number): number {
+  return view.start + ((x - box.left) / width) * view.span;
 }

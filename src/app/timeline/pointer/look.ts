@@ -1,0 +1,41 @@
+import type { TimelineModel } from '../view-model.js';
+import type { Gesture, Point, Report, Target } from './gesture.js';
+import { lineUnder, timeUnder } from './under-pointer.js';
+
+/** A pointer that moves less than this has not moved, in pixels. */
+const STILL = 4;
+
+/** A pointer is down beside the handles: it asks for the time or moves what is in view; a click brings a line to the front. */
+export class Look implements Gesture {
+  readonly holdsPage = false;
+  readonly #model: TimelineModel;
+  readonly #from: Point;
+  /** Whether there is more of the picture than is in view. */
+  readonly #pans: boolean;
+  #last: Point;
+  #moved = false;
+
+  constructor(model: TimelineModel, from: Point) {
+    this.#model = model;
+    this.#from = this.#last = from;
+    this.#pans = model.zoomed;
+  }
+
+  move({ geometry }: Target, { point }: Report): boolean {
+    this.#moved ||= Math.abs(point.x - this.#from.x) > STILL;
+    if (this.#pans && this.#moved) {
+      this.#model.pan((this.#last.x - point.x) / geometry.layout.width);
+      this.#last = point;
+    } else this.#model.ask(timeUnder(geometry, point.x));
+    return false;
+  }
+
+  up(target: Target, report: Report): void {
+    this.move(target, report);
+    if (this.#moved) return;
+    const line = lineUnder(target.geometry, this.#model.front.value, this.#from, report.coarse);
+    if (line) this.#model.bringToFront(line.servo);
+  }
+
+  cancel(): void {}
+}
