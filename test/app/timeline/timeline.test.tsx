@@ -271,6 +271,25 @@ describe('fingers', () => {
     for (const id of [1, 2]) await act(() => void fireEvent.pointerUp(window, finger(id, clientX, clientY)));
   });
 
+  it('bring the line to the front that is tapped between its steps, and none that they move over', async () => {
+    shown();
+    const chip = (name: RegExp) => screen.getByRole('button', { name });
+    const isInFront = (name: RegExp) => chip(name).getAttribute('aria-pressed') === 'true';
+    await act(() => void fireEvent.click(chip(/^S3/)));
+    const { clientX, clientY } = placeOf(handle('Function 3, S3'));
+    const until = placeOf(handle('DT, S3')).clientX;
+    await act(() => void fireEvent.click(chip(/^S1/)));
+    const tap = async (dx: number): Promise<void> => {
+      const middle = (clientX + until) / 2;
+      await act(() => void fireEvent.pointerDown(picture(), finger(1, middle, clientY)));
+      await act(() => void fireEvent.pointerUp(window, finger(1, middle + dx, clientY)));
+    };
+    await tap(20);
+    expect(isInFront(/^S1/)).toBe(true);
+    await tap(2);
+    expect(isInFront(/^S3/)).toBe(true);
+  });
+
   it('on a handle keep the page from scrolling, beside one they do not', async () => {
     shown();
     const { clientX, clientY } = placeOf(handle('DT, S1'));
