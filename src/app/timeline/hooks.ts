@@ -75,12 +75,14 @@ export function useLate<T>(source: ReadonlySignal<T>): [value: T, catchUp: () =>
 }
 
 const GLIDE = 180;
-/** Changes that follow each other faster than this are drawn as they come: who types is not kept waiting. Milliseconds. */
+/**
+ * Changes that follow each other faster than this are drawn as they come: who types is not kept waiting. Milliseconds.
+ */
 const HURRY = 500;
 
 /**
- * The axis to be drawn: `held` while there is one, else `wanted`. From the one to the other it glides, so that the eye can follow;
- * but not when it is the room for it that has changed, nor while one change follows the other.
+ * The axis to be drawn: `held` while there is one, else `wanted`. From the one to the other it glides, so that the eye
+ * can follow; but not when it is the room for it that has changed, nor while one change follows the other.
  */
 export function useGlide(wanted: Scale, held: Scale | null, room: number): Scale {
   const shown = useRef(wanted);

@@ -15,7 +15,10 @@ const STEPS: Readonly<Record<string, number>> = {
 };
 const MANY = 10;
 
-/** The value that a key gives to a field; null when it is not a key for that. Shift counts for ten, Alt lifts the neighbours. */
+/**
+ * The value that a key gives to a field; null when it is not a key for that. Shift counts for ten, Alt lifts the
+ * neighbours.
+ */
 export function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
   if (event.ctrlKey || event.metaKey) return null;
   if (event.key === 'Home') return limitsOf(program, field, event.altKey).min;
@@ -60,7 +63,9 @@ export class HandleKeys {
 const ZOOM = 1.5;
 const PAN = 0.2;
 
-/** Keys at the picture as a whole: the arrows go from mark to mark, with Shift they move what is in view; + and − zoom. */
+/**
+ * Keys at the picture as a whole: the arrows go from mark to mark, with Shift they move what is in view; + and − zoom.
+ */
 export function pictureKey(event: KeyboardEvent, model: TimelineModel, { program, layout }: Geometry): void {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target !== event.currentTarget) return;
   const action = actionOf(event, model, program, layout.scale);

@@ -14,7 +14,9 @@ interface ReadoutProps {
   readonly moving: ProgramField | null;
 }
 
-/** The one large figure of the timeline: the value in hand, else the time that is asked about and what it has reached. */
+/**
+ * The one large figure of the timeline: the value in hand, else the time that is asked about and what it has reached.
+ */
 function Readout({ program, time, moving }: ReadoutProps) {
   const { timeline, seconds } = messages.value;
   if (moving) {

@@ -34,8 +34,8 @@ export interface TimelineProps {
   readonly cursor?: number | null | undefined;
   readonly selected?: ProgramField | null | undefined;
   /**
-   * A handle has moved. While it is in hand the calls are not final. The last one is, and gives once more the value with which the
-   * handle was let go, or the first one if it was put back. Absent when nothing can be changed.
+   * A handle has moved. While it is in hand the calls are not final. The last one is, and gives once more the value
+   * with which the handle was let go, or the first one if it was put back. Absent when nothing can be changed.
    */
   readonly onEdit?: OnEdit | undefined;
   /** A handle has got the focus. */

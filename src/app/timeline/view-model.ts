@@ -101,7 +101,10 @@ export class TimelineModel {
     this.#wanted.value = field;
   }
 
-  /** Shows less or more. @param anchor the place of the scale that stays where it is; the middle of what is in view if there is none. */
+  /**
+   * Shows less or more.
+   * @param anchor the place of the scale that stays where it is; the middle of what is in view if there is none.
+   */
   zoom(factor: number, anchor?: number): void {
     const { start, span } = this.#view.peek();
     const fixed = anchor ?? start + span / 2;
@@ -109,7 +112,11 @@ export class TimelineModel {
     this.#show(fixed - ((fixed - start) / span) * next, next);
   }
 
-  /** Moves what is in view. @param by a share of it, positive to later times. @param past lets it leave the end of the picture. */
+  /**
+   * Moves what is in view.
+   * @param by a share of it, positive to later times.
+   * @param past lets it leave the end of the picture.
+   */
   pan(by: number, past = false): void {
     const { start, span } = this.#view.peek();
     if (past) this.#view.value = { start: Math.max(0, start + by * span), span };

@@ -5,7 +5,10 @@ import { lineUnder, timeUnder } from './under-pointer.js';
 /** A pointer that moves less than this has not moved, in pixels. */
 const STILL = 4;
 
-/** A pointer is down beside the handles: it asks for the time or moves what is in view; a click brings a line to the front. */
+/**
+ * A pointer is down beside the handles: it asks for the time or moves what is in view; a click brings a line to the
+ * front.
+ */
 export class Look implements Gesture {
   readonly holdsPage = false;
   readonly #model: TimelineModel;

@@ -54,7 +54,10 @@ export class PointerControl {
     return field && onEdit ? new MoveHandle(this.#model, target, { field, from, onEdit }) : new Look(this.#model, from);
   }
 
-  /** A finger on a handle, or a second one, does not scroll the page; a finger beside the handles does. Comes after {@link down}. */
+  /**
+   * A finger on a handle, or a second one, does not scroll the page; a finger beside the handles does. Comes after
+   * {@link down}.
+   */
   readonly touch = (event: TouchEvent): void => {
     if (this.#gesture.holdsPage) event.preventDefault();
   };
@@ -71,7 +74,10 @@ export class PointerControl {
     this.#model.pointAt(null);
   };
 
-  /** With Ctrl, as pinching a touchpad gives it, the wheel zooms; sideways it moves what is in view; else it scrolls the page. */
+  /**
+   * With Ctrl, as pinching a touchpad gives it, the wheel zooms; sideways it moves what is in view; else it scrolls the
+   * page.
+   */
   readonly wheel = (event: WheelEvent): void => {
     const target = this.#target();
     if (!target) return;

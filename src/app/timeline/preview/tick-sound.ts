@@ -4,7 +4,10 @@ const LOW = 500;
 const LENGTH = 0.07;
 const LOUDNESS = 0.25;
 
-/** Short ticks from the loudspeaker. It makes its first use of the loudspeaker when it is first asked to, as browsers want it. */
+/**
+ * Short ticks from the loudspeaker. It makes its first use of the loudspeaker when it is first asked to, as browsers
+ * want it.
+ */
 export class TickSound {
   #context: AudioContext | null = null;
 
