@@ -16,8 +16,9 @@ export interface Done {
 
 /** Servos and motor, moved from the page: only what the pilot asks for, one command at a time. */
 export class Bench {
+  readonly #done = signal<Done | null>(null, { name: 'done' });
   /** The last thing that was done with the timer that is connected. */
-  readonly done = signal<Done | null>(null, { name: 'done' });
+  readonly done: ReadonlySignal<Done | null> = this.#done;
   readonly stand: ServoStand;
   /** Whether anything may be begun: a timer that does nothing else, and a pilot who has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
@@ -30,7 +31,7 @@ export class Bench {
     this.ready = computed(() => runner.ready.value && !runner.claimed.value && safety.confirmed.value);
     session.connection.subscribe(() => {
       // What may have happened is said until something else is done: the timer may be back before it was read.
-      if (this.done.peek()?.certain) this.done.value = null;
+      if (this.done.peek()?.certain) this.#done.value = null;
     });
     session.safety.confirmed.subscribe((safe) => {
       // What waits for its turn on the wire does not go out any more.
@@ -38,7 +39,7 @@ export class Bench {
     });
     session.servoMoves.count.subscribe(() => {
       batch(() => {
-        this.done.value = null;
+        this.#done.value = null;
         this.stand.lose();
       });
     });
@@ -72,19 +73,19 @@ export class Bench {
     } catch (error) {
       const isSent = error instanceof TimerError && (error.code === 'port-lost' || (error.details.sent ?? 0) > 0);
       this.stand.lose();
-      if (isSent) this.done.value = { action, certain: false };
+      if (isSent) this.#done.value = { action, certain: false };
       throw error;
     }
     if (this.#session.connection.peek() !== connection) return;
     batch(() => {
-      this.done.value = { action, certain: true };
+      this.#done.value = { action, certain: true };
       if (action.kind === 'move') this.stand.moved(connection, action.slot);
     });
   }
 
   async #act(action: BenchAction): Promise<boolean> {
     if (!this.ready.value) return false;
-    this.done.value = null;
+    this.#done.value = null;
     return await this.#session.runner.run('bench', (connection, options) => this.carryOut(action, connection, options));
   }
 }

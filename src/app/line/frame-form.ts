@@ -25,16 +25,22 @@ export interface FrameResult {
 
 /** A frame that is sent by hand. What may do more than read is asked for twice, and goes out once. */
 export class FrameForm {
+  readonly #command = signal<CommandName | null>('GETSWVER', { name: 'command' });
+  readonly #letter = signal('', { name: 'letter' });
+  readonly #data = signal('', { name: 'data' });
+  /** The connection on which it was asked for once. Another one may be to another timer. */
+  readonly #asking = signal<TimerConnection | null>(null, { name: 'asking' });
+  readonly #result = signal<FrameResult | null>(null, { name: 'result' });
   /** A command, or null for a letter of one's own. */
-  readonly command = signal<CommandName | null>('GETSWVER', { name: 'command' });
-  readonly letter = signal('', { name: 'letter' });
-  readonly data = signal('', { name: 'data' });
+  readonly command: ReadonlySignal<CommandName | null> = this.#command;
+  readonly letter: ReadonlySignal<string> = this.#letter;
+  readonly data: ReadonlySignal<string> = this.#data;
   readonly step: ReadonlySignal<FrameStep> = computed(() => {
     if (this.#session.runner.job.value?.kind === 'frame') return 'sending';
     const asking = this.#asking.value;
     return asking && asking === this.#session.connection.value ? 'confirm' : 'edit';
   });
-  readonly result: ReadonlySignal<FrameResult | null>;
+  readonly result: ReadonlySignal<FrameResult | null> = this.#result;
   readonly letterFault: ReadonlySignal<FrameFault | null> = computed(() =>
     this.command.value || /^(0x)?[0-9a-f]{2}$/i.test(this.letter.value.trim()) ? null : 'not-a-byte',
   );
@@ -62,13 +68,9 @@ export class FrameForm {
     () => this.frame.value !== null && this.#session.runner.ready.value,
   );
   readonly #session: Session;
-  /** The connection on which it was asked for once. Another one may be to another timer. */
-  readonly #asking = signal<TimerConnection | null>(null, { name: 'asking' });
-  readonly #result = signal<FrameResult | null>(null, { name: 'result' });
 
   constructor(session: Session) {
     this.#session = session;
-    this.result = this.#result;
   }
 
   /** What is known of the timer: how frames are to be read. */
@@ -81,9 +83,9 @@ export class FrameForm {
   edit(change: { readonly command?: CommandName | null; readonly letter?: string; readonly data?: string }): void {
     if (this.step.value === 'sending') return;
     batch(() => {
-      if (change.command !== undefined) this.command.value = change.command;
-      if (change.letter !== undefined) this.letter.value = change.letter;
-      if (change.data !== undefined) this.data.value = change.data;
+      if (change.command !== undefined) this.#command.value = change.command;
+      if (change.letter !== undefined) this.#letter.value = change.letter;
+      if (change.data !== undefined) this.#data.value = change.data;
       this.#asking.value = null;
       this.#result.value = null;
     });

@@ -1,6 +1,6 @@
 import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
-import type { LineRecord } from '../session/line-log.js';
+import type { LineRecord } from '../session/line-record.js';
 import type { LineView } from './line-view.js';
 import './line-table.css';
 

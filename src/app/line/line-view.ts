@@ -1,6 +1,7 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
-import type { LineLog, LineRecord } from '../session/line-log.js';
+import type { LineLog } from '../session/line-log.js';
+import type { LineRecord } from '../session/line-record.js';
 import { type Recording, RecordingError, readRecording } from './recording.js';
 
 /** Which entries are shown: all, frames and pieces of one direction, or what was damaged. */

@@ -8,7 +8,7 @@ import {
   parseCapture,
 } from '../../protocol/index.js';
 import { describeFrame, frameName } from '../messages/frame-text.js';
-import { type LineRecord, recorder } from '../session/line-log.js';
+import { type LineRecord, recorder } from '../session/line-record.js';
 
 /** A line that was recorded, here or elsewhere. */
 export interface Recording {

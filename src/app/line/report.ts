@@ -5,7 +5,8 @@ import { tried } from '../browser/doors.js';
 import { version } from '../browser/version.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
-import type { LineCounts, LineRecord } from '../session/line-log.js';
+import type { LineCounts } from '../session/line-log.js';
+import type { LineRecord } from '../session/line-record.js';
 import type { Session } from '../session/session.js';
 import { captureText } from './recording.js';
 

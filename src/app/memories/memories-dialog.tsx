@@ -1,7 +1,7 @@
 import type { Progress } from '../../client/index.js';
 import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { openValues } from '../session/knowledge.js';
+import { openValues } from '../session/known.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';

@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { differences, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { clockText, figureText, messages } from '../messages/index.js';
-import { type Known, possibleValues } from '../session/knowledge.js';
+import { type Known, possibleValues } from '../session/known.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { ValueTable } from '../write/value-table.js';

@@ -1,6 +1,7 @@
 import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
-import { type Knowledge, type Known, openValues } from '../session/knowledge.js';
+import type { Knowledge } from '../session/knowledge.js';
+import { type Known, openValues } from '../session/known.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { SlotTable } from '../ui/slot-table.js';

@@ -1,6 +1,6 @@
 import type { TimerErrorCode } from '../../client/index.js';
 import { type Change, differences, sameKind, type TimerProgram } from '../../program/index.js';
-import type { Known } from '../session/knowledge.js';
+import type { Known } from '../session/known.js';
 import type { Backup } from '../storage/index.js';
 
 /** What is to be done with several memories, before it is done. */

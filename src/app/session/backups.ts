@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { Backup, Keeper } from '../storage/index.js';
 
@@ -9,9 +9,11 @@ const UNDO_WAIT = 10_000;
 
 /** What timers held before they were written, newest first. */
 export class Backups {
-  readonly list = signal<readonly Backup[]>([], { name: 'backups' });
+  readonly #list = signal<readonly Backup[]>([], { name: 'backups' });
+  readonly #removed = signal<readonly Backup[]>([], { name: 'removed' });
+  readonly list: ReadonlySignal<readonly Backup[]> = this.#list;
   /** Taken out of the list, and not deleted yet. */
-  readonly removed = signal<readonly Backup[]>([], { name: 'removed' });
+  readonly removed: ReadonlySignal<readonly Backup[]> = this.#removed;
   readonly #keeper: Keeper<Backup>;
   #deleting: ReturnType<typeof setTimeout> | undefined;
   #last = 0;
@@ -23,7 +25,7 @@ export class Backups {
   /** Reads what is kept, beside what has been added meanwhile. A browser that keeps nothing has none. */
   async load(): Promise<void> {
     const kept = await this.#keeper.all().catch(() => []);
-    this.list.value = this.#listed([...kept, ...this.list.value]);
+    this.#list.value = this.#listed([...kept, ...this.list.value]);
   }
 
   /**
@@ -36,7 +38,7 @@ export class Backups {
     const key = `${new Date(this.#last).toISOString()}/${program.memory ?? '?'}`;
     const backup: Backup = { key, savedAt, reason, program, simulated };
     const kept = [backup, ...this.list.value];
-    this.list.value = kept.slice(0, KEPT);
+    this.#list.value = kept.slice(0, KEPT);
     await this.#keeper.save(backup);
     await Promise.all(kept.slice(KEPT).map((old) => this.#keeper.remove(old.key)));
   }
@@ -44,8 +46,8 @@ export class Backups {
   /** Takes some out of the list, and deletes them for good when nobody has put them back for ten seconds. */
   remove(backups: readonly Backup[]): void {
     clearTimeout(this.#deleting);
-    this.removed.value = [...this.removed.value, ...backups];
-    this.list.value = this.#listed(this.list.value);
+    this.#removed.value = [...this.removed.value, ...backups];
+    this.#list.value = this.#listed(this.list.value);
     this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
   }
 
@@ -53,15 +55,15 @@ export class Backups {
   undoRemove(): void {
     clearTimeout(this.#deleting);
     const all = [...this.list.value, ...this.removed.value];
-    this.removed.value = [];
-    this.list.value = this.#listed(all);
+    this.#removed.value = [];
+    this.#list.value = this.#listed(all);
   }
 
   /** Deletes for good what was taken out: the time to put it back is over, or the page is left. */
   flush(): void {
     clearTimeout(this.#deleting);
     const { value } = this.removed;
-    this.removed.value = [];
+    this.#removed.value = [];
     // What was never kept need not be removed.
     for (const { key } of value) void this.#keeper.remove(key).catch(() => {});
   }

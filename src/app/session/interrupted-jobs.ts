@@ -21,7 +21,7 @@ export type Offer =
   /** A walk through the memories that did not come back to where it began. */
   | { readonly kind: 'memories'; readonly record: UnfinishedWalk; readonly current: number | null };
 
-interface Met {
+interface Reading {
   readonly read: TimerProgram;
   readonly simulated: boolean;
 }
@@ -34,7 +34,7 @@ export class InterruptedJobs {
   /** Derived from the records and from what was read last. */
   readonly offer: ReadonlySignal<Offer | null>;
   /** The last reading of the timer at hand; null before there is one. */
-  readonly #met = signal<Met | null>(null, { name: 'met' });
+  readonly #reading = signal<Reading | null>(null, { name: 'reading' });
   /** Walks that the pilot does not want to hear of while this timer is connected. */
   readonly #notNow = signal<ReadonlySet<string>>(new Set(), { name: 'notNow' });
   readonly #records: UnfinishedRecords;
@@ -46,8 +46,8 @@ export class InterruptedJobs {
     this.#knowledge = knowledge;
     this.#backups = backups;
     this.offer = computed(() => {
-      const met = this.#met.value;
-      return met && this.#offerFor(met);
+      const reading = this.#reading.value;
+      return reading && this.#offerFor(reading);
     });
   }
 
@@ -56,7 +56,7 @@ export class InterruptedJobs {
    * @returns false when the browser keeps nothing: then only this page remembers.
    */
   async begin(before: TimerProgram, goal: TimerProgram, simulated: boolean): Promise<boolean> {
-    this.#met.value = null;
+    this.#reading.value = null;
     const backup = this.#backups.add(before, 'write', simulated).then(
       () => true,
       () => false,
@@ -77,8 +77,8 @@ export class InterruptedJobs {
   }
 
   /** The current memory was read: is there something that an earlier job left behind? */
-  look(read: TimerProgram, simulated: boolean): void {
-    this.#met.value = { read, simulated };
+  wasRead(read: TimerProgram, simulated: boolean): void {
+    this.#reading.value = { read, simulated };
     const walk = this.#walkOf(read.identity, simulated);
     if (walk && walk.original === read.memory) void this.#records.remove(walk.key);
   }
@@ -93,9 +93,9 @@ export class InterruptedJobs {
   }
 
   /** A timer was connected, or disconnected: the next one may be any. */
-  meet(): void {
+  anotherTimer(): void {
     this.#notNow.value = new Set();
-    this.#met.value = null;
+    this.#reading.value = null;
   }
 
   /** What was left behind is dealt with, or shall stay as it is. The backup stays. */
@@ -111,7 +111,7 @@ export class InterruptedJobs {
     await Promise.all(old.map(({ key }) => this.#knowledge.forget(key)));
   }
 
-  #offerFor({ read, simulated }: Met): Offer | null {
+  #offerFor({ read, simulated }: Reading): Offer | null {
     const walk = this.#walkOf(read.identity, simulated);
     if (walk && walk.original !== read.memory && !this.#notNow.value.has(walk.key)) {
       return { kind: 'memories', record: walk, current: read.memory };

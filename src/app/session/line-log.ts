@@ -1,17 +1,10 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { LineEntry } from '../../client/index.js';
-import { COMMANDS, decodeReply, type Identity, type LayoutOptions, type LayoutQuirks } from '../../protocol/index.js';
+import { COMMANDS, type LayoutQuirks } from '../../protocol/index.js';
+import { isReplyToIdentify, type LineRecord, recorder } from './line-record.js';
 
 /** More than a pilot scrolls through, and little enough to keep for a whole day. */
 const KEPT = 500;
-
-/** One thing on the line, as it is kept. */
-export interface LineRecord extends LineEntry {
-  /** Counts from 1 and is never used again, not even after clearing. */
-  readonly number: number;
-  /** What was known of the timer by then: how its messages are to be read. */
-  readonly layout: LayoutOptions;
-}
 
 /** What was on the line since the log was cleared, also what is no longer kept. */
 export interface LineCounts {
@@ -26,20 +19,6 @@ export interface LineCounts {
 }
 
 const NOTHING: LineCounts = { out: 0, in: 0, damaged: 0, errors: 0 };
-
-/**
- * Gives each entry its number and what is known of the timer by then: what it last said of itself.
- * @param quirks what is taken for true of the timer now.
- */
-export function recorder(quirks: () => LayoutQuirks = () => ({})): (entry: LineEntry) => LineRecord {
-  let number = 0;
-  let identity: Identity | undefined;
-  return (entry) => {
-    if (isReplyToIdentify(entry)) identity = identityIn(entry);
-    number++;
-    return { ...entry, number, layout: { identity, quirks: quirks() } };
-  };
-}
 
 /**
  * What was last on the line: a ring of {@link KEPT} entries that never grows. Adding costs the same however many there are; the list is
@@ -128,18 +107,4 @@ export class LineLog {
 function counted(counts: LineCounts, { direction, rejected, error }: LineEntry): LineCounts {
   const kind = error ? 'errors' : rejected ? 'damaged' : direction;
   return { ...counts, [kind]: counts[kind] + 1 };
-}
-
-function isReplyToIdentify({ direction, frame }: LineEntry): boolean {
-  return direction === 'in' && frame?.code === COMMANDS.GETSWVER.reply;
-}
-
-/** What the timer says of itself; undefined when that cannot be. */
-function identityIn({ frame }: LineEntry): Identity | undefined {
-  try {
-    const reply = frame && decodeReply(frame);
-    return reply?.name === 'GETSWVER' ? reply.identity : undefined;
-  } catch {
-    return undefined;
-  }
 }

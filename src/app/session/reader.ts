@@ -67,8 +67,8 @@ export class Reader {
       safety.withdraw();
       this.#byteOrderOpen.value = false;
       nextFlight.timerCame(identity, link.simulated.value);
-      knowledge.meet();
-      recovery.meet();
+      knowledge.anotherTimer();
+      recovery.anotherTimer();
     });
     this.#firstReading = Promise.all([link.remember(), this.read()]);
   }
@@ -144,7 +144,7 @@ export class Reader {
     this.#wasAway = false;
     batch(() => {
       const completed = knowledge.read(read, at);
-      recovery.look(read, simulated);
+      recovery.wasRead(read, simulated);
       // What an interrupted write explains is told by the offer to finish it, and by nothing else.
       const explained = recovery.offer.value?.kind === 'write';
       if (!same) editor.clear();

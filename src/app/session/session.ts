@@ -157,7 +157,7 @@ export class Session {
     const closing = this.link.stop();
     batch(() => {
       this.notices.dismiss();
-      this.recovery.meet();
+      this.recovery.anotherTimer();
       if (wasOn && !this.editor.dirty.value) this.editor.clear();
     });
     await closing;
@@ -237,7 +237,7 @@ export class Session {
     this.runner.connectionOver();
     this.knowledge.connectionOver();
     // What is offered rests on what a timer holds that is no longer there.
-    if (before.status === 'on') this.recovery.meet();
+    if (before.status === 'on') this.recovery.anotherTimer();
     if (state.status !== 'off') return;
     this.#reader.timerGone();
     this.nextFlight.forget();

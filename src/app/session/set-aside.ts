@@ -7,7 +7,8 @@ const SEEN = 'aside-seen';
 
 /** What was found in the storage and cannot be read: it is kept as it is, and the pilot is told of it until he has seen it. */
 export class SetAside {
-  readonly list = signal<readonly AsideRecord[]>([], { name: 'aside' });
+  readonly #list = signal<readonly AsideRecord[]>([], { name: 'aside' });
+  readonly list: ReadonlySignal<readonly AsideRecord[]> = this.#list;
   /** Whether there is something that the pilot has not been told of. */
   readonly isNew: ReadonlySignal<boolean> = computed(() => this.list.value.some(({ at }) => at > this.#seen.value));
   readonly #keeper: Keeper<AsideRecord>;
@@ -20,7 +21,7 @@ export class SetAside {
   /** Looks what has been set aside. To be called when everything else was read. */
   async load(): Promise<void> {
     const kept = await this.#keeper.all().catch(() => null);
-    if (kept) this.list.value = kept;
+    if (kept) this.#list.value = kept;
   }
 
   /** Whether the note of a write is among them: what a timer holds may not be known, and nobody could say so. */

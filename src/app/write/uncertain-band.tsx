@@ -3,7 +3,7 @@ import type { ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { dateText, fieldLabel, messages, timerName, valueText } from '../messages/index.js';
 import { keyName } from '../messages/key-figures.js';
-import { openValues, type Uncertain } from '../session/knowledge.js';
+import { openValues, type Uncertain } from '../session/known.js';
 import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
 import './uncertain-band.css';

@@ -152,7 +152,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
         // What was read back to its end needs no finding out at the next meeting.
         if (!report.stopped) void knowledge.ended(baseline);
         knowledge.read(report.held, at, report.result === 'verified');
-        if (report.stopped) recovery.look(report.held, isSimulated);
+        if (report.stopped) recovery.wasRead(report.held, isSimulated);
         editor.wrote(report.held);
       }
       const stays = report.result !== 'verified' || signal.aborted;

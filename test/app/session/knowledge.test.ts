@@ -1,7 +1,8 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { type Locks, TabNumber } from '../../../src/app/browser/tab-number.js';
-import { Knowledge, openValues, possibleValues, type TimerAtHand } from '../../../src/app/session/knowledge.js';
+import { Knowledge, type TimerAtHand } from '../../../src/app/session/knowledge.js';
+import { openValues, possibleValues } from '../../../src/app/session/known.js';
 import { UnfinishedRecords } from '../../../src/app/session/unfinished.js';
 import { limited, type Storage } from '../../../src/app/storage/index.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
@@ -64,7 +65,7 @@ describe('what is known of a memory', () => {
   it('is nothing again when a timer was connected: it may be any', async () => {
     const { knowledge } = await page();
     knowledge.read(BEFORE);
-    knowledge.meet();
+    knowledge.anotherTimer();
     expect(knowledge.of(0)).toEqual({ state: 'unread' });
   });
 
@@ -125,7 +126,7 @@ describe('a write', () => {
       const one = await cutOff();
       one.knowledge.connectionOver();
       if (how !== 'the connection is lost') one.timer.value = null;
-      if (how === 'a timer is connected') one.knowledge.meet();
+      if (how === 'a timer is connected') one.knowledge.anotherTimer();
       one.timer.value = Q;
       expect(values(one, DT)).toEqual([18_000, 36_000]);
     },
@@ -205,7 +206,7 @@ describe('a fresh reading', () => {
     expect([one.knowledge.of(0).state, one.knowledge.uncertain.value.length]).toEqual(['read', 1]);
     one.knowledge.read(GOAL);
     expect(one.knowledge.uncertain.value, 'nothing that is read of it explains the first').toHaveLength(1);
-    one.knowledge.meet();
+    one.knowledge.anotherTimer();
     expect(one.knowledge.of(0).state).toBe('uncertain');
     expect((await page(one.store)).knowledge.uncertain.value).toHaveLength(1);
   });
@@ -217,7 +218,7 @@ describe('a fresh reading', () => {
     await one.knowledge.begin(STRANGE, other);
     await one.knowledge.cut(STRANGE, other);
     expect(one.knowledge.uncertain.value, 'the second does not take the place of the first').toHaveLength(2);
-    one.knowledge.meet();
+    one.knowledge.anotherTimer();
     one.knowledge.read(other);
     expect(one.knowledge.uncertain.value).toMatchObject([{ before: BEFORE }]);
   });

@@ -1,0 +1,191 @@
+import { describe, expect, it } from 'vitest';
+import { type JobKind, stoppedBy } from '../../../src/app/session/job-runner.js';
+import { TimerError } from '../../../src/client/index.js';
+import { type AppBench, connectedBench, idle, run } from '../bench/bench.js';
+
+function notice({ session }: AppBench): string | undefined {
+  return session.notices.current.value?.code;
+}
+
+describe('a job', () => {
+  it('hands back what ended it, and says nothing of its own', async () => {
+    const bench = await connectedBench();
+    const failure = new RangeError('not foreseen');
+    const end = await run(
+      bench.session.runner.perform('bench', async () => {
+        throw failure;
+      }),
+    );
+    expect([end, notice(bench)]).toEqual([{ good: false, error: failure, lost: false }, undefined]);
+    expect(await run(bench.session.runner.perform('bench', async () => {}))).toEqual({ good: true });
+  });
+
+  it('does not begin where another one holds the wire, or there is none', async () => {
+    const bench = await connectedBench();
+    const reading = bench.session.read();
+    const begun: string[] = [];
+    const work = async () => void begun.push('work');
+    expect(await bench.session.runner.perform('bench', work)).toEqual({ good: false, error: null, lost: false });
+    await run(reading);
+    await run(bench.session.disconnect());
+    expect(await bench.session.runner.perform('bench', work)).toEqual({ good: false, error: null, lost: true });
+    expect(begun).toEqual([]);
+  });
+
+  it('may no longer go on once the connection is another, it was stopped, or is no longer safe', async () => {
+    const bench = await connectedBench();
+    const stillOn = async (change: () => void): Promise<unknown> => {
+      bench.session.safety.confirm();
+      let fault: unknown = null;
+      await run(
+        bench.session.runner.perform('bench', async (_, options) => {
+          options.stillOn();
+          change();
+          await idle(10);
+          try {
+            options.stillOn();
+          } catch (error) {
+            fault = error;
+          }
+        }),
+      );
+      return fault;
+    };
+    expect(await stillOn(() => {})).toBeNull();
+    expect(await stillOn(() => bench.session.runner.stop())).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => bench.session.safety.withdraw())).toMatchObject({ code: 'aborted' });
+    expect(await stillOn(() => bench.adapter.unplug())).toMatchObject({ code: 'closed' });
+  });
+
+  it('is told from its begin to its end, with how far it has come', async () => {
+    const bench = await connectedBench();
+    const { runner } = bench.session;
+    const seen: unknown[] = [];
+    runner.job.subscribe((job) => seen.push(job && [job.kind, job.memory, job.progress?.done ?? null, job.stopping]));
+    const progress = { stage: 'read', done: 2, total: 4, repeats: 0, endsBy: 100, memory: 3 } as const;
+    let late = (): void => {};
+    const job = runner.run(
+      'look',
+      async (_, { onProgress }) => {
+        onProgress(progress);
+        late = () => onProgress({ ...progress, done: 3 });
+      },
+      3,
+    );
+    expect([await run(job), runner.ready.value]).toEqual([true, true]);
+    const next = runner.run('read', async () => late());
+    await run(next);
+    expect(seen, 'and what comes late belongs to no other').toEqual([
+      null,
+      ['look', 3, null, false],
+      ['look', 3, 2, false],
+      null,
+      ['read', null, null, false],
+      null,
+    ]);
+  });
+
+  it.each<[JobKind, boolean]>([
+    ['read', false],
+    ['select', false],
+    ['look', false],
+    ['bench', false],
+    ['frame', false],
+    ['write', true],
+    ['memories', true],
+  ])('is busy as %s, and is not to be cut off: %s', async (kind, writing) => {
+    const { runner } = (await connectedBench()).session;
+    const job = runner.run(kind, () => idle(100));
+    expect([runner.busy.value, runner.ready.value, runner.writing.value]).toEqual([true, false, writing]);
+    await run(job);
+    expect([runner.busy.value, runner.ready.value, runner.writing.value]).toEqual([false, true, false]);
+  });
+
+  it('ends before whoever has asked it to stop goes on', async () => {
+    const { runner } = (await connectedBench()).session;
+    const order: string[] = [];
+    const job = runner.perform('memories', async (_, { signal, stillOn }) => {
+      await new Promise((resolve) => signal.addEventListener('abort', resolve));
+      order.push(`stopping ${runner.job.value?.stopping}`);
+      stillOn();
+    });
+    const stopped = runner.stop().then(() => order.push(`over ${runner.busy.value}`));
+    expect(await run(job)).toMatchObject({ good: false, error: { code: 'aborted' }, lost: false });
+    await stopped;
+    expect(order).toEqual(['stopping true', 'over false']);
+    await run(runner.stop());
+  });
+
+  const answers: [string, boolean, (bench: AppBench) => void][] = [
+    ['the pilot agrees', true, ({ session }) => session.runner.answer(true)],
+    ['the pilot does not', false, ({ session }) => session.runner.answer(false)],
+    ['it is asked to stop', false, ({ session }) => void session.runner.stop()],
+    ['the plug is pulled', false, ({ adapter }) => adapter.unplug()],
+  ];
+
+  it.each(answers)('that asks waits, and may be cut off, until %s: %s', async (_, goesOn, answer) => {
+    const bench = await connectedBench();
+    const { runner } = bench.session;
+    const job = runner.perform('write', (_, { ask }) => ask());
+    expect([runner.job.value?.asking, runner.busy.value, runner.writing.value]).toEqual([true, true, false]);
+    answer(bench);
+    await idle(100);
+    expect(await job).toEqual({ good: true, value: goesOn });
+    runner.answer(true);
+    expect(runner.job.value).toBeNull();
+  });
+
+  it('asks nobody about a connection that is gone', async () => {
+    const bench = await connectedBench();
+    const job = bench.session.runner.perform('write', async (_, { ask }) => {
+      bench.adapter.unplug();
+      await idle(100);
+      return await ask();
+    });
+    expect(await run(job)).toEqual({ good: true, value: false });
+  });
+
+  it('is told by code what stopped it; a lost connection is no stop of the pilot', () => {
+    const aborted = new TimerError('aborted', 'stopped on request');
+    const end = { good: false } as const;
+    expect(stoppedBy({ ...end, error: aborted, lost: false })).toBe('aborted');
+    expect(stoppedBy({ ...end, error: aborted, lost: true })).toBe('port-lost');
+    expect(stoppedBy({ ...end, error: new RangeError('?'), lost: false })).toBe('unexpected');
+    expect(stoppedBy({ ...end, error: null, lost: true })).toBe('closed');
+  });
+});
+
+describe('a dialog that shows what is about to be sent', () => {
+  it('keeps the bench from sending anything, as long as one is open', async () => {
+    const { bench, session } = await connectedBench();
+    session.safety.confirm();
+    const [one, other] = [{}, {}];
+    expect(bench.ready.value).toBe(true);
+    session.runner.claim(one, true);
+    session.runner.claim(other, true);
+    session.runner.claim(one, false);
+    expect([bench.ready.value, await bench.moveTo(3), session.runner.busy.value]).toEqual([false, false, false]);
+    session.runner.claim(other, false);
+    expect(bench.ready.value).toBe(true);
+  });
+});
+
+describe('what is said', () => {
+  it('is said again after a reading that has nothing to say itself', async () => {
+    const { notices } = (await connectedBench()).session;
+    const again = async (work: () => void) => {
+      notices.say('nothing-written');
+      await notices.keepThrough(async () => {
+        notices.dismiss();
+        work();
+      });
+      return notices.current.value?.code;
+    };
+    expect([await again(() => {}), await again(() => notices.say('back-changed'))]).toEqual([
+      'nothing-written',
+      'back-changed',
+    ]);
+    notices.sayIfSilent('strays');
+    expect(notices.current.value?.code).toBe('back-changed');
+  });
+});
