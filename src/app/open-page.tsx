@@ -1,13 +1,15 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
-import { lacksOf, openDoors, tabNumberOf, tried } from './browser/doors.js';
+import { lacksOf, media, openDoors, tabNumberOf } from './browser/doors.js';
 import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
+import { nameplate, service, tried } from './browser/services.js';
 import { onWake } from './browser/wake.js';
 import { plugRecording, plugSimulatedTimer } from './connect/simulated-timer.js';
 import { type AppModels, createModels } from './models.js';
 import { browserErasers } from './settings/erasers.js';
+import { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
 import { browserStorage } from './storage/index.js';
 
@@ -18,6 +20,7 @@ import { browserStorage } from './storage/index.js';
  */
 export function openPage(root: HTMLElement): AppModels | null {
   if (isFramed(window)) {
+    tried(() => new Theme().follow(document, media('(prefers-color-scheme: dark)')));
     render(<FramedPage address={location.href} />, root);
     return null;
   }
@@ -28,10 +31,10 @@ export function openPage(root: HTMLElement): AppModels | null {
     tab: tabNumberOf(doors),
     plugSimulated: plugSimulatedTimer,
     plugRecording,
-    platform: platformOf(navigator),
+    platform: platformOf(nameplate()),
     channel: doors.channel,
     lacks: lacksOf(doors),
-    erasers: browserErasers(doors.surroundings.serial as Serial | undefined),
+    erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
   });
   const { session, follow, update, keeping, theme } = models;
@@ -45,7 +48,13 @@ export function openPage(root: HTMLElement): AppModels | null {
     if (session.runner.writing.value) addEventListener('beforeunload', warn);
     else removeEventListener('beforeunload', warn);
   });
-  keeping.onKept(() => tried(() => navigator.storage.persist().catch(() => {})));
+  keeping.onKept(() =>
+    tried(() =>
+      service('storage')
+        ?.persist()
+        .catch(() => {}),
+    ),
+  );
   document.addEventListener('visibilitychange', () => document.hidden && void follow.stop('hidden'));
   addEventListener('pagehide', () => {
     session.keptWork.keepNow();
@@ -56,12 +65,11 @@ export function openPage(root: HTMLElement): AppModels | null {
   // What another tab has found out, or left behind, since this one was looked at last.
   document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   onWake(() => session.link.recheck());
-  tried(() =>
-    registerOffline({
-      onUpdateReady: update.offer,
-      whenFree: update.whenFree,
-      onMissing: () => keeping.lack('offline'),
-    }),
-  );
+  const onMissing = (): void => keeping.lack('offline');
+  try {
+    registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onMissing });
+  } catch {
+    onMissing();
+  }
   return models;
 }

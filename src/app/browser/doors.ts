@@ -1,7 +1,8 @@
-import type { Surroundings } from '../../serial/index.js';
+import type { SerialLike, Surroundings } from '../../serial/index.js';
 import { openTabChannel, type TabChannel } from './other-tabs.js';
+import { type Service, service, tried } from './services.js';
 import { keepsSettings } from './settings.js';
-import { type Locks, TabNumber, tabMemory } from './tab-number.js';
+import { TabNumber, tabMemory } from './tab-number.js';
 
 /**
  * What a browser may not have for this page, besides its storage: `locks` tell its tabs apart, over the `channel` they speak with each
@@ -12,42 +13,29 @@ export type Lack = 'locks' | 'channel' | 'settings' | 'offline';
 /** As much of a media query as is used here. */
 export type Query = Pick<MediaQueryList, 'matches' | 'addEventListener' | 'removeEventListener'>;
 
-/** What the browser has for this page; null is what it does not have, or does not hand out. */
+/** What the browser has for this page when it is opened; null is what it does not have, or does not hand out. */
 export interface Doors {
   readonly surroundings: Surroundings;
-  readonly locks: Locks | null;
+  readonly locks: Service<'locks'> | null;
   readonly channel: TabChannel | null;
   /** Whether the system is dark. */
   readonly dark: Query | null;
   /** Whether small choices can be kept. */
-  readonly settings: true | null;
+  readonly settings: boolean;
 }
 
-/** How each door is opened. Each may throw, and each may give nothing. */
-const WAYS: { readonly [Name in keyof Doors]: (page: Window & typeof globalThis) => Doors[Name] | undefined } = {
-  surroundings: ({ navigator, isSecureContext, document }) => {
-    const { featurePolicy } = document as { featurePolicy?: { allowsFeature(name: string): boolean } };
-    return {
-      serial: navigator.serial as Serial | undefined,
-      isSecureContext,
-      policyAllows: tried(() => featurePolicy?.allowsFeature('serial')) ?? undefined,
-    };
-  },
-  locks: ({ navigator }) => navigator.locks as LockManager | undefined,
-  channel: () => openTabChannel(),
-  dark: ({ matchMedia }) => matchMedia('(prefers-color-scheme: dark)'),
-  settings: () => (keepsSettings() ? true : null),
-};
-
 /** Opens what can be opened. Nothing here waits, and nothing throws. */
-export function openDoors(page: Window & typeof globalThis = window): Doors {
-  const open = <Name extends keyof Doors>(name: Name): Doors[Name] | null => tried(() => WAYS[name](page));
+export function openDoors(): Doors {
   return {
-    surroundings: open('surroundings') ?? { serial: undefined, isSecureContext: page.isSecureContext },
-    locks: open('locks'),
-    channel: open('channel'),
-    dark: open('dark'),
-    settings: open('settings'),
+    surroundings: {
+      serial: (service('serial') as SerialLike | null) ?? undefined,
+      isSecureContext: isSecureContext,
+      policyAllows: tried(serialAllowed) ?? undefined,
+    },
+    locks: service('locks'),
+    channel: tried(openTabChannel),
+    dark: media('(prefers-color-scheme: dark)'),
+    settings: keepsSettings(),
   };
 }
 
@@ -60,11 +48,12 @@ export function tabNumberOf({ locks }: Doors): TabNumber {
   return new TabNumber(locks, tabMemory);
 }
 
-/** What this gives; null where it gives nothing or throws. */
-export function tried<T>(work: () => T): NonNullable<T> | null {
-  try {
-    return work() ?? null;
-  } catch {
-    return null;
-  }
+/** What the browser knows of how a page is to be shown; null where it does not say. */
+export function media(query: string): Query | null {
+  return tried(() => service('matchMedia')?.(query));
+}
+
+function serialAllowed(): boolean | undefined {
+  const { featurePolicy } = document as { featurePolicy?: { allowsFeature(name: string): boolean } };
+  return featurePolicy?.allowsFeature('serial');
 }

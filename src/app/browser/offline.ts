@@ -1,3 +1,5 @@
+import { nameplate, service } from './services.js';
+
 export interface OfflineOptions {
   /** A new version waits: `take` puts it in the place of this one. Comes again for each that replaces the waiting one. */
   readonly onUpdateReady: (take: () => void) => void;
@@ -13,11 +15,11 @@ export interface OfflineOptions {
 /** Keeps the page for use without a network, and offers its new versions. Does nothing in development. */
 export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineOptions): void {
   if (!import.meta.env.PROD) return;
-  if (!('serviceWorker' in navigator)) {
+  const serviceWorker = service('serviceWorker');
+  if (!serviceWorker) {
     onMissing();
     return;
   }
-  const { serviceWorker } = navigator;
 
   // The first worker of all takes charge of a page that is as new as itself; every other brings a newer page.
   let replacing = serviceWorker.controller !== null;
@@ -44,7 +46,7 @@ export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineO
   };
   // Without a network, or where nothing may be kept, the page works all the same.
   const failed = (): void => {
-    if (serviceWorker.controller === null && navigator.onLine) onMissing();
+    if (serviceWorker.controller === null && nameplate().onLine) onMissing();
   };
   const start = (): void => void register().catch(failed);
   if (document.readyState === 'complete') start();

@@ -1,5 +1,6 @@
 import * as v from 'valibot';
 import { type Clock, realClock } from '../../line/index.js';
+import { service } from './services.js';
 
 /** As much of `BroadcastChannel` as is used here. */
 export interface TabChannel {
@@ -72,7 +73,11 @@ type Reply = Exclude<Message, Question>;
  * @throws what the browser says where it does not hand it out.
  */
 export function openTabChannel(): TabChannel | null {
-  return typeof BroadcastChannel === 'undefined' ? null : new BroadcastChannel('sidus-timer tabs');
+  const Channel = service('BroadcastChannel');
+  const channel = Channel && new Channel('sidus-timer tabs');
+  // One that cannot be listened to is none.
+  channel?.addEventListener('message', () => {});
+  return channel;
 }
 
 /** The other tabs of this program in this browser: which of them holds a port, and may this one have it. */

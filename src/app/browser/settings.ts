@@ -1,10 +1,12 @@
 import * as v from 'valibot';
+import { service } from './services.js';
 
 /** Small choices that are kept in the browser. Where nothing is kept they last as long as the page. */
 const PREFIX = 'sidus-timer/';
 
 /** For all tabs and for good, or for one tab until it is closed. */
-type Place = 'localStorage' | 'sessionStorage';
+const PLACES = ['localStorage', 'sessionStorage'] as const;
+type Place = (typeof PLACES)[number];
 
 /** @returns null when nothing is kept under this name, or something else than a value of this form. */
 export function loadSetting<T>(
@@ -13,7 +15,7 @@ export function loadSetting<T>(
   place: Place = 'localStorage',
 ): T | null {
   try {
-    const text = globalThis[place].getItem(PREFIX + name);
+    const text = service(place)?.getItem(PREFIX + name) ?? null;
     const parsed = v.safeParse(schema, text === null ? null : JSON.parse(text));
     return parsed.success ? parsed.output : null;
   } catch {
@@ -23,7 +25,7 @@ export function loadSetting<T>(
 
 export function saveSetting(name: string, value: unknown, place: Place = 'localStorage'): void {
   try {
-    globalThis[place].setItem(PREFIX + name, JSON.stringify(value));
+    service(place)?.setItem(PREFIX + name, JSON.stringify(value));
   } catch {
     // The storage is full or switched off: the choice holds for this page alone.
   }
@@ -32,9 +34,11 @@ export function saveSetting(name: string, value: unknown, place: Place = 'localS
 /** Whether the browser keeps such choices at all: a browser may have the place and refuse it. */
 export function keepsSettings(): boolean {
   try {
-    for (const place of ['localStorage', 'sessionStorage'] as const) {
-      globalThis[place].setItem(`${PREFIX}probe`, '1');
-      globalThis[place].removeItem(`${PREFIX}probe`);
+    for (const place of PLACES) {
+      const kept = service(place);
+      if (!kept) return false;
+      kept.setItem(`${PREFIX}probe`, '1');
+      kept.removeItem(`${PREFIX}probe`);
     }
     return true;
   } catch {
@@ -47,9 +51,10 @@ export function keepsSettings(): boolean {
  * @throws what the browser says where it does not give the place out.
  */
 export function eraseSettings(): void {
-  for (const place of ['localStorage', 'sessionStorage'] as const) {
-    for (const name of Object.keys(globalThis[place])) {
-      if (name.startsWith(PREFIX)) globalThis[place].removeItem(name);
-    }
+  for (const place of PLACES) {
+    const kept = service(place);
+    if (!kept) throw new Error(`no ${place}`);
+    const names = Array.from({ length: kept.length }, (_, index) => kept.key(index));
+    for (const name of names) if (name?.startsWith(PREFIX)) kept.removeItem(name);
   }
 }

@@ -1,7 +1,8 @@
 import type { AssumedQuirks, LineErrorKind, QuirkCode, QuirkParams } from '../../client/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { OpenedSettings, PortKind } from '../../serial/index.js';
-import { tried } from '../browser/doors.js';
+import { media } from '../browser/doors.js';
+import { nameplate } from '../browser/services.js';
 import { version } from '../browser/version.js';
 import { identityText } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
@@ -82,7 +83,7 @@ export function gatherFacts({ log, link, connection: { value: connection } }: Se
   return {
     version,
     ...browserFacts(),
-    installed: tried(() => matchMedia('(display-mode: standalone)').matches) ?? false,
+    installed: media('(display-mode: standalone)')?.matches ?? false,
     port: connection && { kind: connection.kind, key: connection.portKey, settings: connection.settings },
     simulated: link.simulated.value,
     identity: client?.identity ?? kept.at(-1)?.layout.identity ?? null,
@@ -104,7 +105,7 @@ interface UserAgentData {
 }
 
 function browserFacts(): Pick<ReportFacts, 'browser' | 'platform'> {
-  const { userAgent, platform, userAgentData } = navigator as Navigator & { readonly userAgentData?: UserAgentData };
+  const { userAgent, platform, userAgentData } = nameplate() as Navigator & { readonly userAgentData?: UserAgentData };
   if (!userAgentData) return { browser: userAgent, platform };
   // A brand that is none is always among them, to keep pages from relying on the list.
   const brands = userAgentData.brands.filter(({ brand }) => !/not.*brand/i.test(brand));

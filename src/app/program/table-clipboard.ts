@@ -1,3 +1,5 @@
+import { copiedText } from '../browser/clipboard.js';
+import { answerOf } from '../browser/services.js';
 import { formatTable } from '../editing/clipboard-table.js';
 import type { Editor } from '../editing/editor.js';
 import { messages } from '../messages/index.js';
@@ -54,13 +56,12 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
     const range = selection.range.value;
     const words = messages.value.edits.table.range;
     onObstacle(null);
-    try {
-      const text = await navigator.clipboard.readText();
+    const asked = copiedText().then((text) => {
+      onObstacle(range && text !== '' ? null : words.clipboardEmpty);
       if (range && text !== '') onPaste({ range, text });
-      else onObstacle(words.clipboardEmpty);
-    } catch {
-      onObstacle(words.clipboardClosed);
-    }
+    });
+    // The browser may be asking the pilot: what comes after this is welcome all the same.
+    await answerOf(() => asked).catch(() => onObstacle(words.clipboardClosed));
   };
   return { selectedText, copy, cut, paste, pasteCopied };
 }

@@ -1,20 +1,22 @@
+import { service } from '../browser/services.js';
 import { eraseSettings } from '../browser/settings.js';
 import type { Erasers } from './erase.js';
 
-/**
- * Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone.
- */
-export function browserErasers(serial: Serial | undefined): Erasers {
+/** Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone. */
+export function browserErasers(serial: Pick<Serial, 'getPorts'> | null): Erasers {
   return {
     settings: async () => eraseSettings(),
     ports: async () => {
       for (const port of (await serial?.getPorts()) ?? []) await port.forget?.();
     },
     offline: async () => {
-      const registration = await navigator.serviceWorker?.getRegistration();
+      const registration = await service('serviceWorker')?.getRegistration();
       if (!registration) return;
       // Each worker names its caches by its own address.
-      for (const name of await caches.keys()) if (name.endsWith(registration.scope)) await caches.delete(name);
+      const caches = service('caches');
+      for (const name of (await caches?.keys()) ?? []) {
+        if (name.endsWith(registration.scope)) await caches?.delete(name);
+      }
       await registration.unregister();
     },
   };

@@ -1,4 +1,5 @@
 import { messages } from '../messages/index.js';
+import './framed-page.css';
 
 /** Whether this page lies inside of another one, which could lay something over its buttons. */
 export function isFramed({ self, top }: Pick<Window, 'self' | 'top'>): boolean {

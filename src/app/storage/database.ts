@@ -1,6 +1,7 @@
 import { type DBSchema, deleteDB, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
+import { service } from '../browser/services.js';
 import { withPresentNames } from './former-names.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
@@ -39,6 +40,7 @@ const VERSION = 4;
 export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>> {
   // Where storage is switched off, opening may throw at once instead of failing later.
   const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
+    if (!service('indexedDB')) return reject(new StorageError('missing', 'the browser has no storage for this page'));
     openDB<Schema>(name, VERSION, {
       async upgrade(database, before, _, change) {
         for (const store of STORES) {

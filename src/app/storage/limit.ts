@@ -32,9 +32,6 @@ const CODES: Readonly<Record<string, StorageErrorCode>> = {
   QuotaExceededError: 'full',
   VersionError: 'newer',
   SecurityError: 'missing',
-  // Where there is no `indexedDB` at all, asking it is one of these.
-  ReferenceError: 'missing',
-  TypeError: 'missing',
 };
 
 /** So long the storage has for one thing, in milliseconds. */

@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal, useSignal } from '@preact/signals';
 import type { RefObject } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
-import { tried } from '../browser/doors.js';
+import { media } from '../browser/doors.js';
 import { between, type Scale, sameScale } from './scale.js';
 
 /** Before anything has been measured. */
@@ -26,7 +26,7 @@ export function useWidth(element: RefObject<HTMLElement | null>): number {
 
 /** Whether this person does not want things to move by themselves. */
 export function prefersStillness(): boolean {
-  return tried(() => matchMedia('(prefers-reduced-motion: reduce)').matches) ?? false;
+  return media('(prefers-reduced-motion: reduce)')?.matches ?? false;
 }
 
 /** A function that stays the same while what it calls may change at each drawing. */

@@ -1,4 +1,5 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
+import { copyText } from '../browser/clipboard.js';
 
 /** A text on its way to the clipboard. */
 export interface Copying {
@@ -26,7 +27,7 @@ export function useCopy(text: () => string, onRefused?: () => void): Copying {
     const made = text();
     forget();
     try {
-      await navigator.clipboard.writeText(made);
+      await copyText(made);
       copied.value = true;
     } catch {
       refused.value = made;

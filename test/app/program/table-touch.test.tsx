@@ -209,6 +209,7 @@ describe('a range for those who have no Shift', () => {
       { readText: () => Promise.reject(new Error('no')) },
       /Tap the first field and paste/,
     ],
+    ['the browser never answers', { readText: () => new Promise(() => {}) }, /Tap the first field and paste/],
     ['there is no clipboard', {}, /Tap the first field and paste/],
     ['nothing was copied', { readText: async () => '' }, /There is no text to paste/],
   ])('says what to do when %s', async (_, given, said) => {
@@ -219,6 +220,47 @@ describe('a range for those who have no Shift', () => {
     expect(screen.getByRole('alert').textContent).toMatch(said);
     await press('Done');
     expect(screen.queryByRole('alert')).toBeNull();
+  });
+
+  it('is pasted into also when the browser has asked the pilot first, who took his time', async () => {
+    await connected();
+    let allow = (_: string): void => {};
+    const asked = new Promise<string>((resolve) => {
+      allow = resolve;
+    });
+    clipboard({ readText: () => asked });
+    await pick('Function 2, S1', 'Function 3, S1');
+    await press('Paste…');
+    expect(screen.getByRole('alert').textContent).toMatch(/Tap the first field and paste/);
+    allow('7');
+    await idle(0);
+    expect([screen.getByRole('dialog', { name: 'Paste' }), screen.queryByRole('alert')]).toEqual([
+      expect.anything(),
+      null,
+    ]);
+  });
+
+  it.each<[what: string, given: Partial<Clipboard> | undefined]>([
+    ['refuses', { writeText: () => Promise.reject(new DOMException('Not now.', 'NotAllowedError')) }],
+    [
+      'throws',
+      {
+        writeText: () => {
+          throw new TypeError('no');
+        },
+      },
+    ],
+    ['never answers', { writeText: () => new Promise(() => {}) }],
+    ['is not there', undefined],
+  ])('is shown to be copied by hand where the clipboard %s', async (_, given) => {
+    await connected();
+    clipboard(given as Clipboard);
+    await pick('Function 1 time', 'Function 2, S2');
+    await press('Copy');
+    const name = 'The browser does not let this page copy. Copy the text from here.';
+    const byHand = within(screen.getByRole('dialog', { name }));
+    expect(byHand.getByRole<HTMLTextAreaElement>('textbox').value).toBe('10.50\t25\t25\n11.00\t35\t35');
+    expect(screen.queryByText('Copied.', { exact: true })).toBeNull();
   });
 
   it('has the same buttons when it was made by keys: Tab goes to them, Escape back to the cell', async () => {

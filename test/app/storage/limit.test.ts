@@ -57,7 +57,7 @@ describe('what the storage is asked for', () => {
     ['full', new DOMException('no room', 'QuotaExceededError')],
     ['newer', new DOMException('version 9', 'VersionError')],
     ['missing', new DOMException('not here', 'SecurityError')],
-    ['missing', new ReferenceError('indexedDB is not defined')],
+    ['failed', new TypeError('no')],
     ['blocked', new StorageError('blocked', 'another tab')],
     ['failed', new DOMException('the disk', 'UnknownError')],
     ['failed', 'a text'],

@@ -1,3 +1,5 @@
+import { type Service, service, tried } from '../../browser/services.js';
+
 /** How a tick sounds: hertz, seconds, and how loud it begins. */
 const HIGH = 1400;
 const LOW = 500;
@@ -9,12 +11,14 @@ const LOUDNESS = 0.25;
  * want it.
  */
 export class TickSound {
-  #context: AudioContext | null = null;
+  #context: InstanceType<Service<'AudioContext'>> | null = null;
 
   /** To be called on a click: only then a browser lets sound through. */
   allow(): void {
-    this.#context ??= new AudioContext();
-    void this.#context.resume();
+    const Context = service('AudioContext');
+    // Where there is no sound a flight is watched all the same.
+    this.#context ??= tried(() => Context && new Context());
+    void tried(() => this.#context?.resume().catch(() => {}));
   }
 
   /** @param low the deeper tick of DT. */
@@ -32,7 +36,7 @@ export class TickSound {
 
   /** Gives the loudspeaker back. */
   close(): void {
-    void this.#context?.close();
+    void tried(() => this.#context?.close().catch(() => {}));
     this.#context = null;
   }
 }

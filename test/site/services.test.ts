@@ -1,0 +1,136 @@
+import type { Page } from 'playwright';
+import { describe, expect, inject, test } from 'vitest';
+import { SERVICES, type ServiceName, type Uses } from '../../src/app/browser/services.js';
+import { en } from '../../src/app/messages/en.js';
+import { newPage } from './page.js';
+
+const { lacks, storage } = en.keeping;
+
+/** What a browser may do to one service: to all of it, or to one of the calls that the page makes. */
+interface Fault {
+  readonly name: ServiceName;
+  readonly of: 'navigator' | 'window';
+  readonly call: string | null;
+  readonly how: 'is missing' | 'throws' | 'refuses' | 'is silent' | 'throws when made';
+}
+
+/** Every fault of a service, from the list of what the page uses: a new call is among them unasked. */
+function faultsOf(name: ServiceName): readonly Fault[] {
+  const { of, now, later, made }: Uses = SERVICES[name];
+  const ways = ['is missing', 'throws', ...(made ? (['throws when made'] as const) : [])] as const;
+  const whole = ways.map((how): Fault => ({ name, of, call: null, how }));
+  const atOnce = [...now, ...later].map((call): Fault => ({ name, of, call, how: 'throws' }));
+  const late = later.flatMap((call) =>
+    (['refuses', 'is silent'] as const).map((how): Fault => ({ name, of, call, how })),
+  );
+  return [...whole, ...atOnce, ...late];
+}
+
+/** Runs in the page before its own scripts. */
+function breakIt({ name, of, call, how }: Fault): void {
+  const scope = (of === 'navigator' ? navigator : window) as unknown as Record<string, unknown>;
+  const target = scope[name] as object & { readonly prototype?: object };
+  const fail = (): unknown => {
+    if (how === 'refuses') return Promise.reject(new DOMException('Not here.', 'NotAllowedError'));
+    if (how === 'is silent') return new Promise(() => {});
+    throw new DOMException('Not here.', 'SecurityError');
+  };
+  if (call === null) {
+    if (how === 'is missing') Object.defineProperty(scope, name, { value: undefined });
+    else if (how === 'throws') Object.defineProperty(scope, name, { get: fail });
+    else Object.defineProperty(scope, name, { value: fail });
+    return;
+  }
+  const holder = (target.prototype ?? Object.getPrototypeOf(target)) as Record<string, unknown>;
+  const isCall = typeof Object.getOwnPropertyDescriptor(holder, call)?.get === 'undefined';
+  const own = isCall ? (holder[call] as (...given: unknown[]) => unknown) : undefined;
+  // The two storages of settings have one prototype.
+  const broken = function (this: unknown, ...given: unknown[]): unknown {
+    return name.endsWith('Storage') && this !== target ? own?.apply(this, given) : fail();
+  };
+  Object.defineProperty(holder, call, isCall ? { value: broken } : { get: broken });
+}
+
+/** Runs in the page before its own scripts: the way to what is kept that no fault shuts. */
+function keepAWay(): void {
+  const open = IDBFactory.prototype.open.bind(indexedDB);
+  window.keptTimes = () =>
+    new Promise((resolve) => {
+      const opening = open('sidus-timer');
+      opening.onsuccess = () => {
+        const { result } = opening;
+        const drafts = result.objectStoreNames.contains('drafts') ? result.transaction('drafts') : null;
+        const all = drafts?.objectStore('drafts').getAll();
+        const tell = (): void => resolve((all?.result ?? []).map(({ working }) => working.times.at(-1)));
+        if (all) all.onsuccess = tell;
+        else tell();
+        result.close();
+      };
+    });
+}
+
+declare global {
+  interface Window {
+    /** The DT of each draft that is kept. */
+    keptTimes: () => Promise<number[]>;
+  }
+}
+
+/** The page is drawn, reads, takes what is typed, and keeps it or says that it does not. */
+async function works(page: Page): Promise<void> {
+  await page.goto(inject('site'));
+  await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).click();
+  const field = page.getByRole('textbox', { name: 'DT time' });
+  await field.fill('4:00');
+  await field.press('Enter');
+  expect(await field.inputValue()).toBe('4:00');
+  const said = page.getByText(en.keeping.title);
+  const keptOrSaid = async (): Promise<boolean> =>
+    (await page.evaluate(() => window.keptTimes())).includes(24_000) || (await said.isVisible());
+  await expect.poll(keptOrSaid, { message: 'kept, or said not to be' }).toBe(true);
+}
+
+/** What is said of a fault of one of these calls, or of the whole. */
+type Sentence = readonly [sentence: string | null, ...calls: (string | null)[]];
+const NOTHING: Sentence = [null];
+const SAID: Partial<Record<ServiceName, Sentence>> = {
+  locks: [lacks.locks, null, 'request'],
+  BroadcastChannel: [lacks.channel, null, 'addEventListener'],
+  indexedDB: [storage.missing, null, 'open'],
+  localStorage: [lacks.settings, null, 'setItem', 'removeItem'],
+  sessionStorage: [lacks.settings, null, 'setItem', 'removeItem'],
+  serviceWorker: [lacks.offline, null, 'register', 'controller', 'addEventListener'],
+};
+
+describe('the page is drawn and works, whatever a browser does to', () => {
+  test.for(Object.keys(SERVICES) as ServiceName[])('%s', async (name) => {
+    const [sentence, ...calls] = SAID[name] ?? NOTHING;
+    const journey = async (fault: Fault): Promise<void> => {
+      const page = await newPage();
+      await page.addInitScript(keepAWay);
+      await page.addInitScript(breakIt, fault);
+      const why = `${name} ${fault.call ?? ''} ${fault.how}`;
+      await works(page).catch((cause) => {
+        throw new Error(`where ${why}`, { cause });
+      });
+      if (sentence && calls.includes(fault.call))
+        await page.getByRole('status').filter({ hasText: sentence }).waitFor();
+    };
+    // Most of the time of each is the wire's.
+    const faults = [...faultsOf(name)];
+    while (faults.length > 0) await Promise.all(faults.splice(0, 8).map(journey));
+  });
+});
+
+test('a storage that never answers is said, and the page works', async () => {
+  const page = await newPage();
+  await page.addInitScript(keepAWay);
+  await page.addInitScript(() => {
+    const { open } = IDBFactory.prototype;
+    IDBFactory.prototype.open = function (name) {
+      return Object.assign(open.call(this, `other ${name}`), { addEventListener: () => {} });
+    };
+  });
+  await works(page);
+  await page.getByRole('status').filter({ hasText: storage.slow }).waitFor();
+});
