@@ -289,5 +289,5 @@ function parseCell({ text, field }: Pasted): Parsed {
 function readingOf({ functions }: Identity, { field, text }: Pasted): PasteReading[] {
   if (field.kind === 'position') return [];
   const typed = readInterval(text, { isDt: field.slot === functions });
-  return 'either' in typed ? [{ field, text, value: typed.either[1] }] : [];
+  return 'either' in typed ? [{ field, text, value: typed.either.at(-1) ?? typed.either[0] }] : [];
 }

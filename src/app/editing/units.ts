@@ -5,7 +5,7 @@
 
 /**
  * Why a typed text is no value: nothing in it, no number, finer than a hundredth of a second, not a whole number, or
- * one that a pilot can mean in two ways.
+ * one that a pilot can mean in several ways.
  */
 export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whole-number' | 'ambiguous';
 
@@ -14,21 +14,22 @@ export type Parsed = { readonly value: number } | { readonly unreadable: Exclude
 /** What a text may mean, in hundredths of a second: never the same twice. */
 export interface Question {
   readonly unreadable: 'ambiguous';
-  /** As minutes, or minutes and seconds; and as seconds. */
-  readonly either: readonly [minutes: number, seconds: number];
+  /** As minutes, or minutes and seconds, the likeliest first; at the end as seconds. */
+  readonly either: readonly [minutes: number, ...more: number[], seconds: number];
 }
 
-/** A text is no value, or one, or asks which of two is meant. */
+/** A text is no value, or one, or asks which of several is meant. */
 export type Reading = Parsed | Question;
 
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
 const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?s?)?$/i;
 const CLOCK_IN_MINUTES = /^(\d+:[\d.,]+) ?min$/i;
+const DECIMAL_MINUTES = /^(\d{0,4})[.,](\d{1,2}) ?min$/i;
 
 /**
  * `12.5`, `12,5`, `.5`, `2:05`, `2:05.5` to hundredths of a second; `2.05.5` too, since the number pads of some phones
- * have no colon; and with units, `20 s`, `3 min`, `2 min 30 s`, `3:00 min`. Without units and colon it is seconds: see
- * {@link readTime} for what a pilot may have meant.
+ * have no colon; and with units, `20 s`, `3 min`, `2.5 min`, `2 min 30 s`, `3:00 min`. Without units and colon it
+ * is seconds: see {@link readTime} for what a pilot may have meant.
  */
 export function parseTime(text: string): Parsed {
   const trimmed = text.trim();
@@ -44,6 +45,8 @@ export function parseTime(text: string): Parsed {
 function withoutUnits(text: string): string {
   const clock = CLOCK_IN_MINUTES.exec(text)?.[1];
   if (clock !== undefined) return clock;
+  const [, whole, fraction = ''] = DECIMAL_MINUTES.exec(text) ?? [];
+  if (whole !== undefined) return String(Number(whole) * 60 + (Number(fraction.padEnd(2, '0')) * 60) / 100);
   const [, minutes, seconds] = IN_UNITS.exec(text) ?? [];
   if (minutes === undefined) return seconds ?? text;
   return `${minutes}:${seconds || '00'}`;
@@ -53,7 +56,17 @@ function withoutUnits(text: string): string {
 const LONGEST_DT = 72_000;
 const MINUTES_ALONE = /^(\d{1,2})[.,]?$/;
 const MINUTES_POINT_SECONDS = /^(\d{0,2})[.,]([0-5]\d?)$/;
+/** Half a minute, or what can be no seconds: decimals of a minute, then. */
+const MINUTES_POINT_DECIMALS = /^(\d{0,2})[.,](5|[6-9]\d?)$/;
 const MINUTES_AND_SECONDS = /^(\d{1,2})([0-5]\d)$/;
+/** How minutes are written without saying so, the likeliest first, and what one of the two digits after is worth. */
+const FORMS: readonly (readonly [RegExp, number])[] = [[MINUTES_AND_SECONDS, 100]];
+const DT_FORMS: typeof FORMS = [
+  ...FORMS,
+  [MINUTES_POINT_DECIMALS, 60],
+  [MINUTES_POINT_SECONDS, 100],
+  [MINUTES_ALONE, 100],
+];
 
 /**
  * Like {@link parseTime}, but where a pilot may as well have meant minutes it asks which: silently taking the wrong one
@@ -62,6 +75,7 @@ const MINUTES_AND_SECONDS = /^(\d{1,2})([0-5]\d)$/;
  * - everywhere, `230` and `0230`: 2 min 30 s or 230 s;
  * - for DT, which is set in minutes and whole seconds, also `2.30`, `2,30`, `.30`, and `2.3` for 2.30: 2 min 30 s or
  * 2.3 s;
+ * - for DT also `2.5`: 2 min 30 s, 2 min 50 s or 2.5 s; and `2.75`: 2 min 45 s or 2.75 s;
  * - for DT also `3`: 3 min or 3 s.
  *
  * Minutes are in question up to the 12 of the longest DT: `20` is 20 s, and so is `20.30` no 20 minutes.
@@ -70,14 +84,14 @@ export function readTime(text: string, { isDt }: { readonly isDt: boolean }): Re
   const parsed = parseTime(text);
   if ('unreadable' in parsed) return parsed;
   const trimmed = text.trim();
-  const match =
-    MINUTES_AND_SECONDS.exec(trimmed) ??
-    (isDt ? (MINUTES_POINT_SECONDS.exec(trimmed) ?? MINUTES_ALONE.exec(trimmed)) : null);
-  if (!match) return parsed;
-  const [, minutes, seconds = ''] = match;
-  const value = Number(minutes) * 6000 + Number(seconds.padEnd(2, '0')) * 100;
-  if (value === parsed.value || value > LONGEST_DT) return parsed;
-  return { unreadable: 'ambiguous', either: [value, parsed.value] };
+  const forms = isDt ? DT_FORMS : FORMS;
+  const meant = forms.flatMap(([form, perHundredth]) => {
+    const [, minutes, part = ''] = form.exec(trimmed) ?? [];
+    return minutes === undefined ? [] : [Number(minutes) * 6000 + Number(part.padEnd(2, '0')) * perHundredth];
+  });
+  const [first, ...more] = meant.filter((value) => value !== parsed.value && value <= LONGEST_DT);
+  if (first === undefined) return parsed;
+  return { unreadable: 'ambiguous', either: [first, ...more, parsed.value] };
 }
 
 /** `65` to 65. A sign is understood, so that the value can be refused for what it is. */
@@ -110,7 +124,10 @@ export function readInterval(text: string, kind: { readonly isDt: boolean }): Re
     (digits) => readTime(digits, kind),
     (read) => {
       if ('value' in read) return { value: 0 - read.value };
-      return 'either' in read ? { ...read, either: [0 - read.either[0], 0 - read.either[1]] } : read;
+      if (!('either' in read)) return read;
+      const [first, ...others] = read.either;
+      const [seconds = 0, ...more] = others.map((value) => 0 - value).reverse();
+      return { ...read, either: [0 - first, ...more.reverse(), seconds] };
     },
   );
 }

@@ -44,7 +44,7 @@ const unreadable: Record<UnreadableReason, string> = {
   'not-a-time': 'Not a time: type seconds like 12.5, or minutes like 2:05.',
   'too-fine': 'Finer than a hundredth of a second.',
   'not-a-whole-number': 'Not a whole number of steps.',
-  ambiguous: 'This can be read in two ways: choose one.',
+  ambiguous: 'This can be read in several ways: choose one.',
 };
 
 const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;

@@ -56,12 +56,13 @@ export function spokenTime(hundredths: number): string {
 }
 
 /** What a text may mean, to choose from: “2 min 30 s” and “2.3 s”, or “230 s, 3:50”. */
-export function eitherTexts([minutes, seconds]: Question['either']): readonly [string, string] {
-  const inSeconds =
-    Math.abs(seconds) < 6000
-      ? spokenTime(seconds)
-      : messages.value.times.asSeconds(plainSeconds(seconds), formatInterval(seconds));
-  return [spokenTime(minutes), inSeconds];
+export function eitherTexts(either: Question['either']): readonly string[] {
+  const asSeconds = either.length - 1;
+  return either.map((value, at) =>
+    at < asSeconds || Math.abs(value) < 6000
+      ? spokenTime(value)
+      : messages.value.times.asSeconds(plainSeconds(value), formatInterval(value)),
+  );
 }
 
 /** A value as a large figure, apart from its unit; of what is no time, or cannot be one, all that there is to say. */

@@ -73,7 +73,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   );
 }
 
-/** A text that can be read in two ways, and what the chosen one is for. */
+/** A text that can be read in several ways, and what the chosen one is for. */
 interface Asked {
   readonly label: string;
   readonly either: Question['either'];

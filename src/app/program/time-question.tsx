@@ -11,7 +11,7 @@ interface TimeQuestionProps {
   readonly onEscape: () => void;
 }
 
-/** A text in a field that can be read in two ways: one of them is chosen, or Escape takes the text back. */
+/** A text in a field that can be read in several ways: one of them is chosen, or Escape takes the text back. */
 export function TimeQuestion({ label, either, onAnswer, onEscape }: TimeQuestionProps) {
   const texts = eitherTexts(either);
   return (
