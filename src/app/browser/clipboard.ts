@@ -9,7 +9,8 @@ export function copyText(text: string): Promise<void> {
 }
 
 /**
- * What was copied last, anywhere. A browser may ask the pilot first: this can take as long as the pilot does, or for ever.
+ * What was copied last, anywhere. A browser may ask the pilot first: this can take as long as the pilot does, or for
+ * ever.
  * @throws what the browser says where it does not let this page see it.
  */
 export async function copiedText(): Promise<string> {

@@ -5,8 +5,8 @@ import { keepsSettings } from './settings.js';
 import { TabNumber, tabMemory } from './tab-number.js';
 
 /**
- * What a browser may not have for this page, besides its storage: `locks` tell its tabs apart, over the `channel` they speak with each
- * other, `settings` are small choices, `offline` is the page itself for when there is no network.
+ * What a browser may not have for this page, besides its storage: `locks` tell its tabs apart, over the `channel` they
+ * speak with each other, `settings` are small choices, `offline` is the page itself for when there is no network.
  */
 export type Lack = 'locks' | 'channel' | 'settings' | 'offline';
 
