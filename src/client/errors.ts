@@ -4,23 +4,26 @@ import type { CommandName, Identity } from '../protocol/index.js';
 /**
  * What can go wrong between a request and its reply.
  *
- * - `no-answer`: the timer kept silent, or does not answer this request. `sent` says how often it went out; 0: never, because older
- *   requests got no answer either. A command that moves something may have been carried out all the same.
- * - `bad-reply`: replies came with a right checksum and a content that cannot be; `cause` says what.
- * - `unstable`: the line damages too much: the policy for repeats was used up, or no two reads agreed. As after `no-answer`, a request
- *   that was `sent` may have been carried out.
- * - `crowded`: no two reads agreed, and frames came that nobody asked for: there may be a second timer or programmer in the beam.
+ * - `no-answer`: the timer kept silent, or does not answer this request. `sent` says how often it went out; 0: never,
+ *   because older requests got no answer either. A command that moves something may have been carried out anyway.
+ * - `bad-reply`: replies came with a right checksum and an impossible content; `cause` says what.
+ * - `unstable`: the line damages too much: the policy for repeats was used up, or no two reads agreed. As after
+ *   `no-answer`, a request that was `sent` may have been carried out.
+ * - `crowded`: no two reads agreed, and frames came that nobody asked for: there may be a second timer or programmer in
+ *   the beam.
  * - `other-memory`: the timer's current memory is not the one that the program was read from.
- * - `memory-unknown`: the timer does not say which memory is current (quirk `memory-unknown`), so no other one may be selected: it
- *   could not be told which to come back to.
- * - `memory-left`: the memory that was current before could not be made current again. `expected` is that memory, `found` the one that
- *   was last selected, null when that is not certain either; `cause` is what stopped the job, or the way back.
- * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was identified; `identity` is
- *   what it says of itself. Nothing more was sent.
+ * - `memory-unknown`: the timer does not say which memory is current (quirk `memory-unknown`), so no other one is
+ *   selected: nobody could tell which one to come back to.
+ * - `memory-left`: the memory that was current before could not be made current again. `expected` is that memory,
+ *   `found` the one that was last selected, null when that is not certain either; `cause` is what stopped the job, or
+ *   the way back.
+ * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was
+ *   identified; `identity` is what it says of itself. Nothing more was sent.
  * - `stale`: the timer holds something else than the caller believed, so nothing was written; `held` is what it holds.
- * - `changed`: in a write, after silence or at the end, the timer held what the write cannot have brought about: something else
- *   changed it, or it is another one. Nothing was sent again or put back.
- * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to choose first.
+ * - `changed`: in a write, after silence or at the end, the timer held what the write cannot have brought about:
+ *   something else changed it, or it is another one. Nothing was sent again or put back.
+ * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to
+ *   choose first.
  * - `port-lost`: the stream of bytes ended: unplugged, closed by someone else; `cause` says how.
  * - `aborted`: the caller's signal asked to stop. The port stays usable.
  * - `closed`: this client was closed.

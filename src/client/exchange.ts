@@ -30,11 +30,17 @@ import type { Outcome, Wire } from './wire.js';
 export interface RetryPolicy {
   /** How often the request goes out at most. */
   readonly tries?: number | undefined;
-  /** The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that could be why. */
+  /**
+   * The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that
+   * could be why.
+   */
   readonly unanswered?: number | undefined;
   /** A late reply to the same question, asked before, will do as well: then no fence has to tell the two apart. */
   readonly anyReply?: boolean | undefined;
-  /** Whether a letter that belongs to another command may be taken only where this timer was seen to use it. Default false. */
+  /**
+   * Whether a letter that belongs to another command may be taken only where this timer was seen to use it. Default
+   * false.
+   */
   readonly strict?: boolean | undefined;
   /** Makes sure, before the request goes out again after something stayed unanswered, that it still may. */
   readonly beforeRepeat?: (() => Promise<void>) | undefined;
@@ -62,8 +68,9 @@ export interface Disturbance {
 const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 
 /**
- * Asks one request after another, each to its end. What timed out is asked again only where the table of commands says that this
- * does no harm, and only behind a fence: a harmless request of another letter, whose reply shows that all older ones have passed.
+ * Asks one request after another, each to its end. What timed out is asked again only where the table of commands says
+ * that this does no harm, and only behind a fence: a harmless request of another letter, whose reply shows that all
+ * older ones have passed.
  */
 export class Exchange {
   readonly #wire: Wire;
@@ -96,7 +103,9 @@ export class Exchange {
     this.#seen = this.watch();
   }
 
-  /** Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed. */
+  /**
+   * Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed.
+   */
   get damaged(): boolean {
     return this.#wire.damage > 0 || this.#wire.strays > 0;
   }
@@ -131,7 +140,8 @@ export class Exchange {
 
   /**
    * Asks until the reply comes. One call at a time: whoever holds an Exchange waits for the last one.
-   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request went out.
+   * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request
+   * went out.
    */
   async ask<R extends Request>(
     request: R,
@@ -142,8 +152,8 @@ export class Exchange {
   }
 
   /**
-   * Asks a question and believes the answer: a single one only where nothing was known before, no damage was seen on the line and no frame
-   * came that nobody asked for; else when two in a row agree.
+   * Asks a question and believes the answer: a single one only where nothing was known before, no damage was seen on
+   * the line and no frame came that nobody asked for; else when two in a row agree.
    * @throws TimerError `unstable`, `crowded`, or as {@link ask}.
    */
   async read<R extends Request>(
@@ -295,7 +305,8 @@ export class Exchange {
   }
 
   /**
-   * Before a timer counts as silent, the latest reply that it can give to the first of those requests is waited for: it may be slow.
+   * Before a timer counts as silent, the latest reply that it can give to the first of those requests is waited for: it
+   * may be slow.
    * @returns whether something came, and it makes sense to go on.
    */
   async #comesLate(request: Request, seen: () => Disturbance, signal: AbortSignal | undefined): Promise<boolean> {
@@ -308,7 +319,10 @@ export class Exchange {
     return this.#mayGoOn(request, seen());
   }
 
-  /** Whether nothing at all has come for so long that nobody is there. For a dangerous request the timer has to be there at once. */
+  /**
+   * Whether nothing at all has come for so long that nobody is there. For a dangerous request the timer has to be there
+   * at once.
+   */
   #isSilent({ name }: Request, { damage }: Disturbance): boolean {
     const isPatient = COMMANDS[name].repeatable && (this.#awake || damage > 0);
     return this.#silent >= (isPatient ? SILENT : SILENT_AT_FIRST);
@@ -329,8 +343,8 @@ export class Exchange {
   }
 
   /**
-   * Waits for the line to fall silent, then asks something harmless that is not outstanding itself; not needed once the latest reply
-   * is overdue.
+   * Waits for the line to fall silent, then asks something harmless that is not outstanding itself; not needed once the
+   * latest reply is overdue.
    * @returns whether all older requests can no longer be answered.
    */
   async #fence(signal: AbortSignal | undefined): Promise<boolean> {

@@ -14,9 +14,12 @@ function contentQuestions({ timerClass }: Identity, idleThrottle: boolean): Comm
 export interface Reading {
   /** Asks for the idle throttle on a timer of another class than Q too. */
   readonly idleThrottle?: boolean | undefined;
-  /** The memory that has to be current, at the beginning and at the end; null: the timer does not say. Default: any, all the time. */
+  /**
+   * The memory that has to be current, at the beginning and at the end; null: the timer does not say. Default: any, all
+   * the time.
+   */
   readonly memory?: number | null | undefined;
-  /** Believes nothing that a timer exchanged on the way, a late reply or a misprinted letter could have brought about. */
+  /** Believes nothing that another timer, a late reply or a misprinted letter could have caused. */
   readonly strict?: boolean | undefined;
   /** What the memory is believed to hold: counts as the first of two readings. */
   readonly known?: TimerProgram | undefined;
@@ -33,12 +36,13 @@ export function readingPlan(identity: Identity, { idleThrottle = false, strict, 
 export type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 
 /**
- * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that another timer, or
- * another memory, does not pass unnoticed. The content is believed on one reading only where nothing speaks against it: no damage was
- * ever seen on the line, nothing had to be asked twice and no frame came that nobody asked for. Else, and always when it is strict, two
- * readings in a row have to agree. A strict one is begun again when such a frame came.
- * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when another memory is current than has to be; `unstable` or `crowded` when no
- * two readings agree or the memory changes all the time; as Exchange.
+ * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that
+ * another timer, or another memory, does not pass unnoticed. The content is believed on one reading only where nothing
+ * speaks against it: no damage was ever seen on the line, nothing had to be asked twice and no frame came that nobody
+ * asked for. Else, and always when it is strict, two readings in a row have to agree. A strict one is started again
+ * when such a frame came.
+ * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when another memory is current than has to be;
+ * `unstable` or `crowded` when no two readings agree or the memory changes all the time; as Exchange.
  */
 export async function readContent(job: ClientJob, stage: Progress['stage'], how: Reading = {}): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
@@ -124,7 +128,10 @@ async function readOnce(
   return { content, doubtful: exchange.damaged || wasRepeated || isOdd };
 }
 
-/** Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either sleeps. */
+/**
+ * Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either
+ * sleeps.
+ */
 async function askIdleThrottle({ exchange, signal, quirks }: ClientJob): Promise<number | null> {
   const isKnown = quirks.found.has('idle-throttle-unanswered');
   try {

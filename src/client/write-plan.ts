@@ -79,8 +79,8 @@ function inOrder(requests: readonly Request[], moveServos: boolean): Request[] {
 }
 
 /**
- * Whether what was read back cannot come from this write on this timer: something else changed it, or it is another one. Putting back would
- * overwrite what somebody wants.
+ * Whether what was read back cannot come from this write on this timer: something else changed it, or it is another
+ * one. Putting back would overwrite what somebody wants.
  * @param damaged whether damage was seen, which explains values that did not take.
  */
 export function isForeign(plan: WritePlan, held: TimerProgram, damaged: boolean): boolean {
@@ -151,16 +151,20 @@ export function arePositionsKept({ asked }: WritePlan, held: TimerProgram): bool
   return new Set(kept.map(({ field }) => field.kind === 'position' && field.slot)).size > 1;
 }
 
-/** The first time that the timer rounds: its acknowledgement and the reading back say the same other time than was sent. */
+/**
+ * The first time that the timer rounds: its acknowledgement and the reading back say the same other time than was sent.
+ */
 export function roundedSlot({ goal }: WritePlan, said: readonly number[] | null, held: TimerProgram): number | null {
   const slot = goal.times.findIndex((time, index) => time !== said?.[index] && said?.[index] === held.times[index]);
   return slot < 0 ? null : slot;
 }
 
 /**
- * What to send after the reading back. Values that changed without being asked are put back; those that did not take are sent once more
- * only when damage was seen on the line: otherwise the timer rounds, or wants something else, and would do so again.
- * @param servoFirst whether SETSERVO has the servo first by now: what went to a wrong cell because of that is put back in the other order.
+ * What to send after the reading back. Values that changed without being asked are put back; those that did not take
+ * are sent once more only when damage was seen on the line: otherwise the timer rounds, or wants something else, and
+ * would do so again.
+ * @param servoFirst whether SETSERVO has the servo first by now: what went to a wrong cell because of that is put back
+ * in the other order.
  */
 export function repairRequests(
   plan: WritePlan,
@@ -178,7 +182,9 @@ export function repairRequests(
   return { requests: inOrder(requestsFor(held, goal, changes), moveServos), quirks: {} };
 }
 
-/** The requests for some of the changes only. A position that a timer may hold and nobody can set cannot be put back. */
+/**
+ * The requests for some of the changes only. A position that a timer may hold and nobody can set cannot be put back.
+ */
 function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly Change[]): Request[] {
   const kept = new Set(changes.map(({ field }) => fieldKey(field)));
   return changeRequests(held, goal).filter((request) => {
@@ -189,7 +195,9 @@ function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly C
   });
 }
 
-/** Whether more changed than the requests can have disturbed: each of them one position, and SETTIMERS any of the times. */
+/**
+ * Whether more changed than the requests can have disturbed: each of them one position, and SETTIMERS any of the times.
+ */
 function isTooMuch({ requests }: WritePlan, wrong: readonly Change[]): boolean {
   const others = wrong.filter(({ field }) => field.kind !== 'time').length;
   const times = wrong.length > others ? 1 : 0;

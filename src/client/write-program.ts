@@ -17,11 +17,11 @@ import {
 import { isHeld, unasked, verdict, type WriteReport } from './write-report.js';
 
 /**
- * Reads everything afresh and compares it with the baseline; only when all is the same sends what differs, reads everything back and
- * compares. What changed without being asked is put back once.
- * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-timer`, `other-memory`,
- * `memory-unknown`, `stale`, `undecided`, `aborted`, or as Exchange. Afterwards it never throws a TimerError: the report says what stopped
- * it and what is known of each value.
+ * Reads everything afresh and compares it with the baseline; only when all is the same sends what differs, reads
+ * everything back and compares. What changed without being asked is put back once.
+ * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-timer`,
+ * `other-memory`, `memory-unknown`, `stale`, `undecided`, `aborted`, or as Exchange. Afterwards it never throws a
+ * TimerError: the report says what stopped it and what is known of each value.
  */
 export async function writeContent(job: ClientJob, plan: WritePlan): Promise<WriteReport> {
   const seen = job.exchange.watch();
@@ -40,7 +40,9 @@ export async function writeContent(job: ClientJob, plan: WritePlan): Promise<Wri
   };
 }
 
-/** Nothing may be written that does not fit, into another timer, another memory or over other values than the pilot saw. */
+/**
+ * Nothing may be written that does not fit, into another timer, another memory or over other values than the pilot saw.
+ */
 async function requireWritable(job: ClientJob, { requests, before, baseline }: WritePlan): Promise<void> {
   const { identity, signal, quirks } = job;
   // All of it must fit before any of it is sent.
@@ -136,7 +138,8 @@ class Write {
     const { quirks, exchange } = this.#job;
     const cell = exchangedCell(this.#plan, held);
     if (cell) quirks.note('servo-first', { servo: cell.servo, slot: cell.slot });
-    // What the timer never took up says nothing of what it does, and on a line that damages an acknowledgement may be another one's.
+    // What the timer never took up says nothing of what it does, and on a line that damages an acknowledgement may be
+    // another one's.
     else if (acknowledged && !exchange.damaged && isNoPositionKept(this.#plan, held)) {
       quirks.note('positions-unchanged');
       quirks.assume({ positionsNeedMove: true });
@@ -149,7 +152,9 @@ function isUnanswered({ code }: TimerError): boolean {
   return code === 'no-answer' || code === 'bad-reply' || code === 'unstable';
 }
 
-/** Asks, and notes a SETSERVO without an answer that a timer which takes the servo first would have found out of range. */
+/**
+ * Asks, and notes a SETSERVO without an answer that a timer which takes the servo first would have found out of range.
+ */
 async function askNoting(
   { exchange, identity, signal, quirks }: ClientJob,
   request: Request,
@@ -167,8 +172,8 @@ async function askNoting(
 }
 
 /**
- * While nothing came another timer of the same kind may have taken the place of this one: no question for the identity tells the two
- * apart, but what they hold does.
+ * While nothing came another timer of the same kind may have taken the place of this one: no question for the identity
+ * tells the two apart, but what they hold does.
  * @param expected what the timer holds if it has taken all that it acknowledged, and no more.
  * @throws TimerError `changed` when two readings agree on what this write cannot have brought about; as Exchange.
  */

@@ -19,7 +19,9 @@ const VERIFY = 8;
 class TwoTimers implements BytePort {
   readonly readable: ReadableStream<Uint8Array>;
   readonly writable: WritableStream<Uint8Array>;
-  /** The request, counted from 1, that the second one hears first, unless it is lost on the way from one to the other. */
+  /**
+   * The request, counted from 1, that the second one hears first, unless it is lost on the way from one to the other.
+   */
   swapAt = Number.POSITIVE_INFINITY;
   /** How many requests neither hears, from that one on. */
   lost = 0;
@@ -79,7 +81,8 @@ describe('another timer under the infra-red head, from any request of a write on
   it.each<[Second, number, string]>([
     // Class, firmware and layout are asked for right before the first value.
     ['another class', FRESH, 'other-timer'],
-    // The content was read by then. What comes between that and the first value cannot be noticed, and nothing identifies a timer.
+    // The content was read by then. What comes between that and the first value cannot be noticed, and nothing
+    // identifies a timer.
     ['another content', 4, 'stale'],
   ])('%s: up to request %i nothing is written', async (second, last, code) => {
     for (const swapAt of requests.filter((request) => request <= last)) {
@@ -97,8 +100,9 @@ describe('another timer under the infra-red head, from any request of a write on
         const { first, other, goal, result } = await swapped(second, swapAt);
         const label = `${swapAt}: ${result.result ?? result.code}`;
         if (result.result === 'verified') {
-          // The content was read for the last time from the one that heard that request. Only between the last look at the first timer
-          // and the first value, a moment in which nothing identifies a timer, does another one pass: it then holds the goal.
+          // The content was read for the last time from the one that heard that request. Only between the last look at
+          // the first timer and the first value, a moment in which nothing identifies a timer, does another one pass:
+          // it then holds the goal.
           expect(second, label).not.toBe('another class');
           const holder = swapAt > FRESH + SETS + 6 ? first : other;
           expect(contentOf(holder), label).toEqual(goal);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # box.sh SITE: the box in which Chromium meets the rig's serial port and no other, and the built page of SITE.
-# `unshare` has made its namespaces before this starts: mounts and network, which end with the last process that is in them,
-# so nothing outside is changed, and a second box is not in the way. Chromium enters by chromium.sh.
+# `unshare` has made its namespaces before this starts: mounts and network, which end with the last process that is in
+# them. So nothing outside is changed, and two boxes do not disturb each other. Chromium enters by chromium.sh.
 set -e
 run=$(mktemp -d --tmpdir sidus-rig-XXXXXX)
 trap 'rm -rf "$run"' EXIT # if something below fails; else box.py does it

@@ -10,8 +10,9 @@ import type { Bench } from './bench.js';
 import { Trials } from './trials.js';
 
 /**
- * Why the servos no longer follow, when it was not the pilot who ended it: the page went out of sight, another job took the wire, another
- * memory is current or asked for, it is no longer said to be safe, the connection ended, or a command came to no good end.
+ * Why the servos no longer follow, when it was not the pilot who ended it: the page went out of sight, another job took
+ * the wire, another memory is current or asked for, it is no longer said to be safe, the connection ended, or a command
+ * came to no good end.
  */
 export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed';
 
@@ -30,14 +31,18 @@ interface Pending {
   readonly value: number;
 }
 
-/** Jobs that do not end it: of its own kind, and a frame by hand, which says itself whether it may move the servos. They read nothing. */
+/**
+ * Jobs that do not end it: of its own kind, and a frame by hand, which says itself whether it may move the servos. They
+ * read nothing.
+ */
 const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
 /** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
 const TYPED = 600;
 
 /**
- * Servos that follow the fields. A position that changes is stored at once and its servo moved, for the function where the servos stand; for
- * any other function it waits until the pilot sends them there, or for a write. It all belongs to one connection.
+ * Servos that follow the fields. A position that changes is stored at once and its servo moved, for the function where
+ * the servos stand; for any other function it waits until the pilot sends them there, or for a write. It all belongs to
+ * one connection.
  */
 export class Follow {
   /** Whether the servos follow. */
@@ -46,7 +51,7 @@ export class Follow {
   readonly going: ReadonlySignal<boolean>;
   /** The timer is read and backed up before they follow. */
   readonly starting: ReadonlySignal<boolean>;
-  /** The backup could not be kept: it is asked whether they shall follow all the same. */
+  /** The backup could not be kept: it is asked whether they shall follow anyway. */
   readonly unkept: ReadonlySignal<boolean>;
   /** How it ended, until it begins again or the pilot has read it; null too when he has ended it. */
   readonly ended: ReadonlySignal<Ended | null>;
@@ -113,7 +118,9 @@ export class Follow {
     });
   }
 
-  /** Reads afresh, keeps a backup, and from then on stores each position that changes. Edits from before are not stored. */
+  /**
+   * Reads afresh, keeps a backup, and from then on stores each position that changes. Edits from before are not stored.
+   */
   async start(): Promise<void> {
     const { editor, backups, simulated, connection } = this.#session;
     const { value: bound } = connection;
@@ -161,7 +168,10 @@ export class Follow {
     this.#going.value = on && this.#on.value;
   }
 
-  /** Moves the servos to a function of which positions wait, as soon as the command under way has ended. Only while they follow. */
+  /**
+   * Moves the servos to a function of which positions wait, as soon as the command under way has ended. Only while they
+   * follow.
+   */
   bring(slot: number): void {
     if (this.#on.value) this.#wanted.value = slot;
   }
@@ -311,11 +321,15 @@ export class Follow {
     return (this.#changedAt.get(fieldKey(field)) ?? 0) + TYPED - performance.now();
   }
 
-  /** Moves the servos to a function, unless they stand there; stores what is due there; and moves them to what is stored now. */
+  /**
+   * Moves the servos to a function, unless they stand there; stores what is due there; and moves them to what is stored
+   * now.
+   */
   async #go(slot: number): Promise<void> {
     const { stand } = this.#bench;
     await this.#session.runner.run('bench', async (connection, options) => {
-      // Whatever has ended it in the meantime: the next command does not go out. Whether it was stopped the client asks itself.
+      // Whatever has ended it in the meantime: the next command does not go out. Whether it was stopped the client asks
+      // itself.
       const isOff = (): boolean => !this.#on.peek() || this.#bound !== connection;
       const move = () => this.#bench.carryOut({ kind: 'move', slot }, connection, options);
       this.#wanted.value = null;

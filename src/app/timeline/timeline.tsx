@@ -58,7 +58,7 @@ const LEAST_WIDTH = 120;
 
 function WholeTimeline({ program, overlay = null, cursor = null, selected = null, ...calls }: TimelineProps) {
   const { timeline } = messages.value;
-  // While a flight is played all of this is drawn at each frame: only what has changed is made anew.
+  // While a flight is played all of this is drawn at each frame: only what has changed is made again.
   const onEdit = useStable(calls.onEdit);
   const onSelect = useStable(calls.onSelect);
   const onPoint = useStable(calls.onPoint);

@@ -6,7 +6,9 @@ import { Timeline, type TimelineProps } from '../../../src/app/timeline/timeline
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { programOf } from '../programs.js';
 
-/** Every call of onEdit in one line: the value, a full stop after the last one of a movement, and whether it led back. */
+/**
+ * Every call of onEdit in one line: the value, a full stop after the last one of a movement, and whether it led back.
+ */
 type Log = string[];
 
 const PROGRAM = programOf('Q', [1000, 200, 400, 600, 18000]);
