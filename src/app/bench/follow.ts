@@ -1,12 +1,12 @@
 import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
-import { differences, fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
-import { MAX_POSITION } from '../../protocol/index.js';
+import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
 import type { JobKind, JobOptions } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { within } from '../storage/limit.js';
 import type { Bench } from './bench.js';
+import { FollowedEdits, type Position } from './followed-edits.js';
 import { Trials } from './trials.js';
 
 /**
@@ -23,21 +23,11 @@ export interface Ended {
   readonly held: TimerProgram | null;
 }
 
-type Position = Extract<ProgramField, { kind: 'position' }>;
-
-/** A position that has changed since the servos follow. */
-interface Pending {
-  readonly field: Position;
-  readonly value: number;
-}
-
 /**
  * Jobs that do not end it: of its own kind, and a frame by hand, which says itself whether it may move the servos. They
  * read nothing.
  */
 const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
-/** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
-const TYPED = 600;
 
 /**
  * Servos that follow the fields. A position that changes is stored at once and its servo moved, for the function where
@@ -77,22 +67,15 @@ export class Follow {
   #bound: TimerConnection | null = null;
   /** The function to which the pilot has sent the servos. */
   readonly #wanted = signal<number | null>(null, { name: 'wanted' });
-  /** The function that was edited last. */
-  #edited: number | null = null;
-  /** The keys of the fields that have changed since it began. */
-  readonly #touched = signal<ReadonlySet<string>>(new Set(), { name: 'touched' });
-  #seen: TimerProgram | null = null;
-  #typing: ReturnType<typeof setTimeout> | undefined;
-  /** Counted up when typed digits have rested long enough. */
-  readonly #rested = signal(0);
+  readonly #edits: FollowedEdits;
   /** Whether the browser has kept what was stored, each before its first byte. */
   #isKept = true;
-  readonly #changedAt = new Map<string, number>();
 
   constructor(session: Session, bench: Bench) {
     const { editor } = session;
     this.#session = session;
     this.#bench = bench;
+    this.#edits = new FollowedEdits(editor);
     this.trials = new Trials(editor.baseline, (program) => session.workKey(program));
     this.on = this.#on;
     this.going = this.#going;
@@ -101,12 +84,10 @@ export class Follow {
     this.unkept = computed(() => this.#unkept.value !== null);
     this.endRead = computed(() => editor.fresh.value && editor.baseline.value !== this.#ended.value?.held);
     this.awaited = computed(() => {
-      const slots = this.#on.value ? this.#pending().map(({ field }) => field.slot) : [];
+      const slots = this.#on.value ? this.#edits.pending().map(({ field }) => field.slot) : [];
       return new Set(slots.filter((slot) => slot !== bench.stand.at.value));
     });
-    this.hasEarlier = computed(() =>
-      editor.changes.value.some(({ field }) => field.kind === 'position' && !this.#touched.value.has(fieldKey(field))),
-    );
+    this.hasEarlier = this.#edits.hasEarlier;
     session.connection.subscribe(() => void this.#end('lost'));
     session.safety.confirmed.subscribe((safe) => void (safe || this.#end('unsafe')));
     session.servoMoves.count.subscribe(() => void this.#end('job'));
@@ -164,7 +145,7 @@ export class Follow {
 
   /** Whether the servos go to each function that is edited from now on. Only while they follow. */
   setGoing(on: boolean): void {
-    this.#edited = null;
+    this.#edits.forgetLastSlot();
     this.#going.value = on && this.#on.value;
   }
 
@@ -178,7 +159,7 @@ export class Follow {
 
   /** The first position of a function that waits for the servos. */
   waitingAt(slot: number): ProgramField | null {
-    return this.#pending().find(({ field }) => field.slot === slot)?.field ?? null;
+    return this.#edits.pending().find(({ field }) => field.slot === slot)?.field ?? null;
   }
 
   /**
@@ -210,13 +191,11 @@ export class Follow {
     // What is kept is what the timer holds now.
     if (!this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
     batch(() => {
-      this.#seen = editor.working.value;
+      this.#edits.begin();
       this.#bound = connection.value;
       this.#isKept = true;
       this.#followed = this.#session.workKey(before);
-      this.#edited = null;
       this.#wanted.value = null;
-      this.#touched.value = new Set();
       this.trials.set({ before, touched: new Set() });
       this.#on.value = true;
     });
@@ -230,7 +209,7 @@ export class Follow {
     });
     if (!this.#on.peek()) return;
     const held = editor.baseline.peek();
-    clearTimeout(this.#typing);
+    this.#edits.end();
     batch(() => {
       this.#on.value = false;
       this.#going.value = false;
@@ -253,8 +232,7 @@ export class Follow {
       untracked(() => void this.#end(reason));
       return;
     }
-    void this.#rested.value;
-    this.#note();
+    this.#edits.note();
     const next = this.#next();
     if (next !== null && this.#bench.ready.value) untracked(() => void this.#go(next));
   }
@@ -272,53 +250,14 @@ export class Follow {
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }
 
-  /** Notes which positions have changed, and when. */
-  #note(): void {
-    const working = this.#session.editor.working.value;
-    const before = this.#seen;
-    this.#seen = working;
-    if (!working || !before || before === working || !sameLayout(before.identity, working.identity)) return;
-    const changed = differences(before, working).map(({ field }) => field);
-    for (const field of changed) this.#changedAt.set(fieldKey(field), performance.now());
-    const slots = new Set(changed.flatMap((field) => (field.kind === 'position' ? [field.slot] : [])));
-    // Servos that ran through all the functions of a paste were not meant.
-    if (slots.size > 0) this.#edited = slots.size === 1 ? ([...slots][0] ?? null) : null;
-    this.#touched.value = new Set([...this.#touched.peek(), ...changed.map(fieldKey)]);
-  }
-
   /** The function at which there is something to do; null when there is nothing. */
   #next(): number | null {
-    const due = this.#due(this.#pending());
+    const due = this.#edits.due();
     const isDue = (slot: number | null): boolean => due.some(({ field }) => field.slot === slot);
     const at = this.#bench.stand.at.value;
     if (this.#wanted.value !== null) return this.#wanted.value;
-    if (this.#going.value && isDue(this.#edited)) return this.#edited;
+    if (this.#going.value && isDue(this.#edits.lastSlot)) return this.#edits.lastSlot;
     return isDue(at) ? at : null;
-  }
-
-  /** The positions that have changed since the servos follow, and that the timer does not hold yet. */
-  #pending(): readonly Pending[] {
-    const { editor } = this.#session;
-    const touched = this.#touched.value;
-    return editor.changes.value.flatMap(({ field, to }): Pending[] => {
-      if (field.kind !== 'position' || to === null || to < 0 || to > MAX_POSITION) return [];
-      // A value that stands behind a text that is none was not asked for.
-      const isMeant = touched.has(fieldKey(field)) && !editor.unreadable.value.has(fieldKey(field));
-      return isMeant ? [{ field, value: to }] : [];
-    });
-  }
-
-  /** Those of them that are no longer being typed. For the others it is asked again when they have rested. */
-  #due(pending: readonly Pending[]): readonly Pending[] {
-    clearTimeout(this.#typing);
-    const rests = pending.map(({ field }) => (this.#session.editor.isTyped(field) ? this.#restOf(field) : 0));
-    const wait = Math.min(...rests.filter((rest) => rest > 0));
-    if (wait < Number.POSITIVE_INFINITY) this.#typing = setTimeout(() => this.#rested.value++, Math.ceil(wait));
-    return pending.filter((_, i) => (rests[i] ?? 0) <= 0);
-  }
-
-  #restOf(field: Position): number {
-    return (this.#changedAt.get(fieldKey(field)) ?? 0) + TYPED - performance.now();
   }
 
   /**
@@ -335,7 +274,7 @@ export class Follow {
       this.#wanted.value = null;
       try {
         if (slot !== stand.at.peek()) await move();
-        const due = this.#due(this.#pending()).filter(({ field }) => field.slot === slot);
+        const due = this.#edits.due().filter(({ field }) => field.slot === slot);
         let stored = 0;
         for (const { field } of due) {
           if (isOff()) break;
@@ -357,7 +296,7 @@ export class Follow {
   /** Stores the position that a field has by now, where the servos stand. */
   async #store(field: Position, connection: TimerConnection, options: JobOptions): Promise<void> {
     const { editor, knowledge } = this.#session;
-    const pending = this.#pending().find((other) => fieldKey(other.field) === fieldKey(field));
+    const pending = this.#edits.pending().find((other) => fieldKey(other.field) === fieldKey(field));
     const trial = this.trials.current.peek();
     const before = editor.baseline.peek();
     if (!pending || !trial || !before) return;

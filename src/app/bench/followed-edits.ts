@@ -1,0 +1,100 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { differences, fieldKey, type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
+import { MAX_POSITION } from '../../protocol/index.js';
+import type { Editor } from '../editing/editor.js';
+
+export type Position = Extract<ProgramField, { kind: 'position' }>;
+
+/** A position that has changed since the servos follow, and that the timer does not hold yet. */
+export interface PendingPosition {
+  readonly field: Position;
+  readonly value: number;
+}
+
+/** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
+const TYPED = 600;
+
+/** What has been edited since the servos follow: which positions the timer is to be sent, and which of them are still being typed. */
+export class FollowedEdits {
+  readonly #touched = signal<ReadonlySet<string>>(new Set(), { name: 'touched' });
+  /** Counted up when typed digits have rested long enough. */
+  readonly #rested = signal(0, { name: 'rested' });
+  /** Whether positions wait for a write that were edited before following began. */
+  readonly hasEarlier: ReadonlySignal<boolean> = computed(() =>
+    this.#editor.changes.value.some(
+      ({ field }) => field.kind === 'position' && !this.#touched.value.has(fieldKey(field)),
+    ),
+  );
+  readonly #editor: Editor;
+  /** What was wanted when it was looked at last. */
+  #seen: TimerProgram | null = null;
+  #lastSlot: number | null = null;
+  #typing: ReturnType<typeof setTimeout> | undefined;
+  readonly #changedAt = new Map<string, number>();
+
+  constructor(editor: Editor) {
+    this.#editor = editor;
+  }
+
+  /** The function that was edited last; null when there is none, or several at once. */
+  get lastSlot(): number | null {
+    return this.#lastSlot;
+  }
+
+  /** The function that was edited last does not count any more. */
+  forgetLastSlot(): void {
+    this.#lastSlot = null;
+  }
+
+  /** What is edited from now on is followed. */
+  begin(): void {
+    this.#seen = this.#editor.working.peek();
+    this.#lastSlot = null;
+    this.#touched.value = new Set();
+  }
+
+  /** Nobody waits any more for digits to rest. */
+  end(): void {
+    clearTimeout(this.#typing);
+  }
+
+  /** Notes which positions have changed since this was called last. */
+  note(): void {
+    const working = this.#editor.working.value;
+    const before = this.#seen;
+    this.#seen = working;
+    if (!working || !before || before === working || !sameLayout(before.identity, working.identity)) return;
+    const changed = differences(before, working).map(({ field }) => field);
+    for (const field of changed) this.#changedAt.set(fieldKey(field), performance.now());
+    const slots = new Set(changed.flatMap((field) => (field.kind === 'position' ? [field.slot] : [])));
+    // Servos that ran through all the functions of a paste were not meant.
+    if (slots.size > 0) this.#lastSlot = slots.size === 1 ? ([...slots][0] ?? null) : null;
+    this.#touched.value = new Set([...this.#touched.peek(), ...changed.map(fieldKey)]);
+  }
+
+  /** The positions that have changed since it began, and that the timer does not hold yet. */
+  pending(): readonly PendingPosition[] {
+    const touched = this.#touched.value;
+    return this.#editor.changes.value.flatMap(({ field, to }): PendingPosition[] => {
+      if (field.kind !== 'position' || to === null || to < 0 || to > MAX_POSITION) return [];
+      // A value that stands behind a text that is none was not asked for.
+      const isMeant = touched.has(fieldKey(field)) && !this.#editor.unreadable.value.has(fieldKey(field));
+      return isMeant ? [{ field, value: to }] : [];
+    });
+  }
+
+  /** Those of them that are no longer being typed. Whoever asks in an effect is told when the others have rested. */
+  due(): readonly PendingPosition[] {
+    void this.#rested.value;
+    clearTimeout(this.#typing);
+    const pending = this.pending();
+    const rests = pending.map(({ field }) => (this.#editor.isTyped(field) ? this.#restOf(field) : 0));
+    const wait = Math.min(...rests.filter((rest) => rest > 0));
+    if (wait < Number.POSITIVE_INFINITY) this.#typing = setTimeout(() => this.#rested.value++, Math.ceil(wait));
+    return pending.filter((_, i) => (rests[i] ?? 0) <= 0);
+  }
+
+  #restOf(field: Position): number {
+    return (this.#changedAt.get(fieldKey(field)) ?? 0) + TYPED - performance.now();
+  }
+}
