@@ -22,7 +22,7 @@ import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
  * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
  *
  * What changes how values are read or where they go to is found only when two replies agree, and is no longer found
- * when the timer contradicts it: `timers-reply-66`, `times-big-endian`, `memories-from-one`, `positions-unchanged`.
+ * when the timer contradicts it: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`, `positions-unchanged`.
  */
 export type QuirkCode =
   | 'timers-reply-66'
@@ -56,17 +56,18 @@ export interface AssumedQuirks extends LayoutQuirks {
   readonly positionsNeedMove?: boolean;
 }
 
-/** The requests that the source prints with another reply's letter in one place. */
+/** The requests whose reply the source prints in one place with another letter, or with its letter as its sum. */
 const MISPRINTS: Partial<Record<CommandName, QuirkCode>> = {
   GETTIMERS: 'timers-reply-66',
   UNLOCK: 'unlock-reply-6a',
+  GETLOWRPM: 'bare-checksum',
 };
 
 /** What one timer does differently: found on the line, or assumed. */
 export class Quirks {
   readonly found = new Map<QuirkCode, QuirkParams>();
   assumed: AssumedQuirks;
-  /** How many replies came with a letter of another command; less than none once one came with its own. */
+  /** How many replies came in the form of a misprint; less than none once one came in its own. */
   readonly #misprints = new Map<CommandName, number>();
   readonly #first: AssumedQuirks;
 
@@ -99,24 +100,24 @@ export class Quirks {
     this.assumed = others;
   }
 
-  /** A reply came, with its own letter or with one that belongs to another command. */
-  noteLetter(name: CommandName, match: 'exact' | 'misprint'): void {
+  /** A reply came, in its own form or in that of a misprint. */
+  noteForm(name: CommandName, match: 'exact' | 'misprint'): void {
     const code = MISPRINTS[name];
     if (!code) return;
     if (match === 'exact') {
-      // Who uses the right letter does not use the wrong one: that was a late reply to something else.
+      // Who uses the right form does not use the wrong one: that was a late reply to something else, or damage.
       this.drop(code);
       this.#misprints.set(name, Number.NEGATIVE_INFINITY);
       return;
     }
     const count = (this.#misprints.get(name) ?? 0) + 1;
     this.#misprints.set(name, count);
-    // UNLOCK is not sent again to see.
+    // UNLOCK is not sent again to see, and nothing but its letter differs.
     if (name === 'UNLOCK' || count > 1) this.note(code);
   }
 
   /**
-   * Whether this timer may answer with a letter that belongs to another command.
+   * Whether this timer may answer in the form of a misprint.
    * @param how `known`: it was seen to do so; `yes`: it may be, too, that it does and was not seen to.
    */
   mayMisprint(name: CommandName, how: 'known' | 'yes'): boolean {
@@ -124,7 +125,7 @@ export class Quirks {
     return how === 'known' ? count > 1 : count >= 0;
   }
 
-  /** Whether the last reply came with a wrong letter for the first time. */
+  /** Whether the last reply came in the form of a misprint, for the first time. */
   isMisprintNew(name: CommandName): boolean {
     return this.#misprints.get(name) === 1;
   }

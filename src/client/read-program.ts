@@ -116,13 +116,13 @@ async function readOnce(
     return (await exchange.ask({ name }, signal, { strict })) as ReplyOf<Name>;
   };
   const { times } = await ask('GETTIMERS');
-  const isMisprint = quirks.isMisprintNew('GETTIMERS');
   const { positions } = await ask('GETSERVOPOS');
   const wasRepeated = seen().repeats > 0;
   const wasMalformed = quirks.found.has('idle-throttle-malformed');
   let throttle: number | null = null;
   if (contentQuestions(identity, idleThrottle).includes('GETLOWRPM')) throttle = await askIdleThrottle(job);
   const content = { times, positions, idleThrottle: throttle };
+  const isMisprint = quirks.isMisprintNew('GETTIMERS') || quirks.isMisprintNew('GETLOWRPM');
   const isOdd =
     isMisprint || !isByteOrderKnown(job, times) || quirks.found.has('idle-throttle-malformed') !== wasMalformed;
   return { content, doubtful: exchange.damaged || wasRepeated || isOdd };

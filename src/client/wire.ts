@@ -86,6 +86,8 @@ export class Wire {
   readonly #unanswered = new Map<number, Unanswered>();
   #lastSent: Frame | undefined;
   #heard: (() => void) | undefined;
+  /** The last frame with its letter in the place of its sum. */
+  #bare: Frame | undefined;
   /** What came since the last frame went out. */
   #came: Exclude<Outcome<never>, { kind: 'answer' }> = { kind: 'silent' };
 
@@ -95,7 +97,7 @@ export class Wire {
     this.#options = options;
     this.#decoder = new FrameDecoder({
       onFrame: (frame, bytes, bare) => {
-        if (bare) quirks.note('bare-checksum');
+        if (bare) this.#bare = frame;
         this.#log({ direction: 'in', bytes, frame });
       },
       onRejected: ({ reason, bytes }) => {
@@ -342,7 +344,7 @@ export class Wire {
   }
 
   #match(frame: Frame, request: Request, identity: Identity | null, misprints: boolean): Reply | undefined {
-    const match = answers(frame.code, request.name);
+    const match = frame === this.#bare ? 'misprint' : answers(frame.code, request.name);
     if (!match || (match === 'misprint' && !misprints)) return undefined;
     let reply: Reply;
     try {
@@ -353,7 +355,8 @@ export class Wire {
       this.#came = { kind: 'bad', error };
       return undefined;
     }
-    this.#quirks.noteLetter(request.name, match);
+    // The sum of a reply with the value 0 is its letter in any case.
+    if (reply.name !== 'GETLOWRPM' || reply.idleThrottle !== 0) this.#quirks.noteForm(request.name, match);
     return reply;
   }
 
