@@ -1,4 +1,4 @@
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
@@ -85,7 +85,7 @@ function useOverlay(session: Session, program: TimerProgram, chosen: string): Ti
   const { knowledge } = messages.value;
   const { sure } = session.standing.value;
   const held = session.editor.baseline.value;
-  const differs = session.editor.changes.value.length > 0;
+  const differs = useComputed(() => session.editor.changes.value.length > 0).value;
   const backup = session.backups.list.value.find(({ key }) => key === chosen);
   return useMemo(() => {
     if (chosen === HELD) {
