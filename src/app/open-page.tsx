@@ -14,8 +14,8 @@ import { FramedPage, isFramed } from './shell/framed-page.js';
 import { browserStorage } from './storage/index.js';
 
 /**
- * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or never answers
- * keeps the page from being drawn.
+ * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or
+ * never answers keeps the page from being drawn.
  * @returns the models of the page; null inside of a frame, where it does not work.
  */
 export function openPage(root: HTMLElement): AppModels | null {

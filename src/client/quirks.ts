@@ -22,7 +22,8 @@ import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
  * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
  *
  * What changes how values are read or where they go to is found only when two replies agree, and is no longer found
- * when the timer contradicts it: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`, `positions-unchanged`.
+ * when the timer contradicts it: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`,
+ * `positions-unchanged`.
  */
 export type QuirkCode =
   | 'timers-reply-66'

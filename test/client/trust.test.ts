@@ -225,7 +225,10 @@ describe('a second reply to the first reading', () => {
 });
 
 describe('a reply of which two bits are flipped, or two bytes changed, and the sum is right', () => {
-  /** Its idle throttle makes a sum that is one bit away from the bare letter of the command, which is taken for a sum too. */
+  /**
+   * Its idle throttle makes a sum that is one bit away from the bare letter of the command, which is taken for a sum
+   * too.
+   */
   function field(): Bench {
     const made = bench({ identity: { ...SMALL, timerClass: 'Q' } });
     made.timer.core.idleThrottle = 8;
@@ -275,7 +278,9 @@ describe('a reply of which two bits are flipped, or two bytes changed, and the s
     });
   }
 
-  /** All that damage can make of a reply without a trace: two bits flipped anywhere, or two bytes moved by one amount. */
+  /**
+   * All that damage can make of a reply without a trace: two bits flipped anywhere, or two bytes moved by one amount.
+   */
   function* damagedReplies(timer: VirtualTimer, { request, bytes }: Heard): Generator<Uint8Array> {
     const seen = new Set<string>([bytes.join()]);
     function* isNew(damaged: Uint8Array): Generator<Uint8Array> {

@@ -2,7 +2,9 @@ import { service } from '../browser/services.js';
 import { eraseSettings } from '../browser/settings.js';
 import type { Erasers } from './erase.js';
 
-/** Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone. */
+/**
+ * Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone.
+ */
 export function browserErasers(serial: Pick<Serial, 'getPorts'> | null): Erasers {
   return {
     settings: async () => eraseSettings(),

@@ -36,7 +36,10 @@ const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 /** The arrangement of the shelves. A browser refuses it when a newer version of this page has been here. */
 const VERSION = 4;
 
-/** Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds on to it. */
+/**
+ * Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds
+ * on to it.
+ */
 export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>> {
   // Where storage is switched off, opening may throw at once instead of failing later.
   const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
@@ -71,10 +74,16 @@ export async function deleteStorage(opened: Promise<IDBPDatabase<Schema>>, name 
   await deleteDB(name);
 }
 
-/** So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in milliseconds. */
+/**
+ * So long a record that is no matter of a moment waits at most for the browser to have nothing else to do, in
+ * milliseconds.
+ */
 const IDLE_WITHIN = 50;
 
-/** Copying a record takes time: what was typed is drawn first. A page that is left, or put away on a phone, may never be idle again. */
+/**
+ * Copying a record takes time: what was typed is drawn first. A page that is left, or put away on a phone, may never be
+ * idle again.
+ */
 function drawn(): Promise<void> {
   return new Promise((resolve) => {
     const settled = new AbortController();
@@ -154,7 +163,9 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     return results.flatMap((result) => (result.success ? [result.output] : []));
   }
 
-  /** Puts what cannot be read where nothing takes its place. What cannot be moved stays where it is, and is told all the same. */
+  /**
+   * Puts what cannot be read where nothing takes its place. What cannot be moved stays where it is, and is told anyway.
+   */
   async #setAside(bad: readonly unknown[]): Promise<void> {
     const at = Date.now();
     const records = bad.map((stored) => {

@@ -38,7 +38,8 @@ const CODES: Readonly<Record<string, StorageErrorCode>> = {
 export const STORAGE_LIMIT = 5000;
 
 /**
- * What the storage gives, if it gives it in time: a browser may leave a question open for ever. What comes later is passed over.
+ * What the storage gives, if it gives it in time: a browser may leave a question open for ever. What comes later is
+ * skipped.
  * @param work a promise, or what begins it: whatever that throws at once is a rejection, too.
  * @param ms milliseconds.
  * @throws StorageError
@@ -86,7 +87,8 @@ export class StorageQuestions {
   }
 
   /**
-   * @param now at once, and not after the changes before it: the page is left, and nothing that is waited for comes back to it.
+   * @param now at once, and not after the changes before it: the page is left, and nothing that is waited for comes
+   * back to it.
    * @throws StorageError
    */
   async ask<T>(kind: StorageCall, work: () => Promise<T>, now = false): Promise<T> {
