@@ -4,8 +4,8 @@ import { defineConfig } from 'vitest/config';
 import { launchOptions } from './test/tools/browser.js';
 
 /**
- * The parts of the screen are tested twice, by the same files: fast in happy-dom, and in a real browser, which alone
- * has a storage.
+ * The parts of the screen, fast in happy-dom; what only a real browser can tell, such as its storage, stands in
+ * `*.browser.test.*`.
  */
 const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
@@ -47,6 +47,7 @@ export default defineConfig({
         test: {
           ...parts,
           name: 'parts-browser',
+          include: ['test/app/**/*.browser.test.{ts,tsx}'],
           browser: {
             enabled: true,
             headless: true,

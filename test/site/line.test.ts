@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
-import { source } from 'axe-core';
 import { describe, expect, test } from 'vitest';
 import { parseCapture } from '../../src/protocol/index.js';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
+import { isWellMade, SIZES } from './well-made.js';
 
 /** A pilot who has read the timer and opened the line. */
 async function opened(options: Parameters<typeof AppPage.open>[0] = {}): Promise<AppPage> {
@@ -118,51 +118,22 @@ describe('a frame by hand', () => {
   });
 });
 
-for (const [size, viewport] of Object.entries({
-  phone: { width: 390, height: 844 },
-  small: { width: 320, height: 640 },
-  desktop: { width: 1280, height: 800 },
-})) {
-  for (const colorScheme of ['light', 'dark'] as const) {
-    test(`the line can be used by everyone: ${size}, ${colorScheme}`, async () => {
-      const app = await opened({ viewport, colorScheme });
-      await isWellMade(app, 'live');
-      await app.text('Send a frame by hand').click();
-      await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('UNLOCK');
-      await app.button('Send…').click();
-      await isWellMade(app, 'asking twice');
-      await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('Another letter');
-      await app.field('Letter, in hex').fill('7');
-      await app.field('Data, in hex').fill('x');
-      await isWellMade(app, 'refusing');
-      await load(app, `# Sidus capture 1\n0.000 > 00 00 00 00 00 03 6b 6b 45\n9.000 < ${'ff '.repeat(200)}`);
-      await app.button('Back to the live line').waitFor();
-      await isWellMade(app, 'a recording');
-      await load(app, 'no');
-      await app.page.getByRole('alert').waitFor();
-      await isWellMade(app, 'a refused file');
-    });
-  }
-}
-
-/** What axe finds wrong, what a finger would miss, and what stands over the edge. */
-async function isWellMade(app: AppPage, screen: string): Promise<void> {
-  // Without what moves: halfway between two colours the contrast is of neither.
-  await app.page.emulateMedia({ reducedMotion: 'reduce' });
-  await app.page.evaluate(source);
-  const found = await app.page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: typeof import('axe-core') };
-    return (await axe.run()).violations.map(
-      ({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(', ')}`,
-    );
-  });
-  expect(found, screen).toEqual([]);
-  const small = await app.line.locator('button, input, select, summary').evaluateAll((targets) =>
-    targets.flatMap((element) => {
-      const { width, height } = element.getBoundingClientRect();
-      return width > 0 && (width < 44 || height < 44) ? [`${element.outerHTML.slice(0, 90)} ${width} x ${height}`] : [];
-    }),
-  );
-  expect(small, screen).toEqual([]);
-  await app.expectNoSidewaysScrolling();
-}
+test('the line can be used by everyone', async () => {
+  const sizes = { ...SIZES, small: { width: 320, height: 640 } };
+  const app = await opened();
+  await isWellMade(app, 'live', sizes);
+  await app.text('Send a frame by hand').click();
+  await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('UNLOCK');
+  await app.button('Send…').click();
+  await isWellMade(app, 'asking twice', sizes);
+  await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('Another letter');
+  await app.field('Letter, in hex').fill('7');
+  await app.field('Data, in hex').fill('x');
+  await isWellMade(app, 'refusing', sizes);
+  await load(app, `# Sidus capture 1\n0.000 > 00 00 00 00 00 03 6b 6b 45\n9.000 < ${'ff '.repeat(200)}`);
+  await app.button('Back to the live line').waitFor();
+  await isWellMade(app, 'a recording', sizes);
+  await load(app, 'no');
+  await app.page.getByRole('alert').waitFor();
+  await isWellMade(app, 'a refused file', sizes);
+});

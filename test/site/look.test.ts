@@ -1,8 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-import { isWellMade } from './well-made.js';
-
-const sizes = { phone: { width: 390, height: 844 }, desktop: { width: 1280, height: 800 } } as const;
+import { isWellMade, showTheme } from './well-made.js';
 
 /** Values and old values that are cut off, covered, or stand out of their field. Runs in the page. */
 function hidden(): string[] {
@@ -38,128 +36,115 @@ function hidden(): string[] {
   });
 }
 
-for (const [size, viewport] of Object.entries(sizes)) {
-  for (const colorScheme of ['light', 'dark'] as const) {
-    test(`every screen can be used by everyone: ${size}, ${colorScheme}`, async () => {
-      const app = await AppPage.open({ viewport, colorScheme, bench: {} });
-      await app.button('Connect').first().waitFor();
-      await isWellMade(app, 'start');
-      await app.bench((bench) => bench.dismissChooser());
-      await app.button('Connect').click();
-      await app.says('No port was chosen.');
-      await isWellMade(app, 'start with a notice');
-      await app.bench((bench) => bench.chooseAdapter());
-      await app.connect();
-      await isWellMade(app, 'program');
+test('every screen can be used by everyone', async () => {
+  const app = await AppPage.open({ bench: {} });
+  await app.button('Connect').first().waitFor();
+  await isWellMade(app, 'start');
+  await app.bench((bench) => bench.dismissChooser());
+  await app.button('Connect').click();
+  await app.says('No port was chosen.');
+  await isWellMade(app, 'start with a notice');
+  await app.bench((bench) => bench.chooseAdapter());
+  await app.connect();
+  await isWellMade(app, 'program');
 
-      await app.type('Function 2, S1', '131');
-      await app.type('Function 3, S2', '99');
-      await app.type('Idle throttle', 'x');
-      await app.type('DT time', '5');
-      await isWellMade(app, 'program with errors, edits and warnings');
+  await app.type('Function 2, S1', '131');
+  await app.type('Function 3, S2', '99');
+  await app.type('Idle throttle', 'x');
+  await app.type('DT time', '5');
+  await isWellMade(app, 'program with errors, edits and warnings');
 
-      await app.type('Function 2, S1', '100');
-      await app.type('Idle throttle', '30');
-      await app.button('5 s').first().click();
-      await app.review();
-      await isWellMade(app, 'difference');
-      await app.dialog.getByRole('checkbox', { name: 'I have read this' }).check();
-      await app.tickSafety();
-      await app.dialog.getByRole('button', { name: /^Write/ }).click();
-      await app.result('Verified.');
-      await isWellMade(app, 'result');
-      await app.close();
-      await app.page.getByText('Line', { exact: true }).click();
-      await isWellMade(app, 'line');
-      await app.bench((bench) => bench.adapter.unplug());
-      await app.says('The adapter is unplugged.');
-      await isWellMade(app, 'after a loss');
-    });
-  }
-}
+  await app.type('Function 2, S1', '100');
+  await app.type('Idle throttle', '30');
+  await app.button('5 s').first().click();
+  await app.review();
+  await isWellMade(app, 'difference');
+  await app.dialog.getByRole('checkbox', { name: 'I have read this' }).check();
+  await app.tickSafety();
+  await app.dialog.getByRole('button', { name: /^Write/ }).click();
+  await app.result('Verified.');
+  await isWellMade(app, 'result');
+  await app.close();
+  await app.page.getByText('Line', { exact: true }).click();
+  await isWellMade(app, 'line');
+  await app.bench((bench) => bench.adapter.unplug());
+  await app.says('The adapter is unplugged.');
+  await isWellMade(app, 'after a loss');
+});
 
-for (const [size, viewport] of Object.entries(sizes)) {
-  for (const colorScheme of ['light', 'dark'] as const) {
-    test(`what the link says can be used by everyone: ${size}, ${colorScheme}`, async () => {
-      const app = await AppPage.open({ viewport, colorScheme, bench: { granted: true } });
-      await app.text('Serial settings').click();
-      await isWellMade(app, 'known adapters and settings');
-      await app.bench((bench) => bench.sleep());
-      await app.button('Connect').click();
-      await app.says('No answer yet.');
-      await isWellMade(app, 'waiting');
-      await app.bench((bench) => bench.press());
-      await app.hasRead();
-      await app.text('About this timer').click();
-      await app.text('Backups').click();
-      await isWellMade(app, 'about, backups');
-      await app.button('Copy M1 to M3…').click();
-      await isWellMade(app, 'memories');
-      await app.button('Cancel').click();
+test('what the link says can be used by everyone', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.text('Serial settings').click();
+  await isWellMade(app, 'known adapters and settings');
+  await app.bench((bench) => bench.sleep());
+  await app.button('Connect').click();
+  await app.says('No answer yet.');
+  await isWellMade(app, 'waiting');
+  await app.bench((bench) => bench.press());
+  await app.hasRead();
+  await app.text('About this timer').click();
+  await app.text('Backups').click();
+  await isWellMade(app, 'about, backups');
+  await app.button('Copy M1 to M3…').click();
+  await isWellMade(app, 'memories');
+  await app.button('Cancel').click();
 
-      await app.type('DT time', '4:00');
-      await app.type('Function 2, S1', '7');
-      await app.bench((bench) => {
-        bench.content.times[10] = 21000;
-      });
-      await app.review();
-      await isWellMade(app, 'conflict');
-      await app.bench((bench) => bench.unplugAt('SETTIMERS'));
-      await app.tickSafety();
-      await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
-      await app.result('It is not certain what the timer holds.');
-      await app.close();
-      await app.bench((bench) => bench.replug());
-      await app.isReady();
-      await app.page.locator('summary', { hasText: 'Compare' }).click();
-      await isWellMade(app, 'an interrupted write');
-      await app.fly('M2');
-      await app.button('Make M1 fly next and look').waitFor();
-      await isWellMade(app, 'an interrupted write into another memory');
-    });
-  }
-}
+  await app.type('DT time', '4:00');
+  await app.type('Function 2, S1', '7');
+  await app.bench((bench) => {
+    bench.content.times[10] = 21000;
+  });
+  await app.review();
+  await isWellMade(app, 'conflict');
+  await app.bench((bench) => bench.unplugAt('SETTIMERS'));
+  await app.tickSafety();
+  await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
+  await app.result('It is not certain what the timer holds.');
+  await app.close();
+  await app.bench((bench) => bench.replug());
+  await app.isReady();
+  await app.page.locator('summary', { hasText: 'Compare' }).click();
+  await isWellMade(app, 'an interrupted write');
+  await app.fly('M2');
+  await app.button('Make M1 fly next and look').waitFor();
+  await isWellMade(app, 'an interrupted write into another memory');
+});
 
-for (const [size, viewport] of Object.entries(sizes)) {
-  for (const colours of ['Light', 'Dark', 'Sun']) {
-    test(`every tool can be used by everyone: ${size}, ${colours}`, async () => {
-      const app = await AppPage.open({ viewport, bench: { granted: true } });
-      const open = (tool: string): Promise<void> => app.page.locator('summary', { hasText: tool }).first().click();
-      await app.text(colours).click();
-      await app.button('Connect').first().click();
-      await app.hasRead();
-      await open('As a table');
-      await open('Flight preview');
-      await open('What the servos move');
-      await isWellMade(app, 'the picture and the preview');
-      await open('Shift in time');
-      await app.button('Change presets').click();
-      await isWellMade(app, 'the tools of the table');
-      await open('Bench');
-      await open('Experimental');
-      await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
-      await app.button('Function 2').click();
-      await app.text('Servos at function 2').first().waitFor();
-      await app.page.getByRole('switch').click();
-      await app.button('Stop following').first().waitFor();
-      await app.type('Function 2, S1', '7');
-      await app.text('Tried: 1 position').first().waitFor();
-      await isWellMade(app, 'following');
-      await app.button('Stop following').first().click();
-      await app.button('Keep it').first().waitFor();
-      await isWellMade(app, 'tried');
-      await app.button('Keep it').first().click();
-      await open('Memories side by side');
-      await app.button('Read all…').click();
-      const dialog = app.page.getByRole('dialog');
-      await dialog.getByRole('button', { name: 'Back up' }).click();
-      await dialog.getByText('were read and kept').waitFor();
-      await dialog.getByRole('button', { name: 'Close' }).click();
-      await dialog.waitFor({ state: 'hidden' });
-      await isWellMade(app, 'memories side by side');
-    });
-  }
-}
+test('every tool can be used by everyone', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  const open = (tool: string): Promise<void> => app.page.locator('summary', { hasText: tool }).first().click();
+  await app.button('Connect').first().click();
+  await app.hasRead();
+  await open('As a table');
+  await open('Flight preview');
+  await open('What the servos move');
+  await isWellMade(app, 'the picture and the preview');
+  await open('Shift in time');
+  await app.button('Change presets').click();
+  await isWellMade(app, 'the tools of the table');
+  await open('Bench');
+  await open('Experimental');
+  await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
+  await app.button('Function 2').click();
+  await app.text('Servos at function 2').first().waitFor();
+  await app.page.getByRole('switch').click();
+  await app.button('Stop following').first().waitFor();
+  await app.type('Function 2, S1', '7');
+  await app.text('Tried: 1 position').first().waitFor();
+  await isWellMade(app, 'following');
+  await app.button('Stop following').first().click();
+  await app.button('Keep it').first().waitFor();
+  await isWellMade(app, 'tried');
+  await app.button('Keep it').first().click();
+  await open('Memories side by side');
+  await app.button('Read all…').click();
+  const dialog = app.page.getByRole('dialog');
+  await dialog.getByRole('button', { name: 'Back up' }).click();
+  await dialog.getByText('were read and kept').waitFor();
+  await dialog.getByRole('button', { name: 'Close' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  await isWellMade(app, 'memories side by side');
+});
 
 describe('what cannot be done looks so', () => {
   for (const colours of ['Light', 'Dark', 'Sun']) {
@@ -202,25 +187,32 @@ function lightness(colour = ''): number {
 }
 
 describe('nothing is cut off or covered', () => {
-  for (const [width, colours] of [320, 390, 768, 1100, 1280].flatMap((width) => [
-    [width, 'Light'] as const,
-    [width, 'Sun'] as const,
-  ])) {
-    test(`at ${width} px, ${colours}`, async () => {
-      const app = await AppPage.open({ viewport: { width, height: 800 }, bench: {} });
-      await app.text(colours).click();
+  const widths = [320, 390, 768, 1100, 1280];
+
+  test(`at ${widths.join(', ')} px, in light and for the sun`, async () => {
+    const app = await AppPage.open({ bench: {} });
+    const inEachLook = async (check: (look: string) => Promise<void>): Promise<void> => {
+      for (const width of widths) {
+        await app.page.setViewportSize({ width, height: 800 });
+        for (const theme of ['light', 'sun']) {
+          await showTheme(app, theme);
+          await check(`${width} px, ${theme}`);
+        }
+      }
+    };
+    await inEachLook(() => app.expectNoSidewaysScrolling());
+    await app.connect();
+    await inEachLook(() => app.expectNoSidewaysScrolling());
+    await app.type('Motor stop', '39.95');
+    await app.type('Function 1 time', '1:30.25');
+    await app.type('DT', '10:00');
+    for (const servo of ['S1', 'S2', 'S3']) await app.type(`Function 2, ${servo}`, '130');
+    await app.page.getByText('Line', { exact: true }).click();
+    await inEachLook(async (look) => {
       await app.expectNoSidewaysScrolling();
-      await app.connect();
-      await app.expectNoSidewaysScrolling();
-      await app.type('Motor stop', '39.95');
-      await app.type('Function 1 time', '1:30.25');
-      await app.type('DT', '10:00');
-      for (const servo of ['S1', 'S2', 'S3']) await app.type(`Function 2, ${servo}`, '130');
-      await app.page.getByText('Line', { exact: true }).click();
-      await app.expectNoSidewaysScrolling();
-      expect(await app.page.evaluate(hidden)).toEqual([]);
+      expect(await app.page.evaluate(hidden), look).toEqual([]);
     });
-  }
+  });
 
   test('at 320 px, while a disturbed line is read', async () => {
     const app = await AppPage.open({ viewport: { width: 320, height: 800 }, bench: { damage: 0.1 } });

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { PHONE } from './page.js';
 import { positionField, ROWS, SHEET, SHIFTED, Trail, timeField } from './sheet.js';
-import { isWellMade } from './well-made.js';
+import { isWellMade, SIZES } from './well-made.js';
 
 test('by thumb alone: a whole program from a sheet, shifted, undone to the start, redone, written, verified', async () => {
   const app = await AppPage.open({ bench: {}, ...PHONE });
@@ -159,7 +159,7 @@ describe('a finger on the table', () => {
     await tap('Function 3, S2');
     await app.text('3 functions, 2 columns').waitFor();
     expect(await focused(), 'no keyboard comes up').toBeFalsy();
-    await isWellMade(app, 'a range');
+    await isWellMade(app, 'a range', { phone: SIZES.phone });
     await app.button('Copy').tap();
     await app.page.getByText('Copied.', { exact: true }).waitFor();
     expect(await app.page.evaluate(() => navigator.clipboard.readText())).toBe('25\t25\n35\t35\n45\t45');
@@ -170,7 +170,7 @@ describe('a finger on the table', () => {
     expect(await app.positions('S2')).toEqual(FIRST_POSITIONS);
 
     await tap('Function 5, S2');
-    await isWellMade(app, 'a field with the focus');
+    await isWellMade(app, 'a field with the focus', { phone: SIZES.phone });
     await app.button('Select range').tap();
     await app.button('Paste…').tap();
     await app.page.getByRole('dialog', { name: 'Paste' }).getByRole('button', { name: 'Paste' }).tap();

@@ -2,15 +2,24 @@ import { source } from 'axe-core';
 import { expect } from 'vitest';
 import type { AppPage } from './app-page.js';
 
-/** What axe finds wrong, one line for each. */
-async function violations(app: AppPage): Promise<string[]> {
-  // Without what moves: halfway between two colours the contrast is of neither.
-  await app.page.emulateMedia({ reducedMotion: 'reduce' });
-  await app.page.evaluate(source);
-  const found = await app.page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: typeof import('axe-core') };
-    return (await axe.run()).violations;
-  });
+type Sizes = Readonly<Record<string, { readonly width: number; readonly height: number }>>;
+/** A phone and a desktop. */
+export const SIZES = {
+  phone: { width: 390, height: 844 },
+  desktop: { width: 1280, height: 800 },
+} as const satisfies Sizes;
+const THEMES = ['light', 'dark', 'sun'] as const;
+
+/** What axe finds wrong, one line for each. @param rules the rules to run; default all. */
+async function violations(app: AppPage, rules?: readonly string[]): Promise<string[]> {
+  if (await app.page.evaluate(() => !('axe' in window))) await app.page.evaluate(source);
+  const found = await app.page.evaluate(
+    async (runOnly) => {
+      const { axe } = window as unknown as { axe: typeof import('axe-core') };
+      return (await axe.run(runOnly ? { runOnly } : {})).violations;
+    },
+    rules && [...rules],
+  );
   return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
 }
 
@@ -28,9 +37,30 @@ function smallTargets(app: AppPage): Promise<string[]> {
   });
 }
 
-/** What axe finds wrong, what a finger would miss, and what stands over the edge: nothing. */
-export async function isWellMade(app: AppPage, screen: string): Promise<void> {
-  expect(await violations(app), screen).toEqual([]);
-  expect(await smallTargets(app), screen).toEqual([]);
-  await app.expectNoSidewaysScrolling();
+/** The page in a theme, without the pilot's hands: its model is not asked. */
+export async function showTheme(app: AppPage, theme: string): Promise<void> {
+  await app.page.evaluate((name) => document.documentElement.setAttribute('data-theme', name), theme);
+}
+
+/**
+ * What axe finds wrong, what a finger would miss, and what stands over the edge, in each size and theme: nothing. A theme changes
+ * colours and nothing else, so the rules that are not about colours are looked at once for each size.
+ */
+export async function isWellMade(app: AppPage, screen: string, sizes: Sizes = SIZES): Promise<void> {
+  const { page } = app;
+  const [size, theme] = [page.viewportSize(), await page.locator('html').getAttribute('data-theme')];
+  // Without what moves: halfway between two colours the contrast is of neither.
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  for (const [name, viewport] of Object.entries(sizes)) {
+    await page.setViewportSize(viewport);
+    for (const [index, each] of THEMES.entries()) {
+      await showTheme(app, each);
+      const rules = index === 0 ? undefined : ['color-contrast', 'link-in-text-block'];
+      expect(await violations(app, rules), `${screen}: ${name}, ${each}`).toEqual([]);
+    }
+    expect(await smallTargets(app), `${screen}: ${name}`).toEqual([]);
+    await app.expectNoSidewaysScrolling();
+  }
+  if (size) await page.setViewportSize(size);
+  if (theme) await showTheme(app, theme);
 }

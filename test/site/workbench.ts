@@ -15,6 +15,8 @@ export interface WorkbenchOptions {
   /** The one rate at which the timer answers. Default: every rate. */
   readonly answersAt?: number;
   readonly quirks?: TimerQuirks;
+  /** Whether bytes take the time that they take on a real line: where speed is the subject. Default false. */
+  readonly timing?: boolean;
   /** The share of all bytes, in both directions, that are lost, flipped or doubled. Default 0. */
   readonly damage?: number;
 }
@@ -37,7 +39,7 @@ export class Workbench {
 
   constructor(
     serial: MockSerial,
-    { timerClass = 'Q', granted = false, identity, damage = 0, ...options }: WorkbenchOptions,
+    { timerClass = 'Q', granted = false, identity, timing = false, damage = 0, ...options }: WorkbenchOptions,
   ) {
     this.#serial = serial;
     const noise = { toPage: noiseOf(damage, 1), toDevice: noiseOf(damage, 2) };
@@ -47,8 +49,8 @@ export class Workbench {
       info: INFO,
       plug: {
         granted,
-        timing: true,
-        latency: 5,
+        timing,
+        latency: timing ? 5 : 0,
         fault: {
           toPage: (byte, index) => (this.#intact-- === 0 ? [byte ^ 0x10, 0x45, 0x00] : noise.toPage(byte, index)),
           toDevice: noise.toDevice,
