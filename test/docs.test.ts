@@ -190,10 +190,18 @@ describe('the styles of the page', () => {
     ['a colour in hexadecimal', 'border: 1px solid #a51717'],
     ['a colour as a function', 'background: rgb(8 14 20 / 60%)'],
     ['a colour by name', 'color: white'],
+    ['a fifth size of type', 'font-size: 0.9rem'],
+    ['a size of type of this window', 'font-size: clamp(1rem, 2vw, 2rem)'],
+    ['a step beside the scale of space', 'margin-inline: 0.6rem auto'],
   ])('refuse %s outside of the tokens', (_, declaration) => {
     const text = `/* #fff */\n.a:hover {\n  ${declaration};\n}\n`;
     expect(flaws('line/a.css', text)).toEqual([expect.stringContaining('stands in ui/tokens.css')]);
     expect(flaws('ui/tokens.css', text)).toEqual([]);
+  });
+
+  it('take what is in the tokens', () => {
+    const text = '.a {\n  padding: 0 var(--space-2);\n  font-size: var(--type-small);\n  color: var(--ink);\n}\n';
+    expect(flaws('line/a.css', text)).toEqual([]);
   });
 
   it('give a class one home', () => {

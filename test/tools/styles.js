@@ -12,6 +12,12 @@ const TOKENS = 'ui/tokens.css';
 const COLOUR =
   /#[0-9a-f]{3,8}\b|\b(?:rgb|hsl|hwb|lab|lch|oklab|oklch|color|color-mix)a?\(|:[^;]*\b(?:black|white|red|green|blue|gr[ae]y)\b/i;
 
+/** A size of type as it is, or smaller where the window is narrow. */
+const TYPE = /^(?:inherit|var\(--type-\w+\)|min\(var\(--type-\w+\), [\d.]+vw\))$/;
+
+/** What a length of the scale of space is used for. A pixel or two are no space but a correction of what is seen. */
+const SPACED = /^(?:padding|margin|gap|row-gap|column-gap)\b/;
+
 /**
  * What is wrong in one file of styles.
  * @param {string} file from src/app, such as `program/presets.css`
@@ -22,7 +28,10 @@ export function flaws(file, text) {
   if (file === TOKENS) return [];
   return declarationsOf(text).flatMap(([property, value]) => {
     const said = `${file}: ${property}: ${value}`;
-    return COLOUR.test(`:${value}`) ? [`${said}: a colour stands in ${TOKENS}`] : [];
+    if (COLOUR.test(`:${value}`)) return [`${said}: a colour stands in ${TOKENS}`];
+    if (property === 'font-size' && !TYPE.test(value)) return [`${said}: a size of type stands in ${TOKENS}`];
+    if (SPACED.test(property) && /\dr?em\b/.test(value)) return [`${said}: the scale of space stands in ${TOKENS}`];
+    return [];
   });
 }
 
