@@ -123,7 +123,7 @@ function Motor({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const id = useId();
   return (
-    <section class="bench-motor">
+    <section>
       <h2>{words.motor}</h2>
       <p class="bad-text" id={id}>
         {words.unlockHint}
@@ -144,7 +144,7 @@ function Experimental({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const asked = useSignal(false);
   return (
-    <details class="bench-experimental">
+    <details>
       <summary>{words.experimental}</summary>
       <p class="hint">{words.jumpHint}</p>
       <div class="buttons">

@@ -61,7 +61,7 @@ export function SerialSettingsForm({ link }: { readonly link: Link }) {
   };
   const rate = String(settings.baudRate);
   return (
-    <details class="serial-settings">
+    <details>
       <summary>{words.settings}</summary>
       <p class="hint">{words.settingsHint}</p>
       <div class="settings-grid">

@@ -95,7 +95,7 @@ function Difference({ change: { memory, before, goal, changes }, folded }: { cha
     />
   );
   return (
-    <section class="memory-difference" aria-label={name}>
+    <section aria-label={name}>
       <p>
         <strong>{words.figures(name, figures)}</strong>
       </p>

@@ -12,7 +12,7 @@ export function NextFlightLine({ session, memories }: { readonly session: Sessio
   if (!word || session.runner.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
   const { original } = word;
   return (
-    <div class="notice bad next-flight" role="alert">
+    <div class="notice bad" role="alert">
       <p>
         <strong>{nextFlightText(word, isConnected ? 'now' : 'last')}</strong>
       </p>

@@ -32,7 +32,7 @@ export function ShiftTool({ editor }: { readonly editor: Editor }) {
     problem.value = obstacle && `${nothingDone} ${obstacleText(identity, obstacle)}`;
   };
   return (
-    <details class="tool shift-tool">
+    <details class="tool">
       <summary>{shift.title}</summary>
       <div class="tool-fields">
         <label>

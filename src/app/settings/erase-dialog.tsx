@@ -59,7 +59,7 @@ function Review({ erase, counts, uncertain }: ReviewProps) {
         </div>
       )}
       <div class="buttons">
-        <button type="button" class="danger" onClick={() => void erase.start()}>
+        <button type="button" onClick={() => void erase.start()}>
           {words.start}
         </button>
         <button type="button" onClick={() => erase.dismiss()}>

@@ -30,7 +30,7 @@ export function Handles(props: HandlesProps) {
   const row = heights[front];
   const dots = onEdit && row ? row : [];
   return (
-    <g class="handles">
+    <g>
       {motorStop !== null && (
         <Handle
           {...props}
