@@ -10,7 +10,7 @@ export function isFramed({ self, top }: Pick<Window, 'self' | 'top'>): boolean {
 export function FramedPage({ address }: { address: string }) {
   const { framed } = messages.value;
   return (
-    <main>
+    <main class="framed">
       <h1>{framed.title}</h1>
       <p>{framed.why}</p>
       <p>
