@@ -1,5 +1,5 @@
-import { createContext, type RefObject } from 'preact';
-import { useContext, useEffect, useRef } from 'preact/hooks';
+import type { RefObject } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
 import type { StepOptions } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
 import type { Selection } from './selection.js';
@@ -44,14 +44,13 @@ export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): 
   return true;
 }
 
-/** What is selected in the table that a field stands in; null elsewhere. */
-export const TableSelection = createContext<Selection | null>(null);
-
 interface FieldToolsProps {
   readonly label: string;
   readonly onStep: OnStep;
   /** Absent when there is nothing to put back. */
   readonly onRevert?: (() => void) | undefined;
+  /** Of the table that the field stands in; absent elsewhere. */
+  readonly selection?: Selection | undefined;
 }
 
 /**
@@ -59,9 +58,8 @@ interface FieldToolsProps {
  * step down and a step up; in the table also a way to select. The focus stays, until more is to be selected: then the
  * keyboard makes room for it.
  */
-export function FieldTools({ label, onStep, onRevert }: FieldToolsProps) {
+export function FieldTools({ label, onStep, onRevert, selection }: FieldToolsProps) {
   const { down, up, putBack, selectRange, signs } = messages.value.edits.field;
-  const selection = useContext(TableSelection);
   const pick = (picked: Selection): void => {
     picked.pick();
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();

@@ -10,6 +10,7 @@ import { formatInterval, type Question, readInterval } from '../editing/units.js
 import { messages, obstacleText } from '../messages/index.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
+import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
 import './value-field.css';
@@ -28,6 +29,7 @@ interface Entry {
 
 interface IntervalFieldProps {
   readonly editor: Editor;
+  readonly selection: Selection;
   readonly slot: number;
   readonly label: string;
 }
@@ -37,7 +39,7 @@ interface IntervalFieldProps {
  * and those after it. A text that is no interval, or asks what it means, changes nothing, and the interval stands there
  * again when the field is left.
  */
-export function IntervalField({ editor, slot, label }: IntervalFieldProps) {
+export function IntervalField({ editor, selection, slot, label }: IntervalFieldProps) {
   const input = useRef<HTMLInputElement>(null);
   const entered = useSignal<Entry | null>(null);
   const focused = useSignal(false);
@@ -130,7 +132,7 @@ export function IntervalField({ editor, slot, label }: IntervalFieldProps) {
           {problem}
         </span>
       )}
-      {focused.value && <FieldTools label={label} onStep={step} />}
+      {focused.value && <FieldTools {...{ label, selection }} onStep={step} />}
     </span>
   );
 }

@@ -67,14 +67,14 @@ export function ProgramRow({ session, bench, follow, identity, slot, servos, sel
           )}
         </th>
         <td {...timeCell} class={`time ${timeCell.class}`}>
-          <TimeCell session={session} identity={identity} slot={slot} />
+          <TimeCell session={session} selection={selection} identity={identity} slot={slot} />
         </td>
         <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
-          {slot > 0 && <IntervalField editor={editor} slot={slot} label={edits.table.intervalOf(name)} />}
+          {slot > 0 && <IntervalField {...{ editor, selection, slot }} label={edits.table.intervalOf(name)} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
-            <ValueField session={session} field={field} label={fieldLabel(identity, field)} place="table" />
+            <ValueField {...{ session, selection, field }} label={fieldLabel(identity, field)} place="table" />
           </td>
         ))}
       </tr>
@@ -96,12 +96,13 @@ export function ProgramRow({ session, bench, follow, identity, slot, servos, sel
 
 interface TimeCellProps {
   readonly session: Session;
+  readonly selection: Selection;
   readonly identity: Identity;
   readonly slot: number;
 }
 
 /** Slot 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
-function TimeCell({ session, identity, slot }: TimeCellProps) {
+function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
   const { editor } = session;
   const { program } = messages.value;
   const unlocked = useSignal(false);
@@ -118,7 +119,7 @@ function TimeCell({ session, identity, slot }: TimeCellProps) {
   const reserved = slot === 0 && !isMotorStop;
   return (
     <>
-      <ValueField session={session} field={field} label={label} place="table" readOnly={reserved && !unlocked.value} />
+      <ValueField {...{ session, selection, field, label }} place="table" readOnly={reserved && !unlocked.value} />
       {isMotorStop && <span class="cell-name">{program.motorStop}</span>}
       {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
       {reserved && !unlocked.value && (

@@ -9,7 +9,6 @@ import { messages, obstacleText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
 import { ColumnMenu } from './column-menu.js';
-import { TableSelection } from './field-tools.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { ProgramRow } from './program-row.js';
 import { RangeBar } from './range-bar.js';
@@ -103,13 +102,11 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
             ))}
           </tr>
         </thead>
-        <TableSelection.Provider value={selection}>
-          <tbody>
-            {slots.map((slot) => (
-              <ProgramRow key={slot} {...{ session, bench, follow, identity, slot, servos, selection, marked }} />
-            ))}
-          </tbody>
-        </TableSelection.Provider>
+        <tbody>
+          {slots.map((slot) => (
+            <ProgramRow key={slot} {...{ session, bench, follow, identity, slot, servos, selection, marked }} />
+          ))}
+        </tbody>
       </table>
       <p class="hint keys-hint" id="table-keys">
         {edits.table.keys}

@@ -7,6 +7,7 @@ import type { Session } from '../session/session.js';
 import { FieldModel, type FieldPlace } from './field-model.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
 import { refuseDrag } from './refuse-drag.js';
+import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
 import { WasText } from './was-text.js';
@@ -18,6 +19,8 @@ interface ValueFieldProps {
   readonly label: string;
   /** It keeps the ids of fields for one value apart. In the table the arrows alone go to other cells. */
   readonly place: FieldPlace;
+  /** Of the table; absent elsewhere. */
+  readonly selection?: Selection;
   readonly readOnly?: boolean;
   /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
   readonly notesShown?: boolean;
@@ -27,7 +30,8 @@ interface ValueFieldProps {
 const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
-export function ValueField({ session, field, label, place, readOnly = false, notesShown = false }: ValueFieldProps) {
+export function ValueField(props: ValueFieldProps) {
+  const { session, field, label, place, selection, readOnly = false, notesShown = false } = props;
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
@@ -132,7 +136,11 @@ export function ValueField({ session, field, label, place, readOnly = false, not
         </span>
       )}
       {focused.value && !readOnly && (
-        <FieldTools label={label} onStep={step} onRevert={isChanged || model.isUnreadable.value ? revert : undefined} />
+        <FieldTools
+          {...{ label, selection }}
+          onStep={step}
+          onRevert={isChanged || model.isUnreadable.value ? revert : undefined}
+        />
       )}
     </span>
   );
