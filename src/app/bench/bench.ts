@@ -8,7 +8,10 @@ import { ServoStand } from './servo-stand.js';
 /** What may happen on the bench when the timer is told so. */
 export type BenchAction = { readonly kind: 'move'; readonly slot: number } | { readonly kind: 'unlock' | 'jump' };
 
-/** What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out all the same. */
+/**
+ * What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out
+ * all the same.
+ */
 export interface Done {
   readonly action: BenchAction;
   readonly certain: boolean;

@@ -14,7 +14,10 @@ export interface PendingPosition {
 /** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
 const TYPED = 600;
 
-/** What has been edited since the servos follow: which positions the timer is to be sent, and which of them are still being typed. */
+/**
+ * What has been edited since the servos follow: which positions the timer is to be sent, and which of them are still
+ * being typed.
+ */
 export class FollowedEdits {
   readonly #touched = signal<ReadonlySet<string>>(new Set(), { name: 'touched' });
   /** Counted up when typed digits have rested long enough. */

@@ -38,8 +38,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
     );
   }
   const originalName = original.value === null ? null : memoryName(original.value);
-  const canGoBack =
-    word.value !== null && originalName !== null && session.connection.value && !session.runner.busy.value;
+  const canGoBack = word.value !== null && originalName !== null && session.runner.ready.value;
   return (
     <>
       {question.failed && originalName && (

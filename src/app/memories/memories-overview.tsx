@@ -12,7 +12,7 @@ import './memories-overview.css';
 export function MemoriesOverview({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { overview: words } = messages.value;
   const baseline = session.editor.baseline.value;
-  const ready = session.connection.value !== null && !session.runner.busy.value;
+  const ready = session.runner.ready.value;
   if (!baseline || baseline.memory === null || baseline.identity.memories < 2) return null;
   const contents = Array.from({ length: baseline.identity.memories }, (_, memory) => ({
     memory,

@@ -9,7 +9,7 @@ import './memories-panel.css';
 export function MemoriesPanel({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { memories: words, memoryName } = messages.value;
   const baseline = session.editor.baseline.value;
-  const ready = session.connection.value !== null && !session.runner.busy.value;
+  const ready = session.runner.ready.value;
   if (!baseline || baseline.memory === null) return null;
   const { memory, identity } = baseline;
   const others = Array.from({ length: identity.memories }, (_, index) => index).filter((index) => index !== memory);
@@ -84,7 +84,7 @@ function BackupRow({ session, memories, set, following }: BackupRowProps) {
         {isSet && (
           <button
             type="button"
-            disabled={!fits || session.connection.value === null || session.runner.busy.value}
+            disabled={!fits || !session.runner.ready.value}
             onClick={() => memories.jobs.open({ kind: 'restore', backups: [...set].reverse() })}
           >
             {all.restoreAll}

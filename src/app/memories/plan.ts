@@ -26,7 +26,10 @@ export interface MemoryChange {
 export interface MemoryEnd {
   /** Counted from 0. */
   readonly memory: number;
-  /** `untouched`: nothing was written into it. `differs`: it was read back and holds something else. `unknown`: nobody has read it since. */
+  /**
+   * `untouched`: nothing was written into it. `differs`: it was read back and holds something else. `unknown`: nobody
+   * has read it since.
+   */
   readonly state: 'verified' | 'untouched' | 'differs' | 'unknown';
   readonly known: Known;
   /** Null when it was not even compared. */

@@ -27,8 +27,9 @@ interface Reading {
 }
 
 /**
- * What can be done about a job that was cut off. Nothing identifies a timer, so whoever meets one of the same kind is told what a fresh
- * read explains, and decides. What is not known of a timer is no matter of an offer: that is told by {@link Knowledge}.
+ * What can be done about a job that was cut off. Nothing identifies a timer, so whoever meets one of the same kind is
+ * told what a fresh read explains, and decides. What is not known of a timer is no matter of an offer: that is told by
+ * {@link Knowledge}.
  */
 export class InterruptedJobs {
   /** Derived from the records and from what was read last. */
@@ -83,7 +84,10 @@ export class InterruptedJobs {
     if (walk && walk.original === read.memory) void this.#records.remove(walk.key);
   }
 
-  /** This is another timer than the one of the interrupted job: said no more while it is connected, and kept for the right one. */
+  /**
+   * This is another timer than the one of the interrupted job: said no more while it is connected, and kept for the
+   * right one.
+   */
   setAside(): void {
     const { value } = this.offer;
     if (!value) return;

@@ -6,7 +6,10 @@ import type { Link } from './link.js';
 import type { Notices } from './notices.js';
 import type { Safety } from './safety.js';
 
-/** What a job does: the bench moves servos or motor, `look` reads another memory, `memories` several, `frame` is one sent by hand. */
+/**
+ * What a job does: the bench moves servos or motor, `look` reads another memory, `memories` several, `frame` is one
+ * sent by hand.
+ */
 export type JobKind = 'read' | 'select' | 'look' | 'write' | 'memories' | 'bench' | 'frame';
 
 /** A job on the wire, as it is seen from outside. */
@@ -27,8 +30,8 @@ export interface JobOptions {
   readonly onProgress: (progress: Progress) => void;
   /**
    * To be called after whatever was waited for, before the next byte: the world may have changed meanwhile.
-   * @throws TimerError `closed` when the connection is no longer the one on which the job began; `aborted` when the pilot has asked to
-   * stop, or has taken back that it is safe.
+   * @throws TimerError `closed` when the connection is no longer the one on which the job began; `aborted` when the
+   * pilot has asked to stop, or has taken back that it is safe.
    */
   readonly stillOn: () => void;
   /** Waits until the pilot has said whether to go on. A lost connection, or a stop, is a no. */
@@ -59,7 +62,10 @@ interface RunnerOptions {
 /** Jobs that change what a timer holds, or which memory is current: not to be cut off in the middle. */
 const WRITING: ReadonlySet<JobKind> = new Set(['write', 'memories']);
 
-/** The one owner of the wire: every byte that goes to a timer after the connecting belongs to one of its jobs, and there is one at a time. */
+/**
+ * The one owner of the wire: every byte that goes to a timer after the connecting belongs to one of its jobs, and there
+ * is one at a time.
+ */
 export class JobRunner {
   readonly #job = signal<Job | null>(null, { name: 'job' });
   readonly #claims = signal<ReadonlySet<object>>(new Set(), { name: 'claims' });
@@ -103,7 +109,9 @@ export class JobRunner {
     return end.good;
   }
 
-  /** Runs one job, bound to the connection on which it begins, and hands back how it ended; whoever calls it says so. */
+  /**
+   * Runs one job, bound to the connection on which it begins, and hands back how it ended; whoever calls it says so.
+   */
   async perform<T>(kind: JobKind, work: Work<T>, memory: number | null = null): Promise<JobEnd<T>> {
     const connection = this.#link.connection.value;
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
@@ -128,7 +136,10 @@ export class JobRunner {
     }
   }
 
-  /** Says what ended a job, unless the connection did: that says so itself. That another memory was left current is said in any case. */
+  /**
+   * Says what ended a job, unless the connection did: that says so itself. That another memory was left current is said
+   * in any case.
+   */
   report(end: JobEnd<unknown>): void {
     if (end.good || end.error === null) return;
     const isLeft = end.error instanceof TimerError && end.error.code === 'memory-left';
@@ -166,7 +177,10 @@ export class JobRunner {
     });
   }
 
-  /** The connection has come to its end: what is under way ends. A write tells what became of it by how the connection failed. */
+  /**
+   * The connection has come to its end: what is under way ends. A write tells what became of it by how the connection
+   * failed.
+   */
   connectionOver(): void {
     if (this.#answer) this.answer(false);
     if (this.#job.peek()?.kind !== 'write') this.#abort();

@@ -17,13 +17,16 @@ type Reading = Extract<Known, { state: 'read' }>;
 /**
  * What is known of what timers hold: the one truth from which every word about a timer is derived.
  *
- * A change begins with {@link begin}, before its first byte: from then on there is a record of it, in the browser's storage too. While
- * the change is under way nothing is said. It ends in one of two ways: {@link read} or {@link ended}, when a fresh reading has shown
- * what came of it; else {@link cut}, and the memory is uncertain. That outlives everything but a fresh reading which explains it, or
- * the pilot's word ({@link forget}). A page that crashes in between leaves a record behind, which says the same.
+ * A change begins with {@link begin}, before its first byte: from then on there is a record of it, in the browser's
+ * storage too. While the change is under way nothing is said. It ends in one of two ways: {@link read} or
+ * {@link ended}, when a fresh reading has shown what came of it; else {@link cut}, and the memory is uncertain. That
+ * outlives everything but a fresh reading which explains it, or the pilot's word ({@link forget}). A page that crashes
+ * in between leaves a record behind, which says the same.
  */
 export class Knowledge {
-  /** All memories of which it is not known what they hold, of every timer that this browser knows of; the latest first. */
+  /**
+   * All memories of which it is not known what they hold, of every timer that this browser knows of; the latest first.
+   */
   readonly uncertain: ReadonlySignal<readonly Uncertain[]>;
   /** Records of writes that were cut off; also those that a reading has explained, as long as they can be finished. */
   readonly writes: ReadonlySignal<readonly UnfinishedWrite[]>;
@@ -50,7 +53,10 @@ export class Knowledge {
     this.uncertain = computed(() => this.writes.value.filter(({ seenAt }) => seenAt === null).map(uncertainOf));
   }
 
-  /** What is known of a memory of the timer at hand. @param memory counted from 0; null where the timer does not say which is current. */
+  /**
+   * What is known of a memory of the timer at hand.
+   * @param memory counted from 0; null where the timer does not say which is current.
+   */
   of(memory: number | null): Known {
     const timer = this.#timer.value;
     if (!timer) return { state: 'unread' };
@@ -64,8 +70,8 @@ export class Knowledge {
   }
 
   /**
-   * A fresh reading of a memory of the timer at hand: it ends every uncertainty that it explains. What neither the state before a write
-   * nor its goal explains ends nothing: then the pilot has to say whether this is another timer.
+   * A fresh reading of a memory of the timer at hand: it ends every uncertainty that it explains. What neither the
+   * state before a write nor its goal explains ends nothing: then the pilot has to say whether this is another timer.
    * @param verified whether it is the reading back that equals the goal of a write.
    * @returns `completed` when it shows that a write which was cut off has arrived whole.
    */
@@ -96,8 +102,9 @@ export class Knowledge {
   }
 
   /**
-   * A change of a memory begins. To be waited for before the first byte of it goes out. A second one of the same memory, before the end
-   * of the first was seen, takes its place: `before` must be what the timer holds by then, as far as it has acknowledged it.
+   * A change of a memory begins. To be waited for before the first byte of it goes out. A second one of the same
+   * memory, before the end of the first was seen, takes its place: `before` must be what the timer holds by then, as
+   * far as it has acknowledged it.
    * @returns false when the browser does not keep the record: then only this page remembers.
    */
   async begin(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
@@ -128,8 +135,8 @@ export class Knowledge {
   }
 
   /**
-   * The timer has acknowledged all of the change that is under way in this memory. That is no reading: the record stays, and if the
-   * connection is lost before one, the memory is uncertain.
+   * The timer has acknowledged all of the change that is under way in this memory. That is no reading: the record
+   * stays, and if the connection is lost before one, the memory is uncertain.
    */
   acknowledged(memory: number | null): void {
     const keys = this.#underWayIn(memory);
@@ -144,8 +151,9 @@ export class Knowledge {
   }
 
   /**
-   * A change was sent, or may have been, and no reading has shown what came of it: the memory is uncertain from now on. Also for a single
-   * value without an answer (a position, the idle throttle), whether it was begun with {@link begin} or not.
+   * A change was sent, or may have been, and no reading has shown what came of it: the memory is uncertain from now on.
+   * Also for a single value without an answer (a position, the idle throttle), whether it was begun with {@link begin}
+   * or not.
    * @returns false when the browser does not keep it: then only this page remembers.
    */
   async cut(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
@@ -158,7 +166,10 @@ export class Knowledge {
     void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => !acknowledged).map(([key]) => key));
   }
 
-  /** The connection has come to its end: what was acknowledged and never read is cut off. A job that is at work comes to its own end. */
+  /**
+   * The connection has come to its end: what was acknowledged and never read is cut off. A job that is at work comes to
+   * its own end.
+   */
   connectionOver(): void {
     void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => acknowledged).map(([key]) => key));
   }
@@ -171,7 +182,10 @@ export class Knowledge {
     });
   }
 
-  /** By the pilot's word the timer at hand is not the one of this record: what was read of it explains nothing. Until the next connection. */
+  /**
+   * By the pilot's word the timer at hand is not the one of this record: what was read of it explains nothing. Until
+   * the next connection.
+   */
   notThisTimer(key: string): void {
     batch(() => {
       this.#ofOthers.value = new Set(this.#ofOthers.value).add(key);
@@ -185,7 +199,10 @@ export class Knowledge {
     return this.#ofOthers.value.has(key);
   }
 
-  /** By the pilot's word there is nothing more to find out about this record: read elsewhere, settled, or of a timer that is gone. */
+  /**
+   * By the pilot's word there is nothing more to find out about this record: read elsewhere, settled, or of a timer
+   * that is gone.
+   */
   async forget(key: string): Promise<void> {
     await this.#drop(key);
   }

@@ -7,7 +7,10 @@ export type Known =
   | { readonly state: 'unread' }
   /** A reading gave all of it; `verified` when that was the reading back of a write. */
   | { readonly state: 'read'; readonly program: TimerProgram; readonly at: number; readonly verified: boolean }
-  /** A write was cut off, and no reading since has shown what came of it: each field holds what it held before, or what it was to hold. */
+  /**
+   * A write was cut off, and no reading since has shown what came of it: each field holds what it held before, or what
+   * it was to hold.
+   */
   | {
       readonly state: 'uncertain';
       readonly since: number;
@@ -30,14 +33,20 @@ export interface Uncertain {
   readonly goal: TimerProgram;
 }
 
-/** What a field of a memory may hold, each value once: none when nothing is known, two when a write of it was cut off; not one that was never read. */
+/**
+ * What a field of a memory may hold, each value once: none when nothing is known, two when a write of it was cut off;
+ * not one that was never read.
+ */
 export function possibleValues(known: Known, field: ProgramField): readonly number[] {
   if (known.state === 'unread') return [];
   const programs = known.state === 'read' ? [known.program] : [known.before, known.goal];
   return [...new Set(programs.map((program) => valueAt(program, field)).filter((value) => value !== null))];
 }
 
-/** The values that are one or the other: what was to be changed. DT and the motor stop come first, as the first to look at. */
+/**
+ * The values that are one or the other: what was to be changed. DT and the motor stop come first, as the first to look
+ * at.
+ */
 export function openValues({ before, goal }: Pick<Uncertain, 'before' | 'goal'>): readonly Change[] {
   const { timerClass, functions } = before.identity;
   const rank = ({ field }: Change): number => {

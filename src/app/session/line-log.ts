@@ -21,8 +21,8 @@ export interface LineCounts {
 const NOTHING: LineCounts = { out: 0, in: 0, damaged: 0, errors: 0 };
 
 /**
- * What was last on the line: a ring of {@link KEPT} entries that never grows. Adding costs the same however many there are; the list is
- * made when somebody looks, and the screen is told once for all that came together.
+ * What was last on the line: a ring of {@link KEPT} entries that never grows. Adding costs the same however many there
+ * are; the list is made when somebody looks, and the screen is told once for all that came together.
  */
 export class LineLog {
   /** Newest last. */
@@ -79,8 +79,8 @@ export class LineLog {
   }
 
   /**
-   * Entries of this log, behind the exchange in which the timer last said what it is where that is older than they are: without it
-   * they could neither be read nor replayed.
+   * Entries of this log, behind the exchange in which the timer last said what it is where that is older than they are:
+   * without it they could neither be read nor replayed.
    */
   introduced(records: readonly LineRecord[]): readonly LineRecord[] {
     const first = records[0]?.number ?? 0;

@@ -11,7 +11,10 @@ const MOST_PRESETS = 24;
 const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
 const times = v.pipe(v.array(time), v.maxLength(MOST_PRESETS));
 
-/** What a pilot has set once for all timers: the presets of DT, and below which one it is called short. Times are hundredths of a second. */
+/**
+ * What a pilot has set once for all timers: the presets of DT, and below which one it is called short. Times are
+ * hundredths of a second.
+ */
 export class Preferences {
   readonly #presets = signal<readonly number[]>(loadSetting('dt-presets', times) ?? USUAL_PRESETS);
   /** In rising order. */

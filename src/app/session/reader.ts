@@ -89,8 +89,8 @@ export class Reader {
   }
 
   /**
-   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When it is stopped or
-   * fails on the way, the memory that is current by then is read.
+   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When
+   * it is stopped or fails on the way, the memory that is current by then is read.
    */
   async selectMemory(memory: number): Promise<boolean> {
     const { runner, nextFlight } = this.#parts;

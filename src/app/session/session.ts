@@ -39,7 +39,9 @@ export interface SessionOptions {
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
 }
 
-/** One pilot, one wire, one program on the screen: builds what belongs to that, and goes to a timer and away from it. */
+/**
+ * One pilot, one wire, one program on the screen: builds what belongs to that, and goes to a timer and away from it.
+ */
 export class Session {
   readonly editor = new Editor();
   readonly log: LineLog = new LineLog(() => this.connection?.peek()?.client.quirksAssumed ?? {});
@@ -104,8 +106,8 @@ export class Session {
   }
 
   /**
-   * Connects to the port that was used last, or is the only one that is known, else to the one that the pilot chooses. A timer that is
-   * connected and has not been read is read.
+   * Connects to the port that was used last, or is the only one that is known, else to the one that the pilot chooses.
+   * A timer that is connected and has not been read is read.
    * @param choose asks for a port in any case.
    * @returns when the timer was read, or when it has to be waited for.
    */
@@ -143,7 +145,10 @@ export class Session {
     await this.#goTo(async () => () => this.link.connectSimulated(this.#options.plugRecording(entries)));
   }
 
-  /** Lets the pilot choose another port while a timer at this one is waited for; what is waited for stays until one is chosen. */
+  /**
+   * Lets the pilot choose another port while a timer at this one is waited for; what is waited for stays until one is
+   * chosen.
+   */
   async chooseAnother(): Promise<void> {
     if (this.runner.busy.value) return;
     await this.link.choose();
@@ -178,8 +183,8 @@ export class Session {
   }
 
   /**
-   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When it is stopped or
-   * fails on the way, the memory that is current by then is read.
+   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When
+   * it is stopped or fails on the way, the memory that is current by then is read.
    * @returns whether that memory was read.
    */
   async selectMemory(memory: number): Promise<boolean> {
@@ -218,7 +223,10 @@ export class Session {
     this.editor.apply(replaceAll({ code: 'restore', params: {} }, wanted));
   }
 
-  /** Goes to a timer, and settles when it was read or has to be waited for. One way at a time, also while it is waited for. */
+  /**
+   * Goes to a timer, and settles when it was read or has to be waited for. One way at a time, also while it is waited
+   * for.
+   */
   async #goTo(find: () => Promise<() => Promise<void>>): Promise<void> {
     if (this.engaged.value) return;
     this.notices.dismiss();

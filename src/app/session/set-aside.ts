@@ -5,7 +5,10 @@ import type { AsideRecord, Keeper } from '../storage/index.js';
 
 const SEEN = 'aside-seen';
 
-/** What was found in the storage and cannot be read: it is kept as it is, and the pilot is told of it until he has seen it. */
+/**
+ * What was found in the storage and cannot be read: it is kept as it is, and the pilot is told of it until he has seen
+ * it.
+ */
 export class SetAside {
   readonly #list = signal<readonly AsideRecord[]>([], { name: 'aside' });
   readonly list: ReadonlySignal<readonly AsideRecord[]> = this.#list;

@@ -57,7 +57,7 @@ export function Header({ session, memories, leaving, keeping, aside, update, por
       </div>
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
       <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />
-      <JobProgress runner={session.runner} memories={memories} />
+      <JobProgress runner={session.runner} />
       <NoticeBar
         session={session}
         keeping={keeping}
@@ -72,11 +72,11 @@ export function Header({ session, memories, leaving, keeping, aside, update, por
 
 const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look']);
 
-function JobProgress({ runner, memories }: { readonly runner: JobRunner; readonly memories: Memories }) {
+function JobProgress({ runner }: { readonly runner: JobRunner }) {
   const { program, look, memoryName } = messages.value;
   const job = runner.job.value;
   // What the others do is said where they were begun.
-  if (!job || !SAID_HERE.has(job.kind) || memories.jobs.current.value) return null;
+  if (!job || !SAID_HERE.has(job.kind) || runner.claimed.value) return null;
   const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
   return (
     <ProgressLine

@@ -64,7 +64,7 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
           {notice.code === 'select-unanswered' && (
             <button
               type="button"
-              disabled={session.runner.busy.value || session.connection.value === null}
+              disabled={!session.runner.ready.value}
               onClick={() => void session.assume({ bareChecksumRequests: true })}
             >
               {link.trySelectBare}

@@ -37,7 +37,7 @@ interface InterruptedWriteProps {
 
 function InterruptedWrite({ session, finishWrite, offer: { record, part, read } }: InterruptedWriteProps) {
   const { recovery: words } = messages.value;
-  const busy = session.runner.busy.value || !session.connection.value;
+  const busy = !session.runner.ready.value;
   const isForeign = part.extent === 'foreign';
   const said = {
     nothing: words.nothing(part.missing.length),

@@ -177,7 +177,7 @@ interface ResultProps {
 function Result({ session, write, identity, done }: ResultProps) {
   const { report, unkept } = done;
   const { write: words, timer } = messages.value;
-  const canWrite = session.connection.value !== null && !session.runner.busy.value && !session.editor.blocked.value;
+  const canWrite = session.runner.ready.value && !session.editor.blocked.value;
   const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
   return (
     <>

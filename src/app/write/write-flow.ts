@@ -21,7 +21,10 @@ export type WriteStep =
   | {
       readonly step: 'review';
       readonly shown: Shown;
-      /** Why it is shown once more: the timer holds something else than was shown, or something else is wanted by now. Nothing was sent. */
+      /**
+       * Why it is shown once more: the timer holds something else than was shown, or something else is wanted by now.
+       * Nothing was sent.
+       */
       readonly moved: 'timer' | 'edits' | null;
     }
   /** Where the browser does not keep a copy of what the timer holds, the job asks the pilot before anything is sent. */
@@ -74,7 +77,10 @@ export class WriteFlow extends JobDialog<WriteStep> {
     this.#acknowledged.value = read;
   }
 
-  /** Writes what was shown, on the connection where it was shown; shows it once more where anything else is wanted by now. */
+  /**
+   * Writes what was shown, on the connection where it was shown; shows it once more where anything else is wanted by
+   * now.
+   */
   async start(): Promise<void> {
     const { editor, knowledge } = this.#session;
     const current = this.current.value;
