@@ -1,8 +1,7 @@
 import type { ReplyOf } from '../protocol/index.js';
 import { TimerError } from './errors.js';
-import type { Belief, RetryPolicy } from './exchange.js';
 import type { ClientJob } from './job.js';
-import { TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './retry-policy.js';
+import { type Belief, type RetryPolicy, TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './retry-policy.js';
 
 /** Which memory is current. */
 export interface CurrentMemory {

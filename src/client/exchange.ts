@@ -11,48 +11,23 @@ import {
 } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import type { LearnedTiming } from './line-timing.js';
+import type { Outcome } from './outcome.js';
 import {
   BAD_REPLIES,
+  type Belief,
   LATEST_REPLY,
   longestExchange,
   longestFence,
   MISSES,
   READS,
+  type RetryPolicy,
   SENDS,
   SILENT,
   SILENT_AT_FIRST,
   UNANSWERED,
 } from './retry-policy.js';
 import { type PlannedJob, Schedule } from './schedule.js';
-import type { Outcome, Wire } from './wire.js';
-
-/** How much is done to get an answer. */
-export interface RetryPolicy {
-  /** How often the request goes out at most. */
-  readonly tries?: number | undefined;
-  /**
-   * The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that
-   * could be why.
-   */
-  readonly unanswered?: number | undefined;
-  /** A late reply to the same question, asked before, will do as well: then no fence has to tell the two apart. */
-  readonly anyReply?: boolean | undefined;
-  /**
-   * Whether a letter that belongs to another command may be taken only where this timer was seen to use it. Default
-   * false.
-   */
-  readonly strict?: boolean | undefined;
-  /** Makes sure, before the request goes out again after something stayed unanswered, that it still may. */
-  readonly beforeRepeat?: (() => Promise<void>) | undefined;
-}
-
-/** How an answer is believed. */
-export interface Belief<Answer> extends RetryPolicy {
-  /** What was known before, or a reading: counts as the first of two. */
-  readonly before?: Answer | undefined;
-  /** Never believes a single answer. */
-  readonly twice?: boolean | undefined;
-}
+import type { Wire } from './wire.js';
 
 /** What went wrong on the line in some span of time. */
 export interface Disturbance {
@@ -220,7 +195,7 @@ export class Exchange {
    */
   async send(code: number, data: ArrayLike<number>, signal?: AbortSignal): Promise<Frame | null> {
     throwIfAborted(signal);
-    if (this.#wire.unanswered.size > 0 && !(await this.#fence(signal))) await this.#outwait(signal);
+    if (!this.#wire.unanswered.isEmpty && !(await this.#fence(signal))) await this.#outwait(signal);
     throwIfAborted(signal);
     const outcome = await this.#once(() => this.#wire.send(code, data, this.identity));
     return outcome.kind === 'answer' ? outcome.answer : null;
@@ -250,7 +225,7 @@ export class Exchange {
     this.#silent = 0;
     while (this.#mayGoOn(request, seen()) || (await this.#comesLate(request, seen, signal))) {
       throwIfAborted(signal);
-      const mayBeLate = wire.unanswered.size > 0 && !(anyReply && this.#isAlone(COMMANDS[name].request));
+      const mayBeLate = !wire.unanswered.isEmpty && !(anyReply && wire.unanswered.hasOnly(COMMANDS[name].request));
       if (mayBeLate && !(await this.#fence(signal))) {
         isChecked = false;
         continue;
@@ -263,8 +238,8 @@ export class Exchange {
       throwIfAborted(signal);
       if (sent > 0) this.schedule.repeated();
       sent++;
-      const misprints = wire.unanswered.size > 0 ? 'no' : strict ? 'known' : 'yes';
-      const outcome = await this.#once(() => wire.ask(request, this.identity, misprints));
+      const misprints = !wire.unanswered.isEmpty ? 'no' : strict ? 'known' : 'yes';
+      const outcome = await this.#once(() => wire.ask({ request, identity: this.identity, misprints }));
       if (outcome.kind === 'answer') {
         this.schedule.answered(name);
         return outcome.answer;
@@ -295,13 +270,8 @@ export class Exchange {
   /** Whether one more attempt, fence and request, makes sense and still ends in time. */
   #mayGoOn(request: Request, seen: Disturbance): boolean {
     if (this.#misses >= MISSES || this.#isSilent(request, seen)) return false;
-    const fence = this.#wire.unanswered.size > 0 ? longestFence(this.#timing) : 0;
+    const fence = !this.#wire.unanswered.isEmpty ? longestFence(this.#timing) : 0;
     return this.schedule.hasTimeFor(fence + longestExchange(request.name, this.identity, this.#timing));
-  }
-
-  /** Whether nothing else may still be answered. */
-  #isAlone(code: number): boolean {
-    return [...this.#wire.unanswered.keys()].every((letter) => letter === code);
   }
 
   /**
@@ -356,9 +326,11 @@ export class Exchange {
       return true;
     }
     this.schedule.repeated();
-    const outcome = await this.#once(() => this.#wire.ask({ name }, this.identity, 'no'));
+    const outcome = await this.#once(() =>
+      this.#wire.ask({ request: { name }, identity: this.identity, misprints: 'no' }),
+    );
     if (outcome.kind !== 'answer') return false;
-    this.#wire.settle();
+    this.#wire.unanswered.settle();
     if (outcome.answer.name === 'GETSWVER') await this.requireIdentity(signal, outcome.answer);
     return true;
   }
@@ -368,7 +340,7 @@ export class Exchange {
     const left = this.#latestReply - this.#clock.now();
     if (left > 0) await this.#wire.pause(left, signal);
     throwIfAborted(signal);
-    this.#wire.settle();
+    this.#wire.unanswered.settle();
   }
 
   get #latestReply(): number {

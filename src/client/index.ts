@@ -2,18 +2,18 @@ export { tell } from './callback.js';
 export { TimerError, type TimerErrorCode, type TimerErrorDetails } from './errors.js';
 export type { LineEntry, LineErrorKind } from './log.js';
 export type { MemoriesHooks, MemoriesRead, MemoriesReport, MemoriesWrite, MemoryReport } from './memories.js';
+export type {
+  IdentifyOptions,
+  JobOptions,
+  MoveOptions,
+  ReadMemoriesOptions,
+  ReadOptions,
+  TimerClientOptions,
+  WriteMemoriesOptions,
+  WriteOptions,
+} from './options.js';
 export type { BytePort } from './port.js';
 export type { Progress } from './progress.js';
 export type { AssumedQuirks, QuirkCode, QuirkParams } from './quirks.js';
-export {
-  type IdentifyOptions,
-  type JobOptions,
-  type MoveOptions,
-  type ReadMemoriesOptions,
-  type ReadOptions,
-  TimerClient,
-  type TimerClientOptions,
-  type WriteMemoriesOptions,
-  type WriteOptions,
-} from './timer-client.js';
+export { TimerClient } from './timer-client.js';
 export type { ValueReport, WriteReport } from './write-report.js';

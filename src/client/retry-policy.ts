@@ -12,6 +12,34 @@ export interface LineTiming {
   readonly margin: number;
 }
 
+/** How much is done to get an answer. */
+export interface RetryPolicy {
+  /** How often the request goes out at most. */
+  readonly tries?: number | undefined;
+  /**
+   * The same when nothing at all comes of it although the timer answers other requests, and no damage was seen that
+   * could be why.
+   */
+  readonly unanswered?: number | undefined;
+  /** A late reply to the same question, asked before, will do as well: then no fence has to tell the two apart. */
+  readonly anyReply?: boolean | undefined;
+  /**
+   * Whether a letter that belongs to another command may be taken only where this timer was seen to use it. Default
+   * false.
+   */
+  readonly strict?: boolean | undefined;
+  /** Makes sure, before the request goes out again after something stayed unanswered, that it still may. */
+  readonly beforeRepeat?: (() => Promise<void>) | undefined;
+}
+
+/** How an answer is believed. */
+export interface Belief<Answer> extends RetryPolicy {
+  /** What was known before, or a reading: counts as the first of two. */
+  readonly before?: Answer | undefined;
+  /** Never believes a single answer. */
+  readonly twice?: boolean | undefined;
+}
+
 /** Milliseconds without a byte after which the line counts as silent. */
 export const SILENCE = 60;
 /** Milliseconds after which draining a line that never falls silent is given up. */

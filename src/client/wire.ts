@@ -1,29 +1,25 @@
-import { type Clock, wireTime } from '../line/index.js';
+import type { Clock } from '../line/index.js';
 import {
-  answers,
   COMMANDS,
-  type CommandName,
   commandOf,
-  decodeReply,
   encodeFrame,
   encodeRequest,
-  exchangeSize,
   type Frame,
   FrameDecoder,
-  frameSize,
   type Identity,
   type Reply,
-  type Request,
   ZEROS_SENT,
 } from '../protocol/index.js';
 import { tell } from './callback.js';
 import { TimerError } from './errors.js';
 import type { LearnedTiming } from './line-timing.js';
 import type { LineEntry, LineErrorKind } from './log.js';
+import { type AnswerOutcome, asReply, type Outcome, type Question, replySize } from './outcome.js';
 import type { BytePort } from './port.js';
 import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
 import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './retry-policy.js';
+import { UnansweredRequests } from './unanswered.js';
 
 export interface WireOptions {
   readonly timing: LearnedTiming;
@@ -39,29 +35,6 @@ interface Waiting {
   readonly giveUp: () => void;
 }
 
-/** A request whose time is up. */
-interface Unanswered {
-  /** How many replies to it may still come. */
-  readonly due: number;
-  /** When it went out last, and in how many bytes. */
-  readonly sentAt: number;
-  readonly size: number;
-}
-
-/**
- * What became of something that was sent once, when its time was up or its answer came.
- *
- * - `answer`: its own answer came.
- * - `bad`: one came with a right checksum and an impossible content; `error` says what.
- * - `damaged`: bytes came that belong to no frame, or an error of the line.
- * - `stray`: whole frames came, and none of them was the answer.
- * - `silent`: nothing came, but perhaps an echo.
- */
-export type Outcome<Answer> =
-  | { readonly kind: 'answer'; readonly answer: Answer }
-  | { readonly kind: 'bad'; readonly error: unknown }
-  | { readonly kind: 'damaged' | 'stray' | 'silent' };
-
 const NO_BYTES = new Uint8Array(0);
 
 /**
@@ -71,6 +44,7 @@ const NO_BYTES = new Uint8Array(0);
 export class Wire {
   /** How often the port told of each kind of error of the line. */
   readonly lineErrors = new Map<LineErrorKind, number>();
+  readonly unanswered: UnansweredRequests;
   readonly #port: BytePort;
   readonly #quirks: Quirks;
   readonly #options: WireOptions;
@@ -83,7 +57,6 @@ export class Wire {
   #asked = false;
   #damage = 0;
   #strays = 0;
-  readonly #unanswered = new Map<number, Unanswered>();
   #lastSent: Frame | undefined;
   #heard: (() => void) | undefined;
   /** The last frame with its letter in the place of its sum. */
@@ -95,6 +68,7 @@ export class Wire {
     this.#port = port;
     this.#quirks = quirks;
     this.#options = options;
+    this.unanswered = new UnansweredRequests(options.clock, options.timing);
     this.#decoder = new FrameDecoder({
       onFrame: (frame, bytes, bare) => {
         if (bare) this.#bare = frame;
@@ -134,35 +108,24 @@ export class Wire {
     return this.#strays;
   }
 
-  /** Letters of the requests that got no answer in time and may still be answered. */
-  get unanswered(): ReadonlyMap<number, unknown> {
-    return this.#unanswered;
-  }
-
   /** A reply that was taken turned out to be wrong: as after damage, a single one is no longer believed. */
   doubt(): void {
     this.#noteDamage();
   }
 
-  /** All that was asked before can no longer be answered. */
-  settle(): void {
-    this.#unanswered.clear();
-  }
-
   /**
    * Sends a request once and waits for its reply.
-   * @param misprints whether a letter that belongs to another command may be taken for the reply's: `known` where this
-   * timer was seen to use it.
    * @throws TimerError `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
-  async ask(request: Request, identity: Identity | null, misprints: 'no' | 'known' | 'yes'): Promise<Outcome<Reply>> {
+  async ask(question: Question): Promise<Outcome<Reply>> {
+    const { request, identity } = question;
     const bytes = encodeRequest(request, {
       identity: identity ?? undefined,
       quirks: this.#quirks.assumed,
       bareChecksum: this.#quirks.isBare(request),
     });
     return this.#exchange(bytes, replySize(request.name, identity), (frame) =>
-      this.#match(frame, request, identity, misprints !== 'no' && this.#quirks.mayMisprint(request.name, misprints)),
+      asReply(frame, question, this.#quirks, frame === this.#bare),
     );
   }
 
@@ -174,7 +137,9 @@ export class Wire {
     const bytes = encodeFrame(code, data);
     const command = commandOf(code);
     const size = command?.direction === 'request' ? replySize(command.name, identity) : LONGEST_FRAME;
-    return this.#exchange(bytes, size, (frame) => (frame.code === code + 1 ? frame : undefined));
+    return this.#exchange(bytes, size, (frame) =>
+      frame.code === code + 1 ? { kind: 'answer', answer: frame } : undefined,
+    );
   }
 
   /**
@@ -222,30 +187,39 @@ export class Wire {
     await stopped;
   }
 
-  async #exchange<T>(bytes: Uint8Array, size: number, judge: (frame: Frame) => T | undefined): Promise<Outcome<T>> {
+  async #exchange<T>(
+    bytes: Uint8Array,
+    size: number,
+    judge: (frame: Frame) => AnswerOutcome<T> | undefined,
+  ): Promise<Outcome<T>> {
     this.#reader.start();
     if (this.#lost) throw this.#lost;
     this.#asked = true;
     this.#came = { kind: 'silent' };
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
-    const answered = new Promise<T | undefined>((settle) => {
+    const ended = new Promise<Outcome<T>>((settle) => {
       const take = (frame: Frame): boolean => {
-        const answer = judge(frame);
-        if (answer === undefined) return false;
+        const outcome = judge(frame);
+        if (outcome?.kind === 'bad') {
+          this.#noteDamage();
+          this.#came = outcome;
+        }
+        if (outcome?.kind !== 'answer') return false;
         this.#waiting = undefined;
-        settle(answer);
+        settle(outcome);
         return true;
       };
-      this.#waiting = { take, giveUp: () => settle(undefined) };
+      this.#waiting = { take, giveUp: () => settle(this.#came) };
     });
     const sentAt = this.#options.clock.now();
     const cancel = this.#waitFor(bytes.length + size);
     try {
-      await Promise.race([this.#send(bytes), answered]);
-      const answer = await answered;
-      if (answer === undefined && this.#lost) throw this.#lost;
-      this.#noteDue(bytes, sentAt, answer === undefined);
-      return answer === undefined ? this.#came : { kind: 'answer', answer };
+      await Promise.race([this.#send(bytes), ended]);
+      const outcome = await ended;
+      const isAnswered = outcome.kind === 'answer';
+      if (!isAnswered && this.#lost) throw this.#lost;
+      this.unanswered.note(bytes, sentAt, !isAnswered);
+      return outcome;
     } finally {
       cancel();
       this.#waiting = undefined;
@@ -309,55 +283,14 @@ export class Wire {
       const damage = this.#damage;
       if (this.#waiting?.take(frame) || this.#damage > damage) continue;
       if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
-      else if (!this.#isLate(frame, inTime) && this.#asked) this.#strays++;
+      else if (!this.unanswered.take(frame, inTime) && this.#asked) this.#strays++;
     }
-  }
-
-  /** Whether a frame answers a request whose time is up. */
-  #isLate({ code, data }: Frame, inTime: boolean): boolean {
-    const { clock, timing } = this.#options;
-    for (const [letter, unanswered] of this.#unanswered) {
-      const name = commandOf(letter)?.name;
-      if (unanswered.due === 0 || !(code === letter + 1 || (name && answers(code, name)))) continue;
-      const { due, sentAt, size } = unanswered;
-      this.#unanswered.set(letter, { due: due - 1, sentAt, size });
-      if (inTime) timing.learn(clock.now() - sentAt - wireTime(size + frameSize(data.length), timing.baudRate));
-      return true;
-    }
-    return false;
-  }
-
-  /**
-   * The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been
-   * the answer to it.
-   */
-  #noteDue(bytes: Uint8Array, sentAt: number, isUnanswered: boolean): void {
-    const letter = bytes[ZEROS_SENT + 1] as number;
-    const due = (this.#unanswered.get(letter)?.due ?? 0) + (isUnanswered ? 1 : 0);
-    if (isUnanswered || this.#unanswered.has(letter)) this.#unanswered.set(letter, { due, sentAt, size: bytes.length });
   }
 
   /** Something came that shows that somebody is there. What tells most of it is kept. */
   #noteSign(kind: 'stray' | 'damaged'): void {
     if (this.#came.kind === 'silent' || this.#came.kind === 'stray') this.#came = { kind };
     this.#heard?.();
-  }
-
-  #match(frame: Frame, request: Request, identity: Identity | null, misprints: boolean): Reply | undefined {
-    const match = frame === this.#bare ? 'misprint' : answers(frame.code, request.name);
-    if (!match || (match === 'misprint' && !misprints)) return undefined;
-    let reply: Reply;
-    try {
-      const quirks = this.#quirks.assumed;
-      reply = decodeReply(frame, { identity: identity ?? undefined, quirks, pending: request });
-    } catch (error) {
-      this.#noteDamage();
-      this.#came = { kind: 'bad', error };
-      return undefined;
-    }
-    // The sum of a reply with the value 0 is its letter in any case.
-    if (reply.name !== 'GETLOWRPM' || reply.idleThrottle !== 0) this.#quirks.noteForm(request.name, match);
-    return reply;
   }
 
   /** What was on the line before the first request, such as the noise of plugging in, says nothing about replies. */
@@ -387,10 +320,4 @@ export class Wire {
 
 function sameFrame(a: Frame, b: Frame): boolean {
   return a.code === b.code && a.data.length === b.data.length && a.data.every((byte, index) => byte === b.data[index]);
-}
-
-function replySize(name: CommandName, identity: Identity | null): number {
-  if (identity) return exchangeSize(name, identity).reply;
-  // Before the timer is known only GETSWVER has a reply of known size; that to a fence may be the longest.
-  return name === 'GETSWVER' ? frameSize(9) : LONGEST_FRAME;
 }
