@@ -297,6 +297,16 @@ describe('a range', () => {
     expect(screen.getByText('2 values selected')).toBeTruthy();
   });
 
+  it('is one cell again when that is typed into', async () => {
+    await connected();
+    field('Function 1 time').focus();
+    await key('ArrowDown', { shiftKey: true });
+    expect(screen.getByText('2 values selected')).toBeTruthy();
+    await typeOut('Function 1 time', '10.60');
+    expect(screen.queryByText(/values selected/)).toBeNull();
+    expect(copied()).toBeNull();
+  });
+
   it('is copied by Ctrl+X too, for no cell can be empty; a part of a text is cut as anywhere', async () => {
     const { editor } = await connected();
     field('Function 1 time').focus();
