@@ -1,4 +1,7 @@
-import { nameplate, service } from './services.js';
+import { answerOf, nameplate, service } from './services.js';
+
+/** So long the worker's script may take to come, in milliseconds: after that it is said that the page is not kept. */
+const FETCHED = 10_000;
 
 export interface OfflineOptions {
   /** A new version waits: `take` puts it in the place of this one. Comes again for each that replaces the waiting one. */
@@ -29,7 +32,9 @@ export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineO
   });
 
   const register = async (): Promise<void> => {
-    const registration = await serviceWorker.register(workerAddress());
+    const registering = serviceWorker.register(workerAddress());
+    answerOf(() => registering, FETCHED).catch(failed);
+    const registration = await registering;
     const takeWaiting = (): void => {
       replacing = true;
       registration.waiting?.postMessage({ type: 'SKIP_WAITING' });

@@ -70,11 +70,12 @@ const MOMENT = 3000;
 
 /**
  * What the browser answers to what should take it a moment.
+ * @param ms for so long it is waited for, in milliseconds. Default: 3 s.
  * @throws what it says, or an Error when it has not answered by then.
  */
-export function answerOf<T>(ask: () => Promise<T>): Promise<T> {
+export function answerOf<T>(ask: () => Promise<T>, ms = MOMENT): Promise<T> {
   return new Promise((resolve, reject) => {
-    const giveUp = setTimeout(() => reject(new Error('the browser does not answer')), MOMENT);
+    const giveUp = setTimeout(() => reject(new Error('the browser does not answer')), ms);
     const asked = async (): Promise<T> => ask();
     asked()
       .then(resolve, reject)
