@@ -47,8 +47,7 @@ export class FieldModel {
         !this.isUnreadable.value,
     );
     this.text = computed(() => (isLarge && figure.value ? figure.value.text : editor.textOf(field)));
-    // In the table a column of seconds says it at its head, as it were; what is not seconds there says it itself.
-    this.unit = computed(() => (isLarge || figure.value?.unit === 'min' ? (figure.value?.unit ?? null) : null));
+    this.unit = computed(() => figure.value?.unit ?? null);
     this.spoken = computed(() => (isSaid.value && value.value !== null ? spokenTime(value.value) : null));
     this.isChanged = computed(() => from.value !== undefined);
     this.was = computed(() =>

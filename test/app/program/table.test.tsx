@@ -689,7 +689,7 @@ describe('figures and their units', () => {
     await connected();
     expect([field('Motor stop').value, describedBy('Motor stop')]).toEqual(['10.0', ['s']]);
     expect([field('DT').value, describedBy('DT')]).toEqual(['3:00', ['min']]);
-    expect([describedBy('Function 2 time'), describedBy('DT time')]).toEqual([[], ['min']]);
+    expect([describedBy('Function 2 time'), describedBy('DT time')]).toEqual([['s'], ['min']]);
     await enter('DT', '2:30');
     expect(describedBy('DT')).toEqual(['min', '2 min 30 s', 'was 3:00']);
     await enter('DT', '20');
