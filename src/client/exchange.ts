@@ -220,6 +220,7 @@ export class Exchange {
     let bad = 0;
     let badReply: unknown;
     let isChecked = true;
+    let isDecided = false;
     const isIgnored = (): boolean => silent === sent && sent >= (wire.damage > 0 ? tries : unanswered);
     this.#misses = 0;
     this.#silent = 0;
@@ -250,7 +251,8 @@ export class Exchange {
         badReply = outcome.error;
         bad++;
       }
-      if (!COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored()) break;
+      isDecided = !COMMANDS[name].repeatable || sent >= tries || bad >= BAD_REPLIES || isIgnored();
+      if (isDecided) break;
     }
     const details = { request: name, sent };
     if (bad > 0 && (bad === sent || bad >= BAD_REPLIES)) {
@@ -259,8 +261,8 @@ export class Exchange {
     const isGone = this.#isSilent(request, seen());
     if (isGone) this.#awake = false;
     const isSentOnce = sent > 0 && !COMMANDS[name].repeatable;
-    // What came damaged at any time of the job counts when its time was over before this was asked.
-    const { damage } = sent > 0 ? seen() : this.#seen();
+    // What came damaged at any time of the job counts when its time was over before this was asked often enough.
+    const { damage } = isDecided ? seen() : this.#seen();
     if (!isGone && !isSentOnce && !isIgnored() && damage > 0) {
       throw new TimerError('unstable', `too much damage to get a reply to ${name}`, details);
     }

@@ -105,7 +105,11 @@ describe('a line that damages 5 % of all bytes', () => {
         expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
         expect(contentOf(timer)).toEqual(goal);
       }),
-      { numRuns: 150 },
+      {
+        numRuns: 150,
+        // The time was up after GETMEMORY had gone out once: that does not show that this timer never answers it.
+        examples: [[33_614_282, 'Q']],
+      },
     );
   });
 });
