@@ -42,7 +42,7 @@ export interface Question {
 
 /**
  * Looks at a frame as the reply to a question, and notes its form.
- * @param isBare whether its letter stands in the place of its sum.
+ * @param isBare whether its letter stands in place of its sum.
  * @returns undefined when it is no reply to that.
  */
 export function asReply(

@@ -41,8 +41,8 @@ export class UnansweredRequests {
   }
 
   /**
-   * The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been the
-   * answer to it.
+   * The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been
+   * the answer to it.
    */
   note(bytes: Uint8Array, sentAt: number, isUnanswered: boolean): void {
     const letter = bytes[ZEROS_SENT + 1] as number;

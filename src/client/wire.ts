@@ -59,7 +59,7 @@ export class Wire {
   #strays = 0;
   #lastSent: Frame | undefined;
   #heard: (() => void) | undefined;
-  /** The last frame with its letter in the place of its sum. */
+  /** The last frame with its letter in place of its sum. */
   #bare: Frame | undefined;
   /** What came since the last frame went out. */
   #came: Exclude<Outcome<never>, { kind: 'answer' }> = { kind: 'silent' };

@@ -43,8 +43,8 @@ export async function showTheme(app: AppPage, theme: string): Promise<void> {
 }
 
 /**
- * What axe finds wrong, what a finger would miss, and what stands over the edge, in each size and theme: nothing. A theme changes
- * colours and nothing else, so the rules that are not about colours are looked at once for each size.
+ * What axe finds wrong, what a finger would miss, and what stands over the edge, in each size and theme: nothing. A
+ * theme changes colours and nothing else, so the rules that are not about colours are looked at once for each size.
  */
 export async function isWellMade(app: AppPage, screen: string, sizes: Sizes = SIZES): Promise<void> {
   const { page } = app;

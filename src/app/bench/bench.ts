@@ -10,7 +10,7 @@ export type BenchAction = { readonly kind: 'move'; readonly slot: number } | { r
 
 /**
  * What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out
- * all the same.
+ * anyway.
  */
 export interface Done {
   readonly action: BenchAction;
@@ -23,7 +23,7 @@ export class Bench {
   /** The last thing that was done with the timer that is connected. */
   readonly done: ReadonlySignal<Done | null> = this.#done;
   readonly stand: ServoStand;
-  /** Whether anything may be begun: a timer that does nothing else, and a pilot who has said that it is safe. */
+  /** Whether anything may be started: a timer that does nothing else, and a pilot who has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
   readonly #session: Session;
 

@@ -4,7 +4,7 @@ import { answerOf, nameplate, service } from './services.js';
 const FETCHED = 10_000;
 
 export interface OfflineOptions {
-  /** A new version waits: `take` puts it in the place of this one. Comes again for each that replaces the waiting one. */
+  /** A new version waits: `take` puts it in place of this one. Comes again for each that replaces the waiting one. */
   readonly onUpdateReady: (take: () => void) => void;
   /**
    * Calls back, once, as soon as no port is open; at once if none is. Only then does a new version take the place of
@@ -49,7 +49,7 @@ export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineO
     });
     await registration.update();
   };
-  // Without a network, or where nothing may be kept, the page works all the same.
+  // Without a network, or where nothing may be kept, the page works anyway.
   const failed = (): void => {
     if (serviceWorker.controller === null && nameplate().onLine) onMissing();
   };

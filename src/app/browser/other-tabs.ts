@@ -21,7 +21,7 @@ export interface TabState {
   readonly writing: boolean;
 }
 
-/** Another tab of this program that holds a port. */
+/** Another tab of this page that holds a port. */
 export interface OtherTab extends TabState {
   readonly id: string;
   readonly portKey: string;
@@ -48,7 +48,7 @@ const ANSWER_WAIT = 150;
 /** Milliseconds that a tab has to close its port: the last request on the line must end first. */
 const RELEASE_WAIT = 3000;
 
-// On the other side may be another version of this program: what is not understood is passed over.
+// On the other side may be another version of this page: what is not understood is skipped.
 const text = v.pipe(v.string(), v.maxLength(200));
 const head = { from: text, ask: v.number(), portKey: text };
 const messageSchema = v.variant('kind', [
@@ -69,7 +69,7 @@ type Question = Extract<Message, { kind: 'who' | 'release' }>;
 type Reply = Exclude<Message, Question>;
 
 /**
- * The channel between the tabs of this program; null where the browser has none.
+ * The channel between the tabs of this page; null where the browser has none.
  * @throws what the browser says where it does not hand it out.
  */
 export function openTabChannel(): TabChannel | null {
@@ -80,7 +80,7 @@ export function openTabChannel(): TabChannel | null {
   return channel;
 }
 
-/** The other tabs of this program in this browser: which of them holds a port, and may this one have it. */
+/** The other tabs of this page in this browser: which of them holds a port, and may this one have it. */
 export class OtherTabs {
   readonly #options: OtherTabsOptions;
   readonly #clock: Clock;

@@ -12,8 +12,8 @@ export interface Uses {
 }
 
 /**
- * All that this page asks of a browser and that a browser may lack, refuse or leave unanswered. There is no other way to
- * them: the linter holds the global names, the compiler what is not listed here, and with each fault of each of them
+ * All that this page asks of a browser and that a browser may lack, refuse or leave unanswered. There is no other way
+ * to them: the linter holds the global names, the compiler what is not listed here, and with each fault of each of them
  * the built page is tested.
  */
 export const SERVICES = {

@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 
 /**
- * A list that is found anew at each change. Items that are the same stay the same objects, and a list of the same items
- * the same list: who reads it is drawn anew only when it says something else.
+ * A list that is found again at each change. Items that are the same stay the same objects, and a list of the same
+ * items the same list: who reads it is drawn again only when it says something else.
  * @param isSame whether a new item says what an old one said.
  */
 export function computedList<T>(

@@ -20,7 +20,7 @@ export interface Content {
   readonly texts: Readonly<Record<string, string>>;
 }
 
-/** A field whose text is no value. */
+/** A field whose text is not a value. */
 export interface UnreadableField {
   readonly field: ProgramField;
   readonly reason: UnreadableReason;
@@ -71,7 +71,7 @@ export function valueOfText(field: ProgramField, text: string, before: TimerProg
 }
 
 /**
- * The field in which a text stands that is no value, where an edit would put something else without the pilot seeing
+ * The field in which a text stands that is not a value, where an edit would put something else without the pilot seeing
  * it.
  */
 export function inTheWay(unreadable: ReadonlyMap<string, unknown>, edit: EditValues): ProgramField | null {

@@ -93,7 +93,7 @@ export interface StepOptions {
 /**
  * One step up or down: of a time the step that the manual gives for it, else 0.01 s; of all else 1. A value between two
  * steps goes to the next one. It ends at 0 and at the last step that the wire carries; a value past them can only come
- * back. Steps that follow each other are one to undo. A text that is no value has no next one.
+ * back. Steps that follow each other are one to undo. A text that is not a value has no next one.
  */
 export function stepValue(
   program: TimerProgram,
@@ -173,7 +173,7 @@ export function reverseServo(program: TimerProgram, servo: number): Edit {
 /**
  * Puts the values of the first row of a range into its other rows: times, or intervals where no times are in it, and
  * positions. The start has neither the time of a function nor an interval to give, and DT keeps its time unless
- * `moveDt` is set. A text that is no value has nothing to give.
+ * `moveDt` is set. A text that is not a value has nothing to give.
  */
 export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
   const outcome = filledDown(program, range, options);

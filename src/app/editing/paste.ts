@@ -26,11 +26,11 @@ import { type Parsed, parseInterval, parseSteps, parseTime, readInterval, type U
 /**
  * What may be wrong with a pasted cell.
  *
- * - `not-a-time`, `too-fine`, `not-a-whole-number`: it is no value.
+ * - `not-a-time`, `too-fine`, `not-a-whole-number`: it is not a value.
  * - `time-out-of-range`, `position-out-of-range` (min, max): the wire cannot carry it.
  * - `later-out-of-range` (min, max): its interval would move a later function to where the wire cannot carry it.
- * - `before-unreadable`: its interval counts from a time that is not pasted, and whose text is no value.
- * - `later-unreadable`: its interval would move a later function whose text is no value.
+ * - `before-unreadable`: its interval counts from a time that is not pasted, and whose text is not a value.
+ * - `later-unreadable`: its interval would move a later function whose text is not a value.
  * - `interval-disagrees`: the row has a time too, and this is not the interval that follows from the times.
  * - `reserved`: slot 0 of a class other than Q is edited only as a field of its own.
  * - `too-large` (cells, characters): the rest of the text from this row on was not read.
@@ -135,7 +135,7 @@ export function previewPaste(
 
 /**
  * The edit that a paste is.
- * @param takeRest the pilot has seen the problems and wants what can be read all the same.
+ * @param takeRest the pilot has seen the problems and wants what can be read anyway.
  */
 export function pasted({ changes, values, problems }: PastePreview, takeRest = false): Edit {
   const name: StepName = { code: 'paste', params: { count: changes.length } };

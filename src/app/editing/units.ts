@@ -4,7 +4,7 @@
  */
 
 /**
- * Why a typed text is no value: nothing in it, no number, finer than a hundredth of a second, not a whole number, or
+ * Why a typed text is not a value: nothing in it, no number, finer than a hundredth of a second, not a whole number, or
  * one that a pilot can mean in several ways.
  */
 export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whole-number' | 'ambiguous';
@@ -18,7 +18,7 @@ export interface Question {
   readonly either: readonly [minutes: number, ...more: number[], seconds: number];
 }
 
-/** A text is no value, or one, or asks which of several is meant. */
+/** A text is not a value, or one, or asks which of several is meant. */
 export type Reading = Parsed | Question;
 
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;

@@ -19,8 +19,8 @@ import { EMPTY_HISTORY, groupOf, type History, type StepName, type Turned } from
 import type { Question } from './units.js';
 
 /**
- * What the pilot wants, with what can be undone. A text that is no value is kept as it was typed, beside the last value
- * that was one.
+ * What the pilot wants, with what can be undone. A text that is not a value is kept as it was typed, beside the last
+ * value that was one.
  */
 export class WorkingCopy {
   readonly #working = signal<TimerProgram | null>(null, { name: 'working' });
@@ -43,7 +43,7 @@ export class WorkingCopy {
     const content = this.content.value;
     return content ? [...unreadableIn(content).values()] : [];
   }, isSameText);
-  /** Fields whose text is no value. */
+  /** Fields whose text is not a value. */
   readonly unreadable: ReadonlySignal<ReadonlyMap<string, UnreadableField>> = computed(
     () => new Map(this.#unreadable.value.map((each) => [fieldKey(each.field), each])),
   );
@@ -177,7 +177,7 @@ export class WorkingCopy {
     if (turned) this.show(turned.state, turned.history);
   }
 
-  /** Puts another content in the place of all there is; null: there is none. */
+  /** Puts another content in place of all there is; null: there is none. */
   protected show(content: Content | null, history: History<Content>): void {
     batch(() => {
       this.#working.value = content?.working ?? null;

@@ -78,7 +78,7 @@ export class LineView {
     });
   }
 
-  /** Shows the recording in a file in the place of the line, or says why it is none. */
+  /** Shows the recording in a file in place of the line, or says why it is none. */
   async load(file: File): Promise<void> {
     this.#fault.value = null;
     try {

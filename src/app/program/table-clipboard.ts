@@ -60,7 +60,7 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
       onObstacle(range && text !== '' ? null : words.clipboardEmpty);
       if (range && text !== '') onPaste({ range, text });
     });
-    // The browser may be asking the pilot: what comes after this is welcome all the same.
+    // The browser may be asking the pilot: what comes after this is welcome anyway.
     await answerOf(() => asked).catch(() => onObstacle(words.clipboardClosed));
   };
   return { selectedText, copy, cut, paste, pasteCopied };

@@ -52,7 +52,7 @@ export class LineLog {
   #introduction: readonly LineRecord[] = [];
   #telling = false;
 
-  /** @param quirks what is taken for true of the timer now: how its messages are to be read. */
+  /** @param quirks what is assumed of the timer now: how its messages are to be read. */
   constructor(quirks?: () => LayoutQuirks) {
     this.#record = recorder(quirks);
   }

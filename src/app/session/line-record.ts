@@ -11,7 +11,7 @@ export interface LineRecord extends LineEntry {
 
 /**
  * Gives each entry its number and what is known of the timer by then: what it last said of itself.
- * @param quirks what is taken for true of the timer now.
+ * @param quirks what is assumed of the timer now.
  */
 export function recorder(quirks: () => LayoutQuirks = () => ({})): (entry: LineEntry) => LineRecord {
   let number = 0;

@@ -16,7 +16,7 @@ export class TickSound {
   /** To be called on a click: only then a browser lets sound through. */
   allow(): void {
     const Context = service('AudioContext');
-    // Where there is no sound a flight is watched all the same.
+    // Where there is no sound a flight is watched anyway.
     this.#context ??= tried(() => Context && new Context());
     void tried(() => this.#context?.resume().catch(() => {}));
   }
