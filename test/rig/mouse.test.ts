@@ -1,27 +1,12 @@
 import { expect, test } from 'vitest';
 import { en } from '../../src/app/messages/en.js';
 import { COMMANDS } from '../../src/protocol/index.js';
+import { ROUTES, textOf } from '../site/mouse-routes.js';
 import type { Place } from './chooser.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
 const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 } as const;
-
-/** All of them in sight at once on the screen of the rig. */
-const ROUTES: readonly [from: string, to: string, selected: string][] = [
-  ['Function 4, S2', 'Function 2, S1', '3 functions, 2 columns'],
-  ['Function 2, S1', 'Function 4, S2', '3 functions, 2 columns'],
-  ['Function 2, S3', 'Function 6, S3', '5 functions, 1 column'],
-  ['Function 6, S1', 'Function 6, S3', '1 function, 3 columns'],
-  ['Function 5, S3', 'Function 5, S1', '1 function, 3 columns'],
-  ['Function 1 time', 'Function 3 time', '3 functions, 1 column'],
-  ['Function 7 time', 'Function 5, S1', '3 functions, 3 columns'],
-  ['Function 3 interval', 'Function 7 interval', '5 functions, 1 column'],
-  ['Function 6, S2', 'Function 3 interval', '4 functions, 3 columns'],
-  ['Function 7, S3', 'Function 2, S3', '6 functions, 1 column'],
-  ['Function 1 interval', 'Function 1, S2', '1 function, 3 columns'],
-  ['Function 3, S1', 'Function 5, S1', '3 functions, 1 column'],
-];
 
 test('a drag with the mouse over the table, as X tells of it, selects and moves no value', async () => {
   const rig = await Rig.start({ timer: { identity }, chooser: true });
@@ -39,19 +24,21 @@ test('a drag with the mouse over the table, as X tells of it, selects and moves 
     const head = document.querySelector('header')?.getBoundingClientRect().bottom ?? 0;
     scrollTo(0, scrollY + input.getBoundingClientRect().top - head - 60);
   });
-  /** Where in a field its text is, on the screen. */
-  const textOf = (name: string): Promise<Place> =>
-    pilot.field(name).evaluate((input) => {
-      const { right, top, height } = input.getBoundingClientRect();
-      const frame = (outerWidth - innerWidth) / 2;
-      return { x: screenX + frame + right - 14, y: screenY + outerHeight - innerHeight - frame + top + height / 2 };
-    });
+  /** Where on the screen the window shows the page. */
+  const window = await page.evaluate(() => {
+    const frame = (outerWidth - innerWidth) / 2;
+    return { x: screenX + frame, y: screenY + outerHeight - innerHeight - frame };
+  });
+  const onScreen = async (name: string): Promise<Place> => {
+    const { x, y } = await textOf(pilot.field(name));
+    return { x: window.x + x, y: window.y + y };
+  };
 
   const moved: string[] = [];
   for (const [from, to, selected] of ROUTES) {
     // The text under the pointer is marked: that is what a browser takes hold of.
     await pilot.field(from).selectText();
-    rig.screen.drag(await textOf(from), await textOf(to), 6);
+    rig.screen.drag(await onScreen(from), await onScreen(to), 6);
     const isSelected = await page
       .getByRole('toolbar')
       .getByText(selected, { exact: true })

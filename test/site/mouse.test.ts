@@ -1,21 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-
-/** Routes over the table with a real mouse, from a field that has the focus: where to, and what is selected then. */
-const ROUTES: readonly [from: string, to: string, selected: string][] = [
-  ['Function 4, S2', 'Function 2, S1', '3 functions, 2 columns'],
-  ['Function 2, S1', 'Function 4, S2', '3 functions, 2 columns'],
-  ['Function 2, S3', 'Function 6, S3', '5 functions, 1 column'],
-  ['Function 6, S1', 'Function 6, S3', '1 function, 3 columns'],
-  ['Function 5, S3', 'Function 5, S1', '1 function, 3 columns'],
-  ['Function 1 time', 'Function 3 time', '3 functions, 1 column'],
-  ['Function 7 time', 'Function 5, S1', '3 functions, 3 columns'],
-  ['Function 3 interval', 'Function 8 interval', '6 functions, 1 column'],
-  ['Function 8, S2', 'Function 3 interval', '6 functions, 3 columns'],
-  ['Motor stop time', 'Function 2 time', '3 rows, 1 column'],
-  ['DT time', 'Function 9, S2', '2 rows, 4 columns'],
-  ['Start, S1', 'DT, S3', '11 rows, 3 columns'],
-];
+import { EDGE_ROUTES, ROUTES, textOf } from './mouse-routes.js';
 
 /** All of the table is in sight. */
 const TALL = { viewport: { width: 1280, height: 1200 } };
@@ -26,12 +11,7 @@ async function opened(): Promise<AppPage> {
   return app;
 }
 
-async function middleOf(app: AppPage, field: string): Promise<{ x: number; y: number }> {
-  const input = app.table.getByRole('textbox', { name: field, exact: true });
-  const box = await input.boundingBox();
-  if (!box) throw new Error(`${field} is not in sight.`);
-  return { x: box.x + box.width - 14, y: box.y + box.height / 2 };
-}
+const cell = (app: AppPage, name: string) => app.table.getByRole('textbox', { name, exact: true });
 
 describe('a drag with the mouse selects and moves no value', () => {
   test('from anywhere to anywhere in the table', async () => {
@@ -39,12 +19,12 @@ describe('a drag with the mouse selects and moves no value', () => {
     const { mouse } = app.page;
     const toolbar = app.page.getByRole('toolbar', { name: 'Selected range' });
     const before = await app.entries();
-    for (const [from, to, selected] of ROUTES) {
+    for (const [from, to, selected] of [...ROUTES, ...EDGE_ROUTES]) {
       const what = `from ${from} to ${to}`;
-      await app.table.getByRole('textbox', { name: from, exact: true }).focus();
-      await app.table.getByRole('textbox', { name: from, exact: true }).selectText();
-      const start = await middleOf(app, from);
-      const end = await middleOf(app, to);
+      await cell(app, from).focus();
+      await cell(app, from).selectText();
+      const start = await textOf(cell(app, from));
+      const end = await textOf(cell(app, to));
       for (const steps of [12, 2]) {
         await mouse.move(start.x, start.y);
         await mouse.down();
@@ -64,8 +44,8 @@ describe('a drag with the mouse selects and moves no value', () => {
   test('and gives way to a click', async () => {
     const app = await opened();
     const { mouse } = app.page;
-    const start = await middleOf(app, 'Function 2, S1');
-    const end = await middleOf(app, 'Function 3, S1');
+    const start = await textOf(cell(app, 'Function 2, S1'));
+    const end = await textOf(cell(app, 'Function 3, S1'));
     await mouse.move(start.x, start.y);
     await mouse.down();
     await mouse.move(end.x, end.y, { steps: 3 });
@@ -95,7 +75,7 @@ describe('a drag with the mouse selects and moves no value', () => {
     await app.page.evaluate(() => getSelection()?.selectAllChildren(document.querySelector('h2') as Element));
     const heading = await app.page.locator('h2').first().boundingBox();
     if (!heading) throw new Error('There is no heading.');
-    for (const place of [await middleOf(app, 'Function 2, S1'), { x: dt.x + 20, y: dt.y + dt.height / 2 }]) {
+    for (const place of [await textOf(cell(app, 'Function 2, S1')), { x: dt.x + 20, y: dt.y + dt.height / 2 }]) {
       await mouse.move(heading.x + 10, heading.y + heading.height / 2);
       await mouse.down();
       await mouse.move(place.x, place.y, { steps: 8 });
@@ -112,7 +92,7 @@ test('the wheel over the field that has the focus moves the page, and with Alt t
   const { mouse, keyboard } = app.page;
   const input = app.field('Function 2, S1');
   await input.focus();
-  const place = await middleOf(app, 'Function 2, S1');
+  const place = await textOf(cell(app, 'Function 2, S1'));
   await mouse.move(place.x, place.y);
   const top = (): Promise<number> => app.page.evaluate(() => scrollY);
   const before = await top();
@@ -120,7 +100,7 @@ test('the wheel over the field that has the focus moves the page, and with Alt t
   await expect.poll(top).not.toBe(before);
   expect(await app.valueOf('Function 2, S1')).toBe('35');
   await input.scrollIntoViewIfNeeded();
-  const now = await middleOf(app, 'Function 2, S1');
+  const now = await textOf(cell(app, 'Function 2, S1'));
   await mouse.move(now.x, now.y);
   await keyboard.down('Alt');
   await mouse.wheel(0, -100);
