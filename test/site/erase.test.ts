@@ -1,0 +1,60 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+/** All that the browser keeps for this address. */
+function kept({ page }: AppPage) {
+  return page.evaluate(async () => ({
+    databases: (await indexedDB.databases()).map(({ name }) => name),
+    settings: [...Object.keys(localStorage), ...Object.keys(sessionStorage)],
+    caches: await caches.keys(),
+    workers: (await navigator.serviceWorker.getRegistrations()).length,
+  }));
+}
+
+test('everything that is kept on this device is deleted, and nothing of another program at this address', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  const { page } = app;
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  await app.connect();
+  await app.type('DT time', '4:00');
+  await app.kept();
+  await page.getByText('Dark', { exact: true }).click();
+  await page.evaluate(async () => {
+    localStorage.setItem('another program', '1');
+    await caches.open('another program');
+    await new Promise((resolve) => {
+      const opening = indexedDB.open('another program');
+      opening.onsuccess = () => resolve(opening.result.close());
+    });
+  });
+  const before = await kept(app);
+  expect(before.databases).toContain('sidus-timer');
+  expect([before.settings, before.caches, before.workers]).toEqual([
+    expect.arrayContaining(['sidus-timer/theme', 'sidus-timer/tab']),
+    [expect.stringContaining('sidus-timer'), 'another program'],
+    1,
+  ]);
+  // The page that begins afresh would keep something again: an empty one takes its place.
+  const forgotten = page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const { port } = window.workbench.adapter;
+        const own = port.forget.bind(port);
+        port.forget = async () => {
+          await own();
+          resolve((await navigator.serial.getPorts()).length);
+        };
+      }),
+  );
+  await page.route('**/*', (route) =>
+    route.fulfill({ body: '<!doctype html><title>Empty</title>', contentType: 'text/html' }),
+  );
+  await app.button('Delete everything on this device…').click();
+  await app.button('Delete everything').click();
+  expect(await forgotten, 'the right to use the port').toBe(0);
+  await page.waitForFunction(() => document.title === 'Empty');
+  const { settings, ...rest } = await kept(app);
+  expect(rest).toEqual({ databases: ['another program'], caches: ['another program'], workers: 0 });
+  // The workbench remembers its timer over a reload.
+  expect(settings.filter((name) => name !== 'workbench')).toEqual(['another program']);
+});
