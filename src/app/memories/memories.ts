@@ -3,7 +3,7 @@ import type { TimerConnection } from '../../serial/index.js';
 import type { JobOptions } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { MemoryJobs } from './memory-jobs.js';
-import { MemoryWalk } from './memory-walk.js';
+import { MemoryRoundTrip } from './memory-round-trip.js';
 
 /**
  * The memories of the timer at hand: which one is looked at, and which one flies next. Only when the pilot asks for it.
@@ -19,12 +19,12 @@ export class Memories {
   });
   readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #session: Session;
-  readonly #walk: MemoryWalk;
+  readonly #roundTrip: MemoryRoundTrip;
 
   constructor(session: Session) {
     this.#session = session;
-    this.#walk = new MemoryWalk(session);
-    this.jobs = new MemoryJobs(session, this.#walk);
+    this.#roundTrip = new MemoryRoundTrip(session);
+    this.jobs = new MemoryJobs(session, this.#roundTrip);
     session.connection.subscribe(() => {
       // The next timer may be another one.
       this.#picked.value = null;
@@ -40,7 +40,7 @@ export class Memories {
   async look(memory: number): Promise<void> {
     this.#picked.value = memory;
     const work = async (connection: TimerConnection, options: JobOptions): Promise<void> => {
-      await this.#walk.read(connection, { ...options, memories: [memory] });
+      await this.#roundTrip.read(connection, { ...options, memories: [memory] });
     };
     await this.#session.runner.run('look', work, memory);
     await this.#session.readIfOpen();

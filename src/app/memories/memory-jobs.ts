@@ -3,7 +3,7 @@ import type { TimerConnection } from '../../serial/index.js';
 import { type JobOptions, stoppedBy, type Work } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from '../write/job-dialog.js';
-import type { MemoryWalk } from './memory-walk.js';
+import type { MemoryRoundTrip } from './memory-round-trip.js';
 import {
   changesBy,
   endOf,
@@ -58,14 +58,14 @@ interface Done {
  */
 export class MemoryJobs extends JobDialog<MemoriesStep> {
   readonly #session: Session;
-  readonly #walk: MemoryWalk;
+  readonly #roundTrip: MemoryRoundTrip;
   /** Whether the browser has kept every copy of this job. */
   #kept = true;
 
-  constructor(session: Session, walk: MemoryWalk) {
+  constructor(session: Session, roundTrip: MemoryRoundTrip) {
     super(session);
     this.#session = session;
-    this.#walk = walk;
+    this.#roundTrip = roundTrip;
   }
 
   /** Shows what is about to be done: what a copy or a restoring changes is read for that. */
@@ -131,18 +131,18 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   async #run<T>(plan: Plan, work: Work<T>): Promise<Ended<T>> {
     const { runner, connection } = this.#session;
     const began = connection.value;
-    this.#walk.kept = true;
+    this.#roundTrip.kept = true;
     this.show({ step: 'running', plan });
     const end = await runner.perform('memories', work);
     runner.report(end);
-    if (!this.#walk.kept) this.#kept = false;
+    if (!this.#roundTrip.kept) this.#kept = false;
     if (!end.good) return { stopped: stoppedBy(end) };
     return connection.value === began ? { value: end.value, stopped: null } : { stopped: 'closed' };
   }
 
   /** What the plan would change, by a fresh reading of all that is part of it. */
   async #compare(plan: WritingPlan, connection: TimerConnection, options: JobOptions): Promise<Review> {
-    const programs = await this.#walk.read(connection, { ...options, memories: memoriesOf(plan) });
+    const programs = await this.#roundTrip.read(connection, { ...options, memories: memoriesOf(plan) });
     const changes = changesBy(plan, programs);
     if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
     return { step: 'review', plan, connection, changes };
@@ -151,7 +151,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   /** @returns how many memories were read and kept. */
   async #backUp(connection: TimerConnection, options: JobOptions): Promise<number> {
     const { backups, simulated } = this.#session;
-    const programs = await this.#walk.read(connection, options);
+    const programs = await this.#roundTrip.read(connection, options);
     const savedAt = Date.now();
     for (const program of programs) {
       await backups.add(program, 'memories', simulated.value, savedAt).catch(() => {
@@ -178,7 +178,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
         ...options,
         baselines: shown.map(({ before }) => before),
         moveServos,
-        onOriginal: (original) => this.#walk.leave(identity, original),
+        onOriginal: (original) => this.#roundTrip.leave(identity, original),
         // The goal and a backup are kept before the first byte, as for any write.
         onMemory: async (read, goal) => {
           options.stillOn();
@@ -208,7 +208,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       begun.delete(memory);
       await knowledge.ended(before);
     }
-    await this.#walk.wasRestored(identity, original, stopped);
+    await this.#roundTrip.wasRestored(identity, original, stopped);
     if (stopped) throw stopped;
     const reports = memories.map(({ report }) => report);
     done.unkept = servoMoves.wanted(moveServos, reports);

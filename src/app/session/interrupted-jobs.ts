@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type PartOfWrite, partWritten, type TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import type { UnfinishedWalk, UnfinishedWrite } from '../storage/index.js';
+import type { UnfinishedRoundTrip, UnfinishedWrite } from '../storage/index.js';
 import type { Backups } from './backups.js';
 import { isSimulated, type Knowledge } from './knowledge.js';
 import { kindKey, programKey } from './record-keys.js';
@@ -18,8 +18,8 @@ export type Offer =
     }
   /** A write into another memory: what became of it can be seen when that is current. */
   | { readonly kind: 'elsewhere'; readonly record: UnfinishedWrite; readonly memory: number }
-  /** A walk through the memories that did not come back to where it began. */
-  | { readonly kind: 'memories'; readonly record: UnfinishedWalk; readonly current: number | null };
+  /** A memory round trip that did not come back to the original. */
+  | { readonly kind: 'memories'; readonly record: UnfinishedRoundTrip; readonly current: number | null };
 
 interface Reading {
   readonly read: TimerProgram;
@@ -36,7 +36,7 @@ export class InterruptedJobs {
   readonly offer: ReadonlySignal<Offer | null>;
   /** The last reading of the timer at hand; null before there is one. */
   readonly #reading = signal<Reading | null>(null, { name: 'reading' });
-  /** Walks that the pilot does not want to hear of while this timer is connected. */
+  /** Round trips that the pilot does not want to hear of while this timer is connected. */
   readonly #notNow = signal<ReadonlySet<string>>(new Set(), { name: 'notNow' });
   readonly #records: UnfinishedRecords;
   readonly #knowledge: Knowledge;
@@ -66,13 +66,13 @@ export class InterruptedJobs {
     return kept.every(Boolean);
   }
 
-  /** Notes which memory is current before a walk through them begins; as {@link begin}. */
+  /** Notes which memory is current before a round trip through them begins; as {@link begin}. */
   async leave(identity: Identity, original: number, simulated: boolean): Promise<boolean> {
     const key = kindKey(identity, simulated);
     return await this.#records.save({ kind: 'memories', key, startedAt: Date.now(), identity, original });
   }
 
-  /** The memory that was current before the walk is current again. */
+  /** The memory that was current before the round trip is current again. */
   async wasRestored(identity: Identity, simulated: boolean): Promise<void> {
     await this.#records.remove(kindKey(identity, simulated));
   }
@@ -80,8 +80,8 @@ export class InterruptedJobs {
   /** The current memory was read: is there something that an earlier job left behind? */
   wasRead(read: TimerProgram, simulated: boolean): void {
     this.#reading.value = { read, simulated };
-    const walk = this.#walkOf(read.identity, simulated);
-    if (walk && walk.original === read.memory) void this.#records.remove(walk.key);
+    const trip = this.#roundTripOf(read.identity, simulated);
+    if (trip && trip.original === read.memory) void this.#records.remove(trip.key);
   }
 
   /**
@@ -116,9 +116,9 @@ export class InterruptedJobs {
   }
 
   #offerFor({ read, simulated }: Reading): Offer | null {
-    const walk = this.#walkOf(read.identity, simulated);
-    if (walk && walk.original !== read.memory && !this.#notNow.value.has(walk.key)) {
-      return { kind: 'memories', record: walk, current: read.memory };
+    const trip = this.#roundTripOf(read.identity, simulated);
+    if (trip && trip.original !== read.memory && !this.#notNow.value.has(trip.key)) {
+      return { kind: 'memories', record: trip, current: read.memory };
     }
     const kind = `${kindKey(read.identity, simulated)}/`;
     const key = programKey(read, simulated);
@@ -133,7 +133,7 @@ export class InterruptedJobs {
     return elsewhere ? { kind: 'elsewhere', record: elsewhere, memory: elsewhere.goal.memory as number } : null;
   }
 
-  #walkOf(identity: Identity, simulated: boolean): UnfinishedWalk | undefined {
+  #roundTripOf(identity: Identity, simulated: boolean): UnfinishedRoundTrip | undefined {
     const kind = kindKey(identity, simulated);
     return this.#records.list.value.filter((record) => record.kind === 'memories').find(({ key }) => key === kind);
   }

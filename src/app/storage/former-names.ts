@@ -6,7 +6,7 @@ interface Stored {
 
 /**
  * A stored record as it is called now. Until version 4 of the storage a program had `timers`, the name of a step gave a
- * `column`, and a walk through the memories a `home`. What is no record of ours is left as it is: the schemas judge it.
+ * `column`, and a memory round trip a `home`. What is no record of ours is left as it is: the schemas judge it.
  */
 export function withPresentNames(stored: unknown): unknown {
   if (Array.isArray(stored)) return stored.map(withPresentNames);

@@ -15,7 +15,15 @@ import {
 
 export type { Keeper } from './database.js';
 export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, within } from './limit.js';
-export type { AsideRecord, Backup, Draft, PortRecord, Unfinished, UnfinishedWalk, UnfinishedWrite } from './records.js';
+export type {
+  AsideRecord,
+  Backup,
+  Draft,
+  PortRecord,
+  Unfinished,
+  UnfinishedRoundTrip,
+  UnfinishedWrite,
+} from './records.js';
 
 /** All that is kept in the browser, so that it survives a reload, a crash and a flat battery. */
 export interface Storage {

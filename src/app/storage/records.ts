@@ -118,7 +118,7 @@ export type Draft = v.InferOutput<typeof draftSchema>;
 
 /**
  * A job that has begun to change a timer, kept from before its first byte until its end was seen. A write, under the
- * kind of timer and the memory that it is for; or a walk through the memories, under the kind alone.
+ * kind of timer and the memory that it is for; or a memory round trip, under the kind alone.
  */
 export const unfinishedSchema = v.variant('kind', [
   v.pipe(
@@ -150,7 +150,7 @@ export const unfinishedSchema = v.variant('kind', [
 ]);
 export type Unfinished = v.InferOutput<typeof unfinishedSchema>;
 export type UnfinishedWrite = Extract<Unfinished, { kind: 'write' }>;
-export type UnfinishedWalk = Extract<Unfinished, { kind: 'memories' }>;
+export type UnfinishedRoundTrip = Extract<Unfinished, { kind: 'memories' }>;
 
 /** What one memory of a timer held at a time: before a write, or when the pilot asked for it. */
 export const backupSchema = v.object({

@@ -6,7 +6,7 @@ import type { JobOptions } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 
 /** Away from the memory that is current and back to it: what is noted on the way, and what is known at its end. */
-export class MemoryWalk {
+export class MemoryRoundTrip {
   /** Whether the browser has kept which memory to come back to. */
   kept = true;
   readonly #session: Session;
