@@ -28,8 +28,8 @@ export async function writeContent(job: ClientJob, plan: WritePlan): Promise<Wri
   await requireWritable(job, plan);
   const write = new Write(job, plan);
   const stopped = await write.run();
-  const { acknowledged, held, strays } = write;
-  const result = verdict(plan.goal, plan.asked, strays, held);
+  const { acknowledged, held, changedUnasked } = write;
+  const result = verdict(plan.goal, plan.asked, changedUnasked, held);
   return {
     ...result,
     held,
@@ -65,7 +65,7 @@ class Write {
   readonly #job: ClientJob;
   readonly #plan: WritePlan;
   /** Values that changed without being asked, by name. */
-  readonly #strays = new Map<string, ProgramField>();
+  readonly #changedUnasked = new Map<string, ProgramField>();
   /** The times in the last acknowledgement. */
   #timesSaid: readonly number[] | null = null;
 
@@ -74,8 +74,8 @@ class Write {
     this.#plan = plan;
   }
 
-  get strays(): Iterable<ProgramField> {
-    return this.#strays.values();
+  get changedUnasked(): Iterable<ProgramField> {
+    return this.#changedUnasked.values();
   }
 
   /** @returns what stopped it. */
@@ -124,7 +124,7 @@ class Write {
     return attempt(async () => {
       const held = await readContent(this.#job, 'verify', after);
       this.held = held;
-      for (const { field } of unasked(held, goal, asked)) this.#strays.set(fieldKey(field), field);
+      for (const { field } of unasked(held, goal, asked)) this.#changedUnasked.set(fieldKey(field), field);
       const slot = roundedSlot(this.#plan, this.#timesSaid, held);
       if (slot !== null) {
         quirks.note('times-rounded', { slot, sent: goal.times[slot] as number, held: held.times[slot] as number });

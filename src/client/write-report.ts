@@ -8,14 +8,17 @@ export interface ValueReport {
   readonly wanted: number | null;
   /** What a fresh read gave; null when it is not known. */
   readonly held: number | null;
-  /** `verified`: a fresh read gave the wanted value. `differs`: it gave another. `unknown`: there was no fresh read. */
+  /** `verified`: a fresh read gave the wanted value. `differs`: it gave another. `unknown`: it gave none. */
   readonly status: 'verified' | 'differs' | 'unknown';
   /** False for a value that was not to be changed but did change; then `verified` means that it was put back. */
   readonly asked: boolean;
 }
 
 export interface WriteReport {
-  /** `verified` only when a fresh read equals the whole program that was wanted. */
+  /**
+   * `verified` only when a fresh read equals the whole program that was wanted: the values that were asked for, and
+   * all others, for which {@link unasked} looks in each reading.
+   */
   readonly result: 'verified' | 'differs' | 'unknown';
   /** All values that were to be changed, and all that changed without being asked. */
   readonly values: readonly ValueReport[];
@@ -42,13 +45,13 @@ export function unasked(held: TimerProgram, goal: TimerProgram, asked: readonly 
 
 /**
  * Compares what was wanted with what was read.
- * @param strays the values that changed without being asked.
+ * @param changedUnasked the values that changed without being asked.
  * @param held what the last fresh read gave; null when there was none.
  */
 export function verdict(
   goal: TimerProgram,
   asked: readonly Change[],
-  strays: Iterable<ProgramField>,
+  changedUnasked: Iterable<ProgramField>,
   held: TimerProgram | null,
 ): Pick<WriteReport, 'result' | 'values'> {
   const judge = (field: ProgramField, isAsked: boolean): ValueReport => {
@@ -57,7 +60,10 @@ export function verdict(
     const status = found === null ? 'unknown' : found === wanted ? 'verified' : 'differs';
     return { field, wanted, held: found, status, asked: isAsked };
   };
-  const values = [...asked.map(({ field }) => judge(field, true)), ...[...strays].map((field) => judge(field, false))];
+  const values = [
+    ...asked.map(({ field }) => judge(field, true)),
+    ...[...changedUnasked].map((field) => judge(field, false)),
+  ];
   if (values.some(({ status }) => status === 'differs')) return { result: 'differs', values };
   const isKnown = held !== null && values.every(({ status }) => status === 'verified');
   return { result: isKnown ? 'verified' : 'unknown', values };

@@ -2,7 +2,7 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../../program/in
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
- * The program as a grid, like the table on the screen: a row for each column of the timer, start to DT; across it the
+ * The program as a grid, like the table on the screen: a row for each slot of the timer, start to DT; across it the
  * time, the interval, then each servo. Rows and grid columns count from 0.
  */
 export interface GridCell {

@@ -1,4 +1,4 @@
-const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+import { plural } from './plural.js';
 
 /** Servos and motor moved from the page. */
 export const bench = {
@@ -58,26 +58,3 @@ export const bench = {
   cancel: 'Cancel',
   notConnected: 'Connect to a timer to move its servos.',
 };
-
-/** All memories of a timer at a glance. */
-export const overview = {
-  title: 'Memories side by side',
-  empty: 'Read all memories to see them here side by side.',
-  readAll: 'Read all…',
-  dt: (time: string) => `DT ${time}`,
-  readAt: (time: string) => `read ${time}`,
-  or: ' or ',
-  notCertain: 'Not certain: a write into it was cut off. Shown as it was before that write.',
-  edited: 'as the timer holds it, without your edits',
-  from: 'Memory',
-  to: 'compared with',
-  compared: 'Comparison',
-  picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
-  same: 'They hold the same.',
-  differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
-};
-
-const names = { system: 'System', light: 'Light', dark: 'Dark', sun: 'Sun' };
-
-/** How the page looks. */
-export const theme = { title: 'Colours', names };

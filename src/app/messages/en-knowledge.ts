@@ -1,4 +1,4 @@
-const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+import { plural } from './plural.js';
 
 /** What is known of what a timer holds, and what is not. */
 export const knowledge = {

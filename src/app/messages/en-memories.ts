@@ -1,4 +1,4 @@
-const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+import { plural } from './plural.js';
 
 /** Which memory flies next, and what is known of the others. */
 export const nextFlight = {
@@ -92,4 +92,22 @@ export const memories = {
   notKept:
     'This browser does not keep them: its storage is full or switched off. They are gone when you close this page.',
   stopped: { title: 'Stopped.', advice: 'What was not yet written is as it was.' },
+};
+
+/** All memories of a timer at a glance. */
+export const overview = {
+  title: 'Memories side by side',
+  empty: 'Read all memories to see them here side by side.',
+  readAll: 'Read all…',
+  dt: (time: string) => `DT ${time}`,
+  readAt: (time: string) => `read ${time}`,
+  or: ' or ',
+  notCertain: 'Not certain: a write into it was cut off. Shown as it was before that write.',
+  edited: 'as the timer holds it, without your edits',
+  from: 'Memory',
+  to: 'compared with',
+  compared: 'Comparison',
+  picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
+  same: 'They hold the same.',
+  differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,
 };

@@ -1,15 +1,16 @@
 import type { FindingCode } from '../../program/index.js';
 import type { UnreadableReason } from '../editing/units.js';
-import { bench, overview, theme } from './en-bench.js';
+import { bench } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
 import { aside, erase, framed, keeping, removed } from './en-keeping.js';
 import { knowledge } from './en-knowledge.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
-import { look, memories, nextFlight } from './en-memories.js';
+import { look, memories, nextFlight, overview } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
 import { backups, recovery } from './en-recovery.js';
+import { theme } from './en-settings.js';
 
 type Params = Readonly<Record<string, string>>;
 

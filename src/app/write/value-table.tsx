@@ -6,16 +6,16 @@ import './value-table.css';
 
 interface ValueTableProps {
   readonly identity: Identity;
-  /** What the slots are of. */
+  /** What the columns are of. */
   readonly names: readonly string[];
   readonly rows: readonly {
     readonly field: ProgramField;
-    /** One for each slot; null when it is not known. */
+    /** One for each column; null when it is not known. */
     readonly values: readonly (number | null)[];
     /** Stands behind the last value. */
     readonly note?: ComponentChildren;
   }[];
-  /** Whether the last slot is the one that counts. */
+  /** Whether the last column is the one that counts. */
   readonly lastCounts?: boolean;
 }
 
