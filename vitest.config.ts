@@ -10,7 +10,7 @@ import { launchOptions } from './test/tools/browser.js';
 const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
   setupFiles: ['test/app/setup.ts'],
-  testTimeout: 120_000,
+  testTimeout: 600_000,
 };
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
@@ -34,7 +34,7 @@ export default defineConfig({
           ],
           globalSetup: 'test/tools/pack-folder.js',
           // Nothing waits here, but properties take their time on a busy machine, and packing does.
-          testTimeout: 120_000,
+          testTimeout: 600_000,
           hookTimeout: 600_000,
         },
       },

@@ -39,7 +39,7 @@ describe('the packed package', () => {
   it('compiles for a strict consumer that has only the DOM library', () => {
     for (const [index, code] of examples.entries()) consumer.write(`example-${index}.ts`, code);
     expect(consumer.compile()).toBe('');
-  }, 60_000);
+  });
 });
 
 describe('the examples of the README and the docs', () => {

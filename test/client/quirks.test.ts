@@ -398,7 +398,7 @@ describe('all quirks together', () => {
       else if (!quirks.bigEndianTimes && quirks.servoFirst) expected.add('servo-first');
       for (const code of expected) expect(found(client), `${label} finds ${code}`).toContain(code);
     }
-  }, 120_000);
+  });
 
   it('a damaged line on top of it changes nothing of that', async () => {
     const quirks = fc

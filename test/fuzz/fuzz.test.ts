@@ -13,7 +13,7 @@ describe('the fuzzer', () => {
       cases: 300 * Object.keys(LAWS).length,
       failure: null,
     });
-  }, 60_000);
+  });
 
   it('names a seed that finds the same again, and the bytes', () => {
     const found = fuzz({ ...protocol, FrameDecoder: Forgetful }, { seed: 1, cases: 20, more: () => true }).failure;
@@ -22,7 +22,7 @@ describe('the fuzzer', () => {
     expect(
       fuzz({ ...protocol, FrameDecoder: Forgetful }, { seed: found?.seed ?? 0, cases: 20, more: once }).failure,
     ).toEqual(found);
-  }, 60_000);
+  });
 });
 
 /** Knows nothing of earlier pieces. */

@@ -67,7 +67,7 @@ describe('the backup program for Node', () => {
     for (const file of ['backup.js', 'package.json', 'tsconfig.json']) {
       copyFileSync(join(root, 'examples/node-backup', file), join(consumer.folder, file));
     }
-  }, 120_000);
+  });
 
   const backup = (...args: string[]) => consumer.tell(process.execPath, 'backup.js', ...args);
   const written = (file: string) =>
@@ -128,7 +128,7 @@ describe('the backup program for Node', () => {
       code: 1,
       complained: expect.stringMatching(/^closed\n.*\(no-answer\)\n$/),
     });
-  }, 30_000);
+  });
 });
 
 describe('the tests of a page that uses Web Serial', () => {
@@ -141,5 +141,5 @@ describe('the tests of a page that uses Web Serial', () => {
     const vitest = join(root, 'node_modules/vitest/vitest.mjs');
     const { said } = consumer.tell(process.execPath, vitest, 'run', '--reporter=json', '--root', consumer.folder);
     expect(JSON.parse(said)).toMatchObject({ numTotalTests: 3, numPassedTests: 3 });
-  }, 60_000);
+  });
 });

@@ -75,7 +75,7 @@ test(`connected, read and disconnected ${CYCLES} times, the heap of the page sta
   // Once to connect, once behind the reading.
   expect(rig.timer.core.answered.filter(({ name }) => name === 'GETSWVER')).toHaveLength(2 * all);
   expect(rig.timer.core.answered.filter(({ name }) => name === 'GETSERVOPOS')).toHaveLength(all);
-  await expect.poll(() => rig.sessions, { timeout: 10_000 }).toEqual({ opened: all, closed: all });
+  await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: all, closed: all });
   // At first the engine itself still grows: it compiles what runs often, and remembers what it has seen.
   const [half, end] = [heaps[2], heaps[4]].map((heap) => heap?.[1] ?? 0) as [number, number];
   expect(end / half, told).toBeLessThan(1.03);

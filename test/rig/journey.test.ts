@@ -69,7 +69,7 @@ test('a time and two positions are written with one SETTIMERS and two SETSERVO, 
   expect(rig.settings?.baudRate).toBe(9600);
 
   await pilot.button(en.header.disconnect).click();
-  await expect.poll(() => rig.sessions, { timeout: 10_000 }).toEqual({ opened: 1, closed: 1 });
+  await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: 1, closed: 1 });
 });
 
 test('a port that another program has open is said to be in use, and is connected by itself when it is free', async () => {

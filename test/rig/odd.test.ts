@@ -7,7 +7,7 @@ import { Rig } from './rig.js';
 test.for([900, 2000])('a timer that answers after %i ms is read and written, and called slow', async (latency) => {
   const rig = await Rig.start({ timer: { latency } });
   const pilot = new Pilot(await rig.open());
-  pilot.page.setDefaultTimeout(90_000);
+  pilot.page.setDefaultTimeout(180_000);
   await pilot.clickConnect();
   await pilot.isConnected();
   await pilot.page.getByText(en.aboutTimer.title).click();

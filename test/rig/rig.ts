@@ -243,6 +243,6 @@ async function launch(box: Box, home: string, screen: Screen | undefined): Promi
     env: surroundings as Record<string, string>,
     args: [...browserArgs, ...(screen ? [`--enable-ui-devtools=${UI_DEVTOOLS_PORT}`, '--window-position=0,0'] : [])],
   });
-  context.setDefaultTimeout(20_000);
+  context.setDefaultTimeout(60_000);
   return context;
 }

@@ -200,7 +200,7 @@ test('a timer that answers at 19200 baud only is found, and the next time asked 
   await pilot.sees('firmware 536');
   expect(rig.settings?.baudRate).toBe(19200);
   await pilot.button(en.header.disconnect).click();
-  await expect.poll(() => rig.sessions.closed, { timeout: 10_000 }).toBe(rig.sessions.opened);
+  await expect.poll(() => rig.sessions.closed, { timeout: 60_000 }).toBe(rig.sessions.opened);
   const { opened } = rig.sessions;
   await pilot.clickConnect();
   await pilot.isConnected();

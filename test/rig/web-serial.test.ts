@@ -6,7 +6,7 @@ import { Rig } from './rig.js';
 
 // The page's own Web Serial, without the page's program: what the journeys stand on.
 
-const PATIENCE = { timeout: 20_000 };
+const PATIENCE = { timeout: 60_000 };
 
 const identify = [...encodeRequest({ name: 'GETSWVER' })];
 const identity = [...fromHex('00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45')];
