@@ -21,7 +21,10 @@ export class LearnedTiming implements LineTiming {
     return this.#margin;
   }
 
-  /** Milliseconds, beyond those of the bytes, after which the slowest late reply came; null while none came late. */
+  /**
+   * Milliseconds, beyond those of the bytes, after which the slowest late reply came; null while none came late.
+   * Counted from the last request that it can answer: after a repeat the timer may be slower than this.
+   */
   get delay(): number | null {
     return this.#delay;
   }

@@ -17,7 +17,7 @@ export interface ValueReport {
 export interface WriteReport {
   /**
    * `verified` only when a fresh read equals the whole program that was wanted: the values that were asked for, and
-   * all others, for which {@link unasked} looks in each reading.
+   * all others.
    */
   readonly result: 'verified' | 'differs' | 'unknown';
   /** All values that were to be changed, and all that changed without being asked. */
