@@ -21,6 +21,7 @@ const contentSecurityPolicy = [
   "script-src 'self'",
   "style-src 'self'",
   "img-src 'self'",
+  "font-src 'self'",
   "manifest-src 'self'",
   "worker-src 'self'",
   "base-uri 'none'",
@@ -41,6 +42,32 @@ const securityPolicy: Plugin = {
   ],
 };
 
+/**
+ * The letters that every screen needs come with the page; those of other languages when one is written. The licence
+ * goes with the files, as it demands.
+ */
+const font: Plugin = {
+  name: 'font',
+  apply: 'build',
+  generateBundle() {
+    const source = readFileSync(new URL('node_modules/@fontsource-variable/inter/LICENSE', import.meta.url));
+    this.emitFile({ type: 'asset', fileName: 'inter-license.txt', source });
+  },
+  transformIndexHtml: {
+    order: 'post',
+    handler: (_, { bundle = {} }) =>
+      Object.keys(bundle)
+        .filter((file) => LATIN.test(file))
+        .map((file) => ({
+          tag: 'link',
+          attrs: { rel: 'preload', href: `./${file}`, as: 'font', type: 'font/woff2', crossorigin: '' },
+          injectTo: 'head',
+        })),
+  },
+};
+
+const LATIN = /inter-latin-wght-normal-[\w-]+\.woff2$/;
+
 /** What the bytes of a built file must be, as a browser checks it. */
 function integrityOf(url: string): string {
   const bytes = readFileSync(resolve(site, url));
@@ -60,8 +87,8 @@ const offline = VitePWA({
     start_url: './',
     scope: './',
     display: 'standalone',
-    theme_color: '#10171e',
-    background_color: '#10171e',
+    theme_color: '#161c22',
+    background_color: '#0d1115',
     categories: ['utilities', 'sports'],
     icons: [
       { src: 'favicon.svg', sizes: 'any', type: 'image/svg+xml' },
@@ -77,7 +104,7 @@ const offline = VitePWA({
   injectManifest: {
     globPatterns: ['**/*'],
     // The way out for whoever publishes the page; no part of it.
-    globIgnores: ['kill-sw.js'],
+    globIgnores: ['kill-sw.js', 'inter-license.txt'],
     manifestTransforms: [
       async (entries) => ({
         manifest: entries.map(({ url, size }) => ({ url, size, revision: null, integrity: integrityOf(url) })),
@@ -96,7 +123,7 @@ export default defineConfig({
   base: './',
   appType: 'mpa',
   define: { 'import.meta.env.VITE_VERSION': JSON.stringify(version) },
-  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, securityPolicy, offline],
+  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, securityPolicy, font, offline],
   build: {
     outDir: '../../dist/site',
     emptyOutDir: true,

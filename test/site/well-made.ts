@@ -23,16 +23,19 @@ async function violations(app: AppPage, rules?: readonly string[]): Promise<stri
   return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
 }
 
-/** Buttons, fields and choices that a finger would miss, with their sizes. */
+/** Buttons, fields and choices that a finger would miss, or a mouse where there is room and one, with their sizes. */
 function smallTargets(app: AppPage): Promise<string[]> {
   return app.page.evaluate(() => {
     const targets = [...document.querySelectorAll('button, input, select, summary')].map((element) =>
       element.matches('[type=checkbox], [type=radio]') ? (element.closest('label') ?? element) : element,
     );
+    const least = matchMedia('(min-width: 760px) and (hover: hover) and (pointer: fine)').matches ? 34 : 44;
     return targets.flatMap((element) => {
       const { width, height } = element.getBoundingClientRect();
       const isSeen = width > 0 && height > 0;
-      return isSeen && (width < 44 || height < 44) ? [`${element.outerHTML.slice(0, 90)} ${width} x ${height}`] : [];
+      return isSeen && (width < least || height < least)
+        ? [`${element.outerHTML.slice(0, 90)} ${width} x ${height}`]
+        : [];
     });
   });
 }

@@ -7,10 +7,10 @@ import { loadSetting, saveSetting } from '../browser/settings.js';
 export const THEMES = ['system', 'light', 'dark', 'sun'] as const;
 export type ThemeName = (typeof THEMES)[number];
 
-/** The colour of the bars that a browser draws around the page. */
+/** The colour of the bars that a browser draws around the page: that of the strip which they join. */
 const BARS: Readonly<Record<Exclude<ThemeName, 'system'>, string>> = {
-  light: '#f4f7f9',
-  dark: '#10171e',
+  light: '#ffffff',
+  dark: '#161c22',
   sun: '#ffffff',
 };
 

@@ -158,7 +158,7 @@ describe('the colours', () => {
     const theme = new Theme();
     const stop = theme.follow(page, dark as MediaQueryList);
     const look = () => [page.documentElement.getAttribute('data-theme'), page.querySelector('meta')?.content];
-    expect(look()).toEqual(['dark', '#10171e']);
+    expect(look()).toEqual(['dark', '#161c22']);
     theme.choose('sun');
     expect(look()).toEqual(['sun', '#ffffff']);
     expect(new Theme().chosen.value).toBe('sun');
@@ -166,11 +166,11 @@ describe('the colours', () => {
     dark.dispatchEvent(new Event('change'));
     expect(look()).toEqual(['sun', '#ffffff']);
     theme.choose('system');
-    expect(look()).toEqual(['light', '#f4f7f9']);
+    expect(look()).toEqual(['light', '#ffffff']);
     stop();
     dark.matches = true;
     dark.dispatchEvent(new Event('change'));
-    expect(look()).toEqual(['light', '#f4f7f9']);
+    expect(look()).toEqual(['light', '#ffffff']);
   });
 
   it('are chosen on the page', async () => {

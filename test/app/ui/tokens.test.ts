@@ -1,0 +1,71 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+
+const css = readFileSync(`${import.meta.dirname}/../../../src/app/ui/tokens.css`, 'utf8');
+
+/** The colours of one set, by name without its dashes. */
+function coloursAfter(selector: string): ReadonlyMap<string, string> {
+  const set = css.split(`${selector} {\n  color-scheme`)[1] ?? css.split(`\n${selector} {\n`)[1] ?? '';
+  const declared = set.split('\n}')[0]?.matchAll(/--([\w-]+): (#[0-9a-f]{6});/g) ?? [];
+  return new Map([...declared].map(([, name = '', colour = '']) => [name, colour]));
+}
+
+const light = coloursAfter(':root');
+const dark = coloursAfter("[data-theme='dark']");
+const sun = coloursAfter("[data-theme='sun']");
+
+/** 1 to 21, as WCAG counts it. */
+function contrast(one = '', other = ''): number {
+  const [darker = 0, brighter = 0] = [one, other].map(luminance).sort((a, b) => a - b);
+  return (brighter + 0.05) / (darker + 0.05);
+}
+
+function luminance(colour: string): number {
+  const [red = 0, green = 0, blue = 0] = [1, 3, 5].map((at) => {
+    const part = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
+    return part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+}
+
+/** What is read on what, and how much of a contrast it has at least: in a room, and in the sun. */
+const READ: readonly [inks: readonly string[], grounds: readonly string[], room: number, sun: number][] = [
+  [['ink'], ['panel', 'field', 'bg'], 15, 21],
+  [['ink'], ['changed-bg', 'danger-bg', 'good-bg', 'accent-bg', 'motor-bg'], 11, 16],
+  [['muted'], ['panel', 'field', 'bg'], 7, 17],
+  [['accent', 'accent-strong', 'changed', 'danger', 'good', 'motor'], ['panel', 'field', 'bg'], 7, 9],
+  [['on-accent'], ['accent', 'accent-strong'], 7, 9],
+  [['accent'], ['accent-bg'], 6, 9],
+  [['changed'], ['changed-bg'], 7, 16],
+  [['danger'], ['danger-bg'], 7, 9],
+  [['good'], ['good-bg'], 7, 9],
+  [['motor'], ['motor-bg'], 7, 9],
+  [['muted'], ['changed-bg', 'danger-bg', 'good-bg', 'accent-bg', 'motor-bg'], 6, 12],
+  [['off'], ['panel', 'field', 'bg'], 4.5, 6],
+  [[...light.keys()].filter((name) => name.startsWith('servo-')), ['panel', 'field'], 5, 8],
+  [['field-edge'], ['panel', 'field', 'bg'], 3, 15],
+];
+
+describe('the colours of each theme', () => {
+  it.each([
+    ['light', light],
+    ['dark', dark],
+    ['sun', sun],
+  ])('%s: what is read has the contrast that old eyes need', (theme, colours) => {
+    const weak = READ.flatMap(([inks, grounds, inRoom, inSun]) =>
+      inks.flatMap((ink) =>
+        grounds.flatMap((ground) => {
+          const found = contrast(colours.get(ink), colours.get(ground));
+          const needed = theme === 'sun' ? inSun : inRoom;
+          return found >= needed ? [] : [`${ink} on ${ground}: ${found.toFixed(2)}, not ${needed}`];
+        }),
+      ),
+    );
+    expect(weak).toEqual([]);
+  });
+
+  it('say the same things: a theme is one set of the same names', () => {
+    expect([...dark.keys()].sort()).toEqual([...light.keys()].sort());
+    expect([...sun.keys()].sort()).toEqual([...light.keys()].sort());
+  });
+});
