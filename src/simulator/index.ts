@@ -1,3 +1,4 @@
+export { exampleMemories } from './example-memories.js';
 export { firstContent, type MemoryContent } from './memory.js';
 export type { TimerQuirks } from './quirks.js';
 export { ReplayTimer, type ReplayTimerOptions } from './replay.js';

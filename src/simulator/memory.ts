@@ -1,4 +1,4 @@
-import { type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
+import { CodecError, type Identity, MAX_TIME, slotCount } from '../protocol/index.js';
 
 /** What one memory of the virtual timer holds. Times in hundredths of a second, positions as `[servo][slot]`. */
 export interface MemoryContent {
@@ -31,4 +31,16 @@ export function firstContent(identity: Identity, memory: number): MemoryContent 
   });
   const row = Array.from({ length: slots }, (_, slot) => FIRST_POSITION + POSITION_STEP * (slot % POSITIONS_KNOWN));
   return { times, positions: Array.from({ length: identity.servos }, () => [...row]) };
+}
+
+/**
+ * Makes sure that a timer of this layout can hold it.
+ * @throws CodecError `wrong-count`.
+ */
+export function requireLayout({ times, positions }: MemoryContent, identity: Identity): void {
+  const slots = slotCount(identity);
+  if (times.length === slots && positions.length === identity.servos && positions.every((row) => row.length === slots))
+    return;
+  const message = `a memory must have ${slots} times, and as many positions for each of ${identity.servos} servos`;
+  throw new CodecError('wrong-count', 'memories', message);
 }

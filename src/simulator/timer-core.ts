@@ -12,7 +12,7 @@ import {
   type Reply,
   type Request,
 } from '../protocol/index.js';
-import { firstContent, type MemoryContent } from './memory.js';
+import { firstContent, type MemoryContent, requireLayout } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
 
 /** Where a timer stands between battery and landing. It answers in every phase but `asleep`. */
@@ -23,6 +23,7 @@ export interface TimerCoreOptions {
   readonly quirks: TimerQuirks;
   readonly clock: Clock;
   readonly sleepAfter?: number | undefined;
+  readonly memories?: readonly MemoryContent[] | undefined;
 }
 
 /**
@@ -53,13 +54,17 @@ export class TimerCore {
   #awakeSince: number;
   #phaseBeforeSleep: TimerPhase = 'discharged';
 
-  constructor({ identity, quirks, clock, sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
+  constructor({ identity, quirks, clock, memories = [], sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
     this.identity = identity;
     this.#quirks = quirks;
     this.#clock = clock;
     this.#sleepAfter = sleepAfter;
     this.#awakeSince = clock.now();
-    this.memories = Array.from({ length: identity.memories }, (_, memory) => firstContent(identity, memory));
+    this.memories = Array.from({ length: identity.memories }, (_, memory) => {
+      const { times, positions } = memories[memory] ?? firstContent(identity, memory);
+      return { times: [...times], positions: positions.map((row) => [...row]) };
+    });
+    for (const content of this.memories) requireLayout(content, identity);
     this.motorLocked = identity.timerClass === 'Q';
     this.slot = identity.functions;
     this.servos = this.#positionsAt(this.slot);

@@ -1,5 +1,6 @@
 import { ByteLine, type ByteLineOptions, type Clock, realClock } from '../line/index.js';
 import { COMMANDS, type Frame, FrameDecoder, type Identity, requireIdentity } from '../protocol/index.js';
+import type { MemoryContent } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
 import { TimerCore } from './timer-core.js';
 
@@ -12,6 +13,11 @@ export interface VirtualTimerOptions {
    * example.
    */
   readonly identity?: Partial<Identity>;
+  /**
+   * What it holds, from M1 on, in the layout of its identity. Default, and for those that are missing: {@link
+   * firstContent}.
+   */
+  readonly memories?: readonly MemoryContent[];
   readonly quirks?: TimerQuirks;
   /** Default: the real clock. */
   readonly clock?: Clock;
@@ -58,7 +64,7 @@ export class VirtualTimer {
   #controller: ReadableStreamDefaultController<Uint8Array> | undefined;
   #ended = false;
 
-  /** @throws CodecError `bad-identity`. */
+  /** @throws CodecError `bad-identity`, or `wrong-count` for memories of another layout. */
   constructor(options: VirtualTimerOptions = {}) {
     const identity: Identity = { ...EXAMPLE, ...options.identity };
     requireIdentity(identity);
@@ -66,7 +72,8 @@ export class VirtualTimer {
     const { baudRate = 0, latency = 0, quirks = {} } = options;
     this.#echo = quirks.echo === true;
     this.#clock = clock;
-    this.core = new TimerCore({ identity, quirks, clock, sleepAfter: options.sleepAfter });
+    const { sleepAfter, memories } = options;
+    this.core = new TimerCore({ identity, quirks, clock, sleepAfter, memories });
     this.#decoder = new FrameDecoder({
       quirks: { bareChecksum: quirks.bareChecksumRequests ? BARE_REQUESTS : false },
       onFrame: (frame, _, bare) => void (bare && this.#bare.add(frame)),

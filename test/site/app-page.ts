@@ -89,7 +89,7 @@ export class AppPage {
     return this.page.getByRole('banner').getByText('firmware 536');
   }
 
-  async trySimulated(name: 'F1Q' | 'F1B'): Promise<void> {
+  async trySimulated(name: 'F1Q' | 'F1B' | 'F1E'): Promise<void> {
     await this.button(`Try a simulated ${name} timer`).click();
     await this.hasRead();
   }

@@ -1,13 +1,21 @@
 import { expect, test } from 'vitest';
-import { AppPage, FIRST_POSITIONS } from './app-page.js';
+import { AppPage } from './app-page.js';
 
-for (const name of ['F1Q', 'F1B'] as const) {
+/** What M1 of each simulated timer holds, as far as it is looked at here. */
+const HELD = {
+  F1Q: { tailplane: [48, 44, 46, 50, 52, 30, 24, 40, 54, 56, 95], dt: '3:00', rudder2: 64, wingAtDt: 88 },
+  F1B: { tailplane: [40, 36, 42, 46, 48, 50, 52, 55, 57, 57, 100], dt: '3:00', rudder2: 68, wingAtDt: 80 },
+  F1E: { tailplane: [52, 55, 55, 55, 55, 55, 55, 55, 55, 55, 110], dt: '4:00', rudder2: 78, wingAtDt: 65 },
+};
+
+for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
   test(`a pilot without a timer tries a simulated ${name}: reads, edits, writes, and sees it verified`, async () => {
     const app = await AppPage.open();
     await app.trySimulated(name);
     await app.firmware.waitFor();
-    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
-    expect(await app.valueOf('DT')).toBe('3:00');
+    const held = HELD[name];
+    expect(await app.positions('S2')).toEqual(held.tailplane.map(String));
+    expect(await app.valueOf('DT')).toBe(held.dt);
 
     await app.type('DT time', '5:00');
     await app.type('Function 2, S1', '0');
@@ -17,9 +25,9 @@ for (const name of ['F1Q', 'F1B'] as const) {
 
     await app.review();
     expect(await app.difference()).toEqual([
-      'DT time | 3:00 min | 5:00 min',
-      'Function 2, S1 | 35 | 0',
-      'DT, S3 | 115 | 130',
+      `DT time | ${held.dt} min | 5:00 min`,
+      `Function 2, S1 | ${held.rudder2} | 0`,
+      `DT, S3 | ${held.wingAtDt} | 130`,
     ]);
     const start = app.dialog.getByRole('button', { name: 'Write 3 changes' });
     expect(await start.isDisabled(), 'not before the tick').toBe(true);
@@ -90,8 +98,8 @@ test('each memory is read as it is chosen, and keeps its own edits', async () =>
   await app.trySimulated('F1Q');
   await app.type('Function 3, S2', '77');
   await app.fly('M2');
-  expect(await app.valueOf('DT')).toBe('3:30');
-  expect(await app.valueOf('Function 3, S2')).toBe('45');
+  expect(await app.valueOf('Motor stop'), 'M2 is for wind').toBe('9.5');
+  expect(await app.valueOf('Function 3, S2')).toBe('48');
   await app.says('Your edits of the other memory are kept.');
   await app.fly('M1');
   await app.says('Earlier edits for this memory are back.');

@@ -10,7 +10,7 @@ export function ConnectButtons({ session, large = false }: { readonly session: S
   const notice = session.notices.current.value;
   const timerClass = session.editor.working.value?.identity.timerClass;
   const again = session.simulated.value
-    ? (['Q', 'B'] as const).find((simulated) => simulated === timerClass)
+    ? (['Q', 'B', 'E'] as const).find((simulated) => simulated === timerClass)
     : undefined;
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   const choice = failed || session.link.ports.value.length > 0;

@@ -1,17 +1,18 @@
 import { MockSerial, type PlugOptions } from '../../mock-serial/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
-import { ReplayTimer, VirtualTimer } from '../../simulator/index.js';
+import { exampleMemories, ReplayTimer, VirtualTimer } from '../../simulator/index.js';
 
 /** Milliseconds that an adapter and a timer take to answer, about as long as over infra-red. */
 const LATENCY = 40;
 
 /**
- * A virtual timer behind a mock port that takes the time of a real line, for the same code path as a real one. This is
- * the one place in the program where simulator and mock port meet.
+ * A virtual timer that holds what a flown one may hold, behind a mock port that takes the time of a real line: for the
+ * same code path as a real one. This is the one place in the program where simulator and mock port meet.
  */
-export function plugSimulatedTimer(timerClass: 'Q' | 'B'): SerialPortLike {
-  return plug(new VirtualTimer({ identity: { timerClass } }), { timing: true, latency: LATENCY / 2 });
+export function plugSimulatedTimer(timerClass: 'Q' | 'B' | 'E'): SerialPortLike {
+  const timer = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass) });
+  return plug(timer, { timing: true, latency: LATENCY / 2 });
 }
 
 /** A recorded timer behind a mock port, which takes no time of its own: the recording has that of its line. */

@@ -39,7 +39,7 @@ export function StartScreen({ session, platform }: StartScreenProps) {
         <h2>{start.simulatedTitle}</h2>
         <p>{start.simulatedLead}</p>
         <div class="buttons">
-          {(['Q', 'B'] as const).map((timerClass) => (
+          {(['Q', 'B', 'E'] as const).map((timerClass) => (
             <button
               type="button"
               key={timerClass}

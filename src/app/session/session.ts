@@ -35,7 +35,7 @@ export interface SessionOptions {
   readonly surroundings: Surroundings;
   readonly storage: Storage;
   readonly tab: TabNumber;
-  readonly plugSimulated: (timerClass: 'Q' | 'B') => SerialPortLike;
+  readonly plugSimulated: (timerClass: 'Q' | 'B' | 'E') => SerialPortLike;
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
 }
 
@@ -133,7 +133,7 @@ export class Session {
     await this.#goTo(async () => () => this.link.connect(port));
   }
 
-  async trySimulated(timerClass: 'Q' | 'B'): Promise<void> {
+  async trySimulated(timerClass: 'Q' | 'B' | 'E'): Promise<void> {
     await this.#goTo(async () => {
       await this.recovery.forgetSimulated();
       return () => this.link.connectSimulated(this.#options.plugSimulated(timerClass));

@@ -1,0 +1,80 @@
+import { describe, expect, it } from 'vitest';
+import { checkProgram, type TimerProgram } from '../../src/program/index.js';
+import { exampleMemories, VirtualTimer } from '../../src/simulator/index.js';
+
+const CLASSES = ['Q', 'B', 'E'] as const;
+/** The flight for a test has a short DT, as it has to. */
+const TEST_FLIGHT = 2;
+
+const programsOf = (timerClass: 'Q' | 'B' | 'E'): TimerProgram[] => {
+  const { core } = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass) });
+  return core.memories.map((content, memory) => ({ identity: core.identity, memory, ...content, idleThrottle: null }));
+};
+
+describe.each(CLASSES)('the memories of a flown F1%s', (timerClass) => {
+  const programs = programsOf(timerClass);
+
+  it('keep to the rules of the class: nothing unusual, but the short DT of the test flight', () => {
+    expect(programs.map((program) => checkProgram(program).map(({ code }) => code))).toEqual(
+      programs.map((_, memory) => (memory === TEST_FLIGHT ? ['dt-short'] : [])),
+    );
+  });
+
+  it('rise strictly from launch to DT, also where the manuals leave it open', () => {
+    for (const { times } of programs) {
+      const rising = times.slice(1);
+      expect(rising).toEqual([...new Set(rising)].sort((a, b) => a - b));
+    }
+  });
+
+  it('differ as settings of one model do: calm, wind, a test with a DT of 20 s, a fly-off with the longest', () => {
+    expect(new Set(programs.map(({ times, positions }) => JSON.stringify([times, positions]))).size).toBe(4);
+    const [calm, wind, test, flyOff] = programs.map(({ times }) => times[10] as number);
+    expect(test).toBe(2000);
+    expect(flyOff).toBeGreaterThan(calm as number);
+    expect(wind).toBeLessThanOrEqual(calm as number);
+    expect(Math.max(...programs.map(({ times }) => times[10] as number))).toBe(flyOff);
+  });
+
+  it('bring the model down: at DT the tailplane goes where it is at no other time', () => {
+    for (const { positions } of programs) {
+      const tailplane = positions[1] as readonly number[];
+      const inFlight = Math.max(...tailplane.slice(0, -1));
+      expect((tailplane.at(-1) as number) - inFlight).toBeGreaterThan(30);
+    }
+  });
+});
+
+describe('the memories of a flown timer', () => {
+  it('stop the motor of an F1Q between two functions, later in calm than in a test; there is none elsewhere', () => {
+    expect(exampleMemories('Q').map(({ times }) => times[0])).toEqual([1000, 950, 400, 800]);
+    for (const { times } of exampleMemories('Q')) {
+      const stop = times[0] as number;
+      expect(times.slice(1)).not.toContain(stop);
+      expect(stop).toBeLessThan(times[10] as number);
+    }
+    for (const timerClass of ['B', 'E'] as const) {
+      expect(exampleMemories(timerClass).map(({ times }) => times[0])).toEqual([0, 0, 0, 0]);
+    }
+  });
+
+  it('belong to the timer that has them: it changes its own', () => {
+    const memories = exampleMemories('Q');
+    const { core } = new VirtualTimer({ identity: { timerClass: 'Q' }, memories });
+    (core.memories[0]?.positions[0] as number[])[0] = 1;
+    expect(memories[0]?.positions[0]?.[0]).toBe(62);
+  });
+
+  it('may be fewer than the timer has: the others are those of a new one', () => {
+    const { core } = new VirtualTimer({ identity: { timerClass: 'Q' }, memories: exampleMemories('Q').slice(0, 1) });
+    expect(core.memories.map(({ times }) => times[10])).toEqual([18000, 21000, 24000, 27000]);
+  });
+
+  it('are refused by a timer of another layout', () => {
+    for (const identity of [{ functions: 8 }, { servos: 2 }]) {
+      expect(() => new VirtualTimer({ identity, memories: exampleMemories('B') })).toThrow(
+        expect.objectContaining({ code: 'wrong-count' }),
+      );
+    }
+  });
+});
