@@ -126,8 +126,8 @@ test('each timer keeps a history of its own: the F1B at the port, and a simulate
   await app.reload();
   await app.connect();
   await real.goBack(() => app.undo.click());
-  // Nothing differs any more, so the program is left with its timer.
   await app.button('Disconnect').click();
+  await app.button('Close program').click();
   await app.trySimulated('F1Q');
   await simulated.goBack(() => app.undo.click());
 });

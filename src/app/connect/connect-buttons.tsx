@@ -1,17 +1,15 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
+import { type Session, SIMULATED_CLASSES } from '../session/session.js';
 
 /**
  * Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port
- * for when the one used before is the wrong one.
+ * for when the one used before is the wrong one; and where a program is on the screen, the way back to the start.
  */
 export function ConnectButtons({ session, large = false }: { readonly session: Session; readonly large?: boolean }) {
   const { header, program } = messages.value;
   const notice = session.notices.current.value;
   const timerClass = session.editor.working.value?.identity.timerClass;
-  const again = session.simulated.value
-    ? (['Q', 'B', 'E'] as const).find((simulated) => simulated === timerClass)
-    : undefined;
+  const again = session.simulated.value && SIMULATED_CLASSES.find((simulated) => simulated === timerClass);
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
   const choice = failed || session.link.ports.value.length > 0;
   return (
@@ -34,6 +32,11 @@ export function ConnectButtons({ session, large = false }: { readonly session: S
       {choice && (
         <button type="button" disabled={session.engaged.value} onClick={() => void session.connect(true)}>
           {header.choosePort}
+        </button>
+      )}
+      {timerClass && !session.connection.value && (
+        <button type="button" class="quiet" disabled={session.engaged.value} onClick={() => session.putAway()}>
+          {header.putAway}
         </button>
       )}
     </>

@@ -2,6 +2,7 @@ import { MockSerial, type PlugOptions } from '../../mock-serial/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, VirtualTimer } from '../../simulator/index.js';
+import type { SimulatedClass } from '../session/session.js';
 
 /** Milliseconds that an adapter and a timer take to answer, about as long as over infra-red. */
 const LATENCY = 40;
@@ -10,7 +11,7 @@ const LATENCY = 40;
  * A virtual timer that holds what a flown one may hold, behind a mock port that takes the time of a real line: for the
  * same code path as a real one. This is the one place in the program where simulator and mock port meet.
  */
-export function plugSimulatedTimer(timerClass: 'Q' | 'B' | 'E'): SerialPortLike {
+export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
   const timer = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass) });
   return plug(timer, { timing: true, latency: LATENCY / 2 });
 }

@@ -26,6 +26,14 @@ export interface EditorContent extends Content {
    * `Knowledge`.
    */
   readonly readAt?: number | null | undefined;
+  /** When it was made, for one that was read from no timer: see {@link Editor.madeAt}. The baseline is how it began. */
+  readonly madeAt?: number;
+}
+
+/** A program that was made on this device: when, in milliseconds since 1970, and how it began. */
+interface Made {
+  readonly at: number;
+  readonly from: TimerProgram;
 }
 
 const NO_CONFLICTS: ReadonlyMap<string, Change> = new Map();
@@ -39,12 +47,20 @@ export class Editor extends WorkingCopy {
   readonly #fresh = signal(false, { name: 'fresh' });
   readonly #shortDt = signal(6000, { name: 'shortDt' });
   readonly #moved = signal(NO_CONFLICTS, { name: 'moved' });
+  readonly #made = signal<Made | null>(null, { name: 'made' });
 
+  /** What the timer last said; null where nothing was read: there is no program, or it was made here. */
   readonly baseline: ReadonlySignal<TimerProgram | null> = this.#baseline;
   /** Whether the baseline is what a reading of this connection gave, whole, with nothing sent since. */
   readonly fresh: ReadonlySignal<boolean> = this.#fresh;
   /** A DT below this is called short, in hundredths of a second. */
   readonly shortDt: ReadonlySignal<number> = this.#shortDt;
+
+  /**
+   * When the program was made, for one that was read from no timer, in milliseconds since 1970: nothing that stands in
+   * it says anything about a timer. Null for one that was read.
+   */
+  readonly madeAt: ReadonlySignal<number | null> = computed(() => this.#made.value?.at ?? null);
 
   /** What differs from the timer. */
   readonly changes: ReadonlySignal<readonly Change[]> = computed(() => {
@@ -73,7 +89,7 @@ export class Editor extends WorkingCopy {
   );
   /** Whether there is anything that a reload would lose. */
   readonly dirty: ReadonlySignal<boolean> = computed(
-    () => this.changes.value.length > 0 || this.unreadable.value.size > 0,
+    () => this.changes.value.length > 0 || this.unreadable.value.size > 0 || this.#made.value !== null,
   );
 
   /** @param time hundredths of a second. */
@@ -164,22 +180,30 @@ export class Editor extends WorkingCopy {
 
   /** What has to be kept to come back to this point. */
   snapshot(): EditorContent | null {
-    const baseline = this.#baseline.value;
+    const made = this.#made.value;
+    const baseline = made?.from ?? this.#baseline.value;
     const content = this.content.value;
-    return baseline && content && { baseline, ...content, history: this.history.value };
+    const kept = baseline && content && { baseline, ...content, history: this.history.value };
+    return kept && made ? { ...kept, madeAt: made.at } : kept;
   }
 
   /**
    * Comes back to what was kept. Texts of fields that do not exist are dropped, and a history that does not fit.
    * @returns false, and nothing is changed, when the two programs do not fit together.
    */
-  restore({ baseline, working, texts, history = EMPTY_HISTORY }: EditorContent): boolean {
+  restore({ baseline, working, texts, history = EMPTY_HISTORY, madeAt }: EditorContent): boolean {
     if (!sameLayout(baseline.identity, working.identity)) return false;
     const steps = [...history.past, ...history.future];
     const fits = steps.every(({ state }) => sameLayout(baseline.identity, state.working.identity));
     const content = { working, texts: textsFor(working, texts) };
-    this.#begin(baseline, false, content, fits ? settle(history) : EMPTY_HISTORY);
+    const made = madeAt === undefined ? null : { at: madeAt, from: baseline };
+    this.#begin(made ? null : baseline, false, content, fits ? settle(history) : EMPTY_HISTORY, made);
     return true;
+  }
+
+  /** A new program, of no timer. */
+  make(program: TimerProgram, at = Date.now()): void {
+    this.#begin(null, false, { working: program, texts: {} }, EMPTY_HISTORY, { at, from: program });
   }
 
   /** Nothing on the screen. */
@@ -192,8 +216,10 @@ export class Editor extends WorkingCopy {
     isFresh: boolean,
     content: Content | null,
     history: History<Content> = EMPTY_HISTORY,
+    made: Made | null = null,
   ): void {
     batch(() => {
+      this.#made.value = made;
       this.#baseline.value = baseline;
       this.#fresh.value = isFresh;
       this.#moved.value = NO_CONFLICTS;

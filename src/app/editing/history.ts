@@ -16,6 +16,7 @@ export const STEP_CODES = [
   'preset',
   'finish-write',
   'restore',
+  'lay-over',
   'fix',
   'keep-tried',
 ] as const;

@@ -13,7 +13,8 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
   const name = useId();
   const identity = editor.identity.value;
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
-  if (!identity) return null;
+  // A program that was made here is for whatever timer comes.
+  if (!identity || editor.madeAt.value !== null) return null;
   const isConnected = connection.value !== null;
   const job = runner.job.value;
   const current = next.open.value ? null : memory;

@@ -24,6 +24,7 @@ const steps: Record<StepCode, (params: Params) => string> = {
   preset: ({ field }) => `preset of ${field}`,
   'finish-write': () => 'loading the interrupted write',
   restore: () => 'loading a backup',
+  'lay-over': () => 'loading your program',
   fix: ({ field }) => `correcting ${field}`,
   'keep-tried': () => 'keeping what was tried',
 };

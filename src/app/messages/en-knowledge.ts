@@ -34,6 +34,8 @@ export const knowledge = {
   readAt: (time: string) => `As in the timer, read ${time}`,
   lastReadAt: (time: string) => `As last read ${time}`,
   asLastRead: 'As last read',
+  /** Of a program that was made here. */
+  made: 'New program, in no timer yet',
   unknown: (memory: string) => `Not known what ${memory} holds`,
   unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet`,
   hints: {

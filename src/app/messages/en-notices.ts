@@ -165,6 +165,18 @@ export const notes = {
     title: 'Another tab of this page has taken the port over.',
     advice: 'What you typed here is kept.',
   },
+  'made-restored': {
+    title: 'Your program is back.',
+    advice: 'It is in no timer yet. Connect to a timer to write it.',
+  },
+  'made-laid': {
+    title: 'Your program is loaded over what the timer holds.',
+    advice: 'Nothing was written. What differs is marked. Undo shows what the timer holds.',
+  },
+  'made-put-away': {
+    title: 'Your program does not fit this timer.',
+    advice: 'Its class or its layout is another, or a field has no value yet. The program is kept on this device.',
+  },
   'not-kept': {
     title: 'This browser does not keep what you type.',
     advice: 'Its storage is full or switched off. Write to the timer before you close the page.',

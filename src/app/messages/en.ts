@@ -88,6 +88,7 @@ export const en = {
     connect: 'Connect',
     choosePort: 'Choose a port',
     simulatedTimer: 'Simulated',
+    putAway: 'Close program',
     disconnect: 'Disconnect',
     stop: 'Stop',
   },
@@ -121,6 +122,7 @@ export const en = {
     undoAll: 'Undo all',
     read: 'Read again',
     write: 'Write…',
+    connectAndWrite: 'Connect and write…',
     /** What is in the way of a write; its button leads there. */
     blocked: (field: string, why: string) => `Nothing can be written yet. ${field}: ${why}`,
     notConnected: 'Click Connect at the top to read and write.',

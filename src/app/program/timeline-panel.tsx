@@ -112,7 +112,9 @@ function Behind({ session, program, chosen, onChoose }: BehindProps) {
     <label class="timeline-choice">
       {timeline.compareWith}
       <select value={chosen} onChange={(event) => onChoose(event.currentTarget.value)}>
-        <option value={HELD}>{knowledge.held[session.standing.value.sure]}</option>
+        {session.editor.madeAt.value === null && (
+          <option value={HELD}>{knowledge.held[session.standing.value.sure]}</option>
+        )}
         <option value={NOTHING}>{timeline.compareNothing}</option>
         {fitting.map(({ key, savedAt, reason, simulated, program: { memory } }) => (
           <option key={key} value={key}>

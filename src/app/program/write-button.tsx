@@ -8,15 +8,23 @@ import { firstInTheWay } from './field-notes.js';
 
 const NOTE = 'blocked-note';
 
-/** To the difference, and from there to the timer. Where a field is in the way it leads to that field. */
+/**
+ * To the difference, and from there to the timer; where none is connected, by way of Connect. Where a field is in the
+ * way it leads to that field.
+ */
 export function WriteButton({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const isBlocked = editor.blocked.value;
   const hasChanges = useComputed(() => editor.changes.value.length > 0).value;
-  const press = (): void => {
+  const isConnected = session.connection.value !== null;
+  const isOff = session.link.state.value.status === 'off';
+  const { program } = messages.value;
+  const press = async (): Promise<void> => {
     const cause = isBlocked ? firstInTheWay(editor) : null;
-    if (cause) lookAt(fieldKey(cause.field));
-    else void write.open();
+    if (cause) return lookAt(fieldKey(cause.field));
+    if (!isConnected) await session.comeBack();
+    // The timer may have to be waited for: by then the pilot may have something else in mind.
+    if (session.runner.ready.value) void write.open();
   };
   return (
     <button
@@ -25,10 +33,11 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
       // Not while a job runs; but the focus stays, also for when the dialog is closed.
       aria-disabled={session.runner.busy.value}
       aria-describedby={isBlocked ? NOTE : undefined}
-      disabled={session.connection.value === null}
-      onClick={press}
+      // While a timer is looked for, there is one way to it.
+      disabled={!isConnected && (!isOff || session.link.unavailable !== null)}
+      onClick={() => void press()}
     >
-      {messages.value.program.write}
+      {isOff ? program.connectAndWrite : program.write}
     </button>
   );
 }

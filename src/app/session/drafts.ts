@@ -47,7 +47,7 @@ export class Drafts {
    */
   async latest(wanted: () => boolean): Promise<Draft | undefined> {
     await this.#tab.takeBefore();
-    const edited = (await this.#all()).filter(isEdited);
+    const edited = (await this.#all()).filter((draft) => isEdited(draft) && !draft.shelved);
     let found: Draft | undefined;
     for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
     await this.#tab.takeAny();
@@ -100,10 +100,45 @@ export class Drafts {
     if (own) return this.#adopt(own);
     const kind = programKey(program, simulated);
     for (const draft of await this.#all()) {
+      if (draft.madeAt !== undefined) continue;
       if (programKey(draft.working, draft.simulated) !== kind) continue;
       if (inherit || (await this.#tab.isFree(draft.tab))) return this.#adopt(draft);
     }
     return undefined;
+  }
+
+  /** All that has a place on the screen and is no other tab's, the latest first. */
+  async available(): Promise<Draft[]> {
+    await this.#begun;
+    await this.#saving;
+    const free: Draft[] = [];
+    for (const draft of await this.#all()) {
+      if (!isEdited(draft)) continue;
+      if (draft.tab === this.#tab.value || (await this.#tab.isFree(draft.tab))) free.push(draft);
+    }
+    return free;
+  }
+
+  /** What was kept comes to the screen: it is the work of this tab from now on. */
+  take(draft: Draft): Draft {
+    return this.#found(draft);
+  }
+
+  /** A program that was made here leaves the screen, and is kept: see {@link Draft.shelved}. */
+  shelve(madeAt: number): void {
+    const draft = [...this.#open.values()].find((each) => each.madeAt === madeAt);
+    if (!draft) return;
+    const shelved = { ...draft, shelved: true };
+    this.#open.set(draft.key, shelved);
+    this.#keep(shelved);
+  }
+
+  /** What was kept is deleted for good. */
+  async remove({ key }: Draft): Promise<void> {
+    this.#open.delete(key);
+    this.#note(key, true);
+    this.#then(() => this.#shelf.remove(key));
+    await this.#saving;
   }
 
   /** Takes over what was found among all that are kept: nothing else that was edited lies in its new place. */
@@ -116,7 +151,7 @@ export class Drafts {
   /** Takes a draft over into this tab; an open one that had it keeps it too. */
   #adopt(draft: Draft): Draft {
     const tab = this.#tab.value;
-    const key = workKey(draft.working, draft.simulated, tab);
+    const key = workKey(draft.working, draft.simulated, tab, draft.madeAt);
     const own = { ...draft, key, tab };
     if (draft.tab !== tab) {
       this.#then(async () => {
@@ -148,7 +183,7 @@ export class Drafts {
     this.#early = null;
     this.#note(EARLY, true);
     const tab = this.#tab.value;
-    const key = workKey(content.working, simulated, tab);
+    const key = workKey(content.working, simulated, tab, content.madeAt);
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated, tab };
     if (isEdited(draft) || draft.history?.past.length || draft.history?.future.length) {
       this.#open.set(key, draft);
@@ -211,7 +246,8 @@ export class Drafts {
     const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
     if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {
       const tab = Math.max(2, Math.floor(unseen.savedAt));
-      await this.#shelf.save({ ...unseen, key: workKey(unseen.working, unseen.simulated, tab), tab });
+      const key = workKey(unseen.working, unseen.simulated, tab, unseen.madeAt);
+      await this.#shelf.save({ ...unseen, key, tab });
     }
     await this.#shelf.save(draft);
   }
@@ -226,7 +262,9 @@ function sameWork(a: Draft, b: Draft): boolean {
   return differences(a.working, b.working).length === 0 && JSON.stringify(a.texts) === JSON.stringify(b.texts);
 }
 
-function isEdited({ baseline, working, texts }: Draft): boolean {
+/** Whether a pilot would miss it. */
+function isEdited({ baseline, working, texts, madeAt }: Draft): boolean {
+  if (madeAt !== undefined) return true;
   if (!sameLayout(baseline.identity, working.identity)) return false;
   return Object.keys(texts).length > 0 || differences(baseline, working).length > 0;
 }

@@ -16,6 +16,9 @@ export type NoteCode =
   | 'select-unanswered'
   | 'strays'
   | 'taken-over'
+  | 'made-restored'
+  | 'made-laid'
+  | 'made-put-away'
   | 'not-kept'
   | 'unexpected';
 

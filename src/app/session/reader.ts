@@ -1,6 +1,7 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
-import { differences, type TimerProgram } from '../../program/index.js';
+import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import { replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import type { Draft } from '../storage/index.js';
 import type { Drafts } from './drafts.js';
@@ -118,8 +119,25 @@ export class Reader {
       if (!editor.restore(draft)) return;
       this.#simulated.value = draft.simulated;
       if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
-      notices.sayIfSilent('edits-restored');
+      notices.sayIfSilent(draft.madeAt === undefined ? 'edits-restored' : 'made-restored');
     });
+  }
+
+  /** Shows a program that was made on this device, of no timer. */
+  showMade(program: TimerProgram): void {
+    this.putAway();
+    batch(() => {
+      this.#parts.editor.make(program);
+      this.#simulated.value = false;
+    });
+  }
+
+  /** Nothing is on the screen any more. What the pilot wants is kept. */
+  putAway(): void {
+    const { editor, drafts } = this.#parts;
+    const madeAt = editor.madeAt.value;
+    if (madeAt !== null) drafts.shelve(madeAt);
+    editor.clear();
   }
 
   /** Shows what was read, with the edits that belong to it. */
@@ -128,6 +146,9 @@ export class Reader {
     const { editor, drafts, link, knowledge, recovery, nextFlight, notices } = this.#parts;
     const simulated = link.simulated.value;
     const before = editor.working.value;
+    // What was made here is wanted of whatever timer can take it: it is laid over what that holds.
+    const made = editor.madeAt.value === null ? null : before;
+    const laid = made && fitsOnto(made, read) && editor.unreadable.value.size === 0 ? made : null;
     const held = editor.baseline.value;
     const same = before !== null && programKey(before, this.#simulated.value) === programKey(read, simulated);
     const otherKind =
@@ -147,13 +168,15 @@ export class Reader {
       recovery.wasRead(read, simulated);
       // What an interrupted write explains is told by the offer to finish it, and by nothing else.
       const explained = recovery.offer.value?.kind === 'write';
-      if (!same) editor.clear();
+      if (!same) this.putAway();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
+      if (laid) editor.apply(replaceAll({ code: 'lay-over', params: {} }, laid));
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       this.#simulated.value = simulated;
       if (completed) notices.say('write-completed');
+      else if (made) notices.say(laid ? 'made-laid' : 'made-put-away');
       else if (moved && !explained) notices.say('edits-moved');
       else if (draft && editor.dirty.value && !explained) notices.say('edits-kept');
       else if (isBack && otherKind) notices.say('other-kind');
@@ -163,4 +186,9 @@ export class Reader {
       }
     });
   }
+}
+
+/** Whether a program that was made here means the same on the timer that this was read from. */
+function fitsOnto({ identity }: TimerProgram, read: TimerProgram): boolean {
+  return identity.timerClass === read.identity.timerClass && sameLayout(identity, read.identity);
 }

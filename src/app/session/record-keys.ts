@@ -20,9 +20,12 @@ export function programKey(
   return `${kindKey(identity, simulated)}/${memory ?? '?'}`;
 }
 
-/** Under what the work on a program is kept: each tab, by its number, has its own, see `TabNumber`. */
-export function workKey(program: TimerProgram, simulated: boolean, tab: number): string {
-  const key = programKey(program, simulated);
+/**
+ * Under what the work on a program is kept: each tab, by its number, has its own, see `TabNumber`.
+ * @param madeAt of a program that was read from no timer: each of them is kept by itself.
+ */
+export function workKey(program: TimerProgram, simulated: boolean, tab: number, madeAt?: number): string {
+  const key = madeAt === undefined ? programKey(program, simulated) : `made/${madeAt}`;
   // The first is called as those were that had no number.
   return tab > 1 ? `${key}/${tab}` : key;
 }

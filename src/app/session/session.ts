@@ -12,11 +12,12 @@ import {
 import type { TabNumber } from '../browser/tab-number.js';
 import { replaceAll } from '../editing/edit.js';
 import { Editor } from '../editing/editor.js';
-import type { Backup, Storage } from '../storage/index.js';
+import type { Backup, Draft, Storage } from '../storage/index.js';
 import { Backups } from './backups.js';
 import { Drafts } from './drafts.js';
 import { InterruptedJobs } from './interrupted-jobs.js';
 import { JobRunner } from './job-runner.js';
+import { KeptPrograms } from './kept-programs.js';
 import { KeptWork } from './kept-work.js';
 import { Knowledge } from './knowledge.js';
 import { LineLog } from './line-log.js';
@@ -31,11 +32,15 @@ import { SetAside } from './set-aside.js';
 import { type Standing, standingOf } from './standing.js';
 import { UnfinishedRecords } from './unfinished.js';
 
+/** The classes of which there is a simulated timer. */
+export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
+export type SimulatedClass = (typeof SIMULATED_CLASSES)[number];
+
 export interface SessionOptions {
   readonly surroundings: Surroundings;
   readonly storage: Storage;
   readonly tab: TabNumber;
-  readonly plugSimulated: (timerClass: 'Q' | 'B' | 'E') => SerialPortLike;
+  readonly plugSimulated: (timerClass: SimulatedClass) => SerialPortLike;
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
 }
 
@@ -48,6 +53,7 @@ export class Session {
   readonly backups: Backups;
   readonly aside: SetAside;
   readonly keptWork: KeptWork;
+  readonly keptPrograms: KeptPrograms;
   /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
   readonly knowledge: Knowledge;
   /** How far the program that was read last can be called what the timer holds. */
@@ -102,6 +108,7 @@ export class Session {
     this.simulated = reader.simulated;
     this.byteOrderOpen = reader.byteOrderOpen;
     this.keptWork = new KeptWork(this, drafts, (draft) => reader.showDraft(draft));
+    this.keptPrograms = new KeptPrograms(drafts);
     this.engaged = computed(() => runner.busy.value || link.waiting.value);
   }
 
@@ -133,11 +140,18 @@ export class Session {
     await this.#goTo(async () => () => this.link.connect(port));
   }
 
-  async trySimulated(timerClass: 'Q' | 'B' | 'E'): Promise<void> {
+  async trySimulated(timerClass: SimulatedClass): Promise<void> {
     await this.#goTo(async () => {
       await this.recovery.forgetSimulated();
       return () => this.link.connectSimulated(this.#options.plugSimulated(timerClass));
     });
+  }
+
+  /** Connects to a timer like the one that the program on the screen came from: a simulated one is made anew. */
+  async comeBack(): Promise<void> {
+    const timerClass = this.simulated.value ? this.editor.identity.value?.timerClass : undefined;
+    const simulated = SIMULATED_CLASSES.find((each) => each === timerClass);
+    await (simulated ? this.trySimulated(simulated) : this.connect());
   }
 
   /** Connects to a timer that answers as another one did while its line was recorded. */
@@ -155,15 +169,16 @@ export class Session {
     await this.#reader.settled();
   }
 
-  /** Stops what is under way, lets the last request end and closes the port. What was typed stays on the screen. */
+  /**
+   * Stops what is under way, lets the last request end and closes the port. The program stays on the screen, as it was
+   * read last, with what was typed.
+   */
   async disconnect(): Promise<void> {
     void this.runner.stop();
-    const wasOn = this.connection.value !== null;
     const closing = this.link.stop();
     batch(() => {
       this.notices.dismiss();
       this.recovery.anotherTimer();
-      if (wasOn && !this.editor.dirty.value) this.editor.clear();
     });
     await closing;
     await this.link.refresh();
@@ -212,6 +227,28 @@ export class Session {
   /** Under what the work on a program of the timer on the screen is kept. */
   workKey(program: TimerProgram): string {
     return workKey(program, this.simulated.value, this.#options.tab.value);
+  }
+
+  /** A new program comes to the screen, to be edited without a timer. */
+  make(program: TimerProgram): void {
+    if (this.engaged.value || this.connection.value) return;
+    this.notices.dismiss();
+    this.#reader.showMade(program);
+  }
+
+  /** Clears the screen for something else, while no timer is connected. What the pilot wants is kept. */
+  putAway(): void {
+    if (this.engaged.value || this.connection.value) return;
+    this.notices.dismiss();
+    this.#reader.putAway();
+  }
+
+  /** Shows what was kept of earlier work, as the program of no timer. */
+  showKept(draft: Draft): void {
+    if (this.engaged.value || this.connection.value) return;
+    this.notices.dismiss();
+    this.#reader.putAway();
+    this.#reader.showDraft(this.keptPrograms.take(draft));
   }
 
   /** What was kept becomes what the pilot wants; nothing is written. */

@@ -20,6 +20,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
     if (count > 0) return program.changes(count);
     if (standing.sure === 'not') return words.unknown(memory === null ? words.thisMemory : memoryName(memory));
     if (unfinished > 0) return words.unfinished(unfinished);
+    if (editor.madeAt.value !== null) return words.made;
     if (time === null) return words.asLastRead;
     if (standing.sure === 'once') return words.lastReadAt(time);
     return standing.verified ? words.verified(time) : words.readAt(time);

@@ -21,6 +21,8 @@ const CALM: ReadonlySet<Notice['code']> = new Set([
   'write-completed',
   'nothing-written',
   'taken-over',
+  'made-restored',
+  'made-laid',
 ]);
 
 interface NoticeBarProps {

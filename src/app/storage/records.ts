@@ -107,6 +107,10 @@ export const draftSchema = v.pipe(
     savedAt: date,
     /** When the baseline was read, in milliseconds since 1970; older drafts do not say. */
     readAt: v.optional(v.nullable(date)),
+    /** When it was made, for a program that was read from no timer, in milliseconds since 1970. */
+    madeAt: v.exactOptional(date),
+    /** A program that was made here and is put away: it does not come to the screen by itself any more. */
+    shelved: v.exactOptional(v.boolean()),
     /** Whether it came from the simulated timer. */
     simulated: v.boolean(),
     /** The number of the tab that it was worked on in, see `TabNumber`. */

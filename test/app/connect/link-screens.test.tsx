@@ -159,11 +159,13 @@ describe('the serial settings', () => {
     await press('Connect');
     expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'even', stopBits: 2 });
     await press('Disconnect');
+    await press('Close program');
     // By the list of those that are known, too.
     await choose('Parity', 'odd');
     await press(/^Connect to /);
     expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'odd', stopBits: 2 });
     await press('Disconnect');
+    await press('Close program');
     await press('Usual settings');
     expect([choice('Rate').value, choice('Parity').value, session.link.settings.value]).toEqual(['find', 'none', null]);
   });

@@ -224,10 +224,11 @@ describe('the memories side by side', () => {
     expect(overview().getByText('They hold the same.')).toBeTruthy();
   });
 
-  it('are forgotten with the connection', async () => {
+  it('stay as they were read last, and are forgotten when a timer is connected: it may be another', async () => {
     const { session } = await read();
-    expect(session.knowledge.of(2).state).toBe('read');
     await press('Disconnect');
+    expect([session.knowledge.of(2).state, session.standing.value.sure]).toEqual(['read', 'once']);
+    await press('Connect');
     expect(session.knowledge.of(2).state).toBe('unread');
   });
 });

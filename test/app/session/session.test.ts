@@ -288,6 +288,15 @@ describe('disconnect', () => {
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
+  it('keeps the program on the screen as it was read last, with its time', async () => {
+    const bench = await connectedBench();
+    const { working } = bench.editor;
+    const { value } = working;
+    await run(bench.session.disconnect());
+    expect(working.value).toBe(value);
+    expect(bench.session.standing.value).toEqual({ sure: 'once', at: expect.any(Number) });
+  });
+
   it('leaves what was read last on the screen when it only ends the waiting', async () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
