@@ -208,6 +208,8 @@ export class AppPage {
   /** What the page has sent by its own log, oldest first. */
   async sent(): Promise<string[]> {
     await this.openLine();
+    const older = this.line.getByRole('button', { name: 'Show older' });
+    while (await older.isVisible()) await older.click();
     const names = await this.line
       .locator('tbody tr.out .name')
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());

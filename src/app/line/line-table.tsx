@@ -1,19 +1,19 @@
-import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import { useEffect, useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../session/line-record.js';
-import type { LineView } from './line-view.js';
+import type { LineGroup, LineView } from './line-view.js';
+import { rowText } from './row-text.js';
 import './line-table.css';
 
 /** What was on the line, newest first: when, which way, what it means, its bytes. */
-export function LineTable({ view }: { view: LineView }) {
+export function LineTable({ view }: { readonly view: LineView }) {
   const { line } = messages.value;
-  const shown = view.shown.value;
   const found = view.found.value.length;
+  const shown = view.shownCount.value;
   const timeText = view.recording.value ? sinceBegin : clockTime;
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable by keyboard
-    <section class="line-scroll" tabIndex={0} aria-label={line.title}>
-      <table>
+    <>
+      <table class="line-rows" aria-label={line.title}>
         <thead>
           <tr>
             <th scope="col">{line.time}</th>
@@ -22,35 +22,74 @@ export function LineTable({ view }: { view: LineView }) {
             <th scope="col">{line.bytes}</th>
           </tr>
         </thead>
-        <tbody>
-          {shown.map((record) => (
-            <LineRow key={record.number} record={record} timeText={timeText} />
-          ))}
-        </tbody>
+        {view.shown.value.map((group) => (
+          <Group key={group.key} group={group} timeText={timeText} />
+        ))}
       </table>
-      {found === 0 && <p class="hint">{line.empty}</p>}
-      {found > shown.length && <p class="hint">{line.more(shown.length, found)}</p>}
-    </section>
+      {found === 0 && <p class="hint line-end">{line.empty}</p>}
+      {found > shown && <Older key={shown} view={view} />}
+    </>
+  );
+}
+
+type TimeText = (time: number) => string;
+
+interface GroupProps {
+  readonly group: LineGroup;
+  readonly timeText: TimeText;
+}
+
+/** It reads the words alone: while its group is the same object it is not drawn again. */
+function Group({ group, timeText }: GroupProps) {
+  const { line } = messages.value;
+  return (
+    <tbody>
+      {group.records.map((record) => (
+        <LineRow key={record.number} record={record} way={line[record.direction]} timeText={timeText} />
+      ))}
+    </tbody>
   );
 }
 
 interface LineRowProps {
   readonly record: LineRecord;
-  readonly timeText: (time: number) => string;
+  /** “to the timer”. */
+  readonly way: string;
+  readonly timeText: TimeText;
 }
 
-function LineRow({ record, timeText }: LineRowProps) {
-  const { line } = messages.value;
-  const { time, direction, bytes, rejected, error, layout } = record;
+function LineRow({ record, way, timeText }: LineRowProps) {
+  const { name, meaning, bytes } = rowText(record);
   return (
-    <tr class={rejected || error ? 'damaged' : direction}>
-      <td class="when">{timeText(time)}</td>
-      <td class="way">{line[direction]}</td>
+    <tr class={record.rejected || record.error ? 'damaged' : record.direction}>
+      <td class="when">{timeText(record.time)}</td>
+      <td class="way">{way}</td>
       <td class="what">
-        <span class="name">{frameName(record)}</span> <span class="meaning">{describeFrame(record, layout)}</span>
+        <b class="name">{name}</b> {meaning}
       </td>
-      <td class="bytes">{hexOf(bytes)}</td>
+      <td class="bytes">{bytes}</td>
     </tr>
+  );
+}
+
+/** The way to older entries, which takes itself when its place comes near. */
+function Older({ view }: { readonly view: LineView }) {
+  const { line } = messages.value;
+  const place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const isNear = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && view.showOlder(), {
+      rootMargin: '400px',
+    });
+    if (place.current) isNear.observe(place.current);
+    return () => isNear.disconnect();
+  }, [view]);
+  return (
+    <div ref={place} class="line-end">
+      <p class="hint">{line.more(view.shownCount.value, view.found.value.length)}</p>
+      <button type="button" onClick={() => view.showOlder()}>
+        {line.older}
+      </button>
+    </div>
   );
 }
 

@@ -1,14 +1,21 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import type { LineLog } from '../session/line-log.js';
 import type { LineRecord } from '../session/line-record.js';
 import { type Recording, RecordingError, readRecording } from './recording.js';
+import { rowText } from './row-text.js';
 
 /** Which entries are shown: all, frames and pieces of one direction, or what was damaged. */
 export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
 
-/** More rows than a pilot scrolls through. */
-const MOST_SHOWN = 500;
+/** So many entries are shown at first, and so many more whenever their end is reached: more than are in sight. */
+const STEP = 32;
+
+/** Entries that stand together, newest first. It is the same object for as long as nothing in it changes. */
+export interface LineGroup {
+  /** Tells it from the others. */
+  readonly key: number;
+  readonly records: readonly LineRecord[];
+}
 
 /** What of the line is looked at: live, standing still, or a recording; all of it or what is searched for. */
 export class LineView {
@@ -32,13 +39,24 @@ export class LineView {
     const isAskedFor = test(this.#filter.value, this.#search.value);
     return this.all.value.filter(isAskedFor);
   });
-  /** Those of them that there is room for, newest first. */
-  readonly shown: ReadonlySignal<readonly LineRecord[]> = computed(() => this.found.value.slice(-MOST_SHOWN).reverse());
+  /** The newest of them, as many as there is room for, newest first. What has not changed is not drawn again. */
+  readonly shown: ReadonlySignal<readonly LineGroup[]> = computed(() => {
+    const before = new Map(this.#drawn.map((group) => [group.key, group]));
+    this.#drawn = groupsOf(this.found.value.slice(-this.#room.value)).map((group) => {
+      const known = before.get(group.key);
+      return known && isSame(known, group) ? known : group;
+    });
+    return this.#drawn;
+  });
+  /** How many of those that are asked for are shown. */
+  readonly shownCount: ReadonlySignal<number> = computed(() => Math.min(this.#room.value, this.found.value.length));
   /** There is nothing to look at yet: nothing was ever on the line, and no recording was loaded. */
   readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
   /** How much was on the line since the log is kept. */
   readonly counts: LineLog['counts'];
   readonly #log: LineLog;
+  readonly #room = signal(STEP, { name: 'room' });
+  #drawn: readonly LineGroup[] = [];
   readonly #filter = signal<LineFilter>('all', { name: 'filter' });
   readonly #search = signal('', { name: 'search' });
   readonly #recording = signal<Recording | null>(null, { name: 'recording' });
@@ -55,11 +73,22 @@ export class LineView {
   }
 
   setFilter(filter: LineFilter): void {
-    this.#filter.value = filter;
+    batch(() => {
+      this.#filter.value = filter;
+      this.#room.value = STEP;
+    });
   }
 
   setSearch(text: string): void {
-    this.#search.value = text;
+    batch(() => {
+      this.#search.value = text;
+      this.#room.value = STEP;
+    });
+  }
+
+  /** Shows older entries too. */
+  showOlder(): void {
+    this.#room.value = this.shownCount.peek() + STEP;
   }
 
   /** Lets the picture stand still while the log goes on. */
@@ -82,7 +111,11 @@ export class LineView {
   async load(file: File): Promise<void> {
     this.#fault.value = null;
     try {
-      this.#recording.value = await readRecording(file);
+      const recording = await readRecording(file);
+      batch(() => {
+        this.#recording.value = recording;
+        this.#room.value = STEP;
+      });
     } catch (error) {
       if (!(error instanceof RecordingError)) throw error;
       this.#fault.value = error;
@@ -108,9 +141,7 @@ export class LineView {
 function test(filter: LineFilter, search: string): (record: LineRecord) => boolean {
   const words = search.trim().toLowerCase();
   const hex = hexIn(words);
-  return (record) =>
-    isOfKind(record, filter) &&
-    (words === '' || textOf(record).includes(words) || (hex !== null && hexOf(record.bytes).includes(hex)));
+  return (record) => isOfKind(record, filter) && (words === '' || says(record, words, hex));
 }
 
 function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter): boolean {
@@ -118,12 +149,29 @@ function isOfKind({ direction, rejected, error }: LineRecord, filter: LineFilter
   return filter === 'damaged' ? rejected !== null || error !== null : direction === filter;
 }
 
-function textOf(record: LineRecord): string {
-  return `${frameName(record)} ${describeFrame(record, record.layout)}`.toLowerCase();
+function says(record: LineRecord, words: string, hex: string | null): boolean {
+  const text = rowText(record);
+  return text.words.includes(words) || (hex !== null && text.bytes.includes(hex));
 }
 
 /** Whole bytes in hex, however they are spaced; null for anything else. */
 function hexIn(text: string): string | null {
   const digits = text.replaceAll(/\s/g, '');
   return /^(?:[0-9a-f]{2})+$/.test(digits) ? (digits.match(/../g) ?? []).join(' ') : null;
+}
+
+/** By their numbers, so that a new entry changes the first group alone. @param records oldest first. */
+function groupsOf(records: readonly LineRecord[]): LineGroup[] {
+  const groups: { readonly key: number; readonly records: LineRecord[] }[] = [];
+  for (const record of [...records].reverse()) {
+    const key = Math.floor(record.number / STEP);
+    const last = groups.at(-1);
+    if (last?.key === key) last.records.push(record);
+    else groups.push({ key, records: [record] });
+  }
+  return groups;
+}
+
+function isSame({ records }: LineGroup, other: LineGroup): boolean {
+  return records.length === other.records.length && records.every((record, at) => record === other.records[at]);
 }

@@ -154,6 +154,7 @@ export const line = {
       count(errors, 'line error', 'line errors'),
     ].join(', '),
   more: (shown: number, all: number) => `The newest ${shown} of ${all} are shown.`,
+  older: 'Show older',
 
   recording: (name: string, entries: number) => `${name}: a recording of ${count(entries, 'entry', 'entries')}.`,
   recordingLead: 'You are looking at a file, not at the line.',

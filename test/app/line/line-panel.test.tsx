@@ -1,4 +1,5 @@
 import { fireEvent, render, screen, waitFor, within } from '@testing-library/preact';
+import { options, type VNode } from 'preact';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { LinePanel } from '../../../src/app/line/line-panel.js';
 import { type AppBench, appBench, type BenchOptions, connectedBench, idle, run } from '../bench/bench.js';
@@ -119,6 +120,45 @@ describe('the rows', () => {
     const after = screen.getAllByRole('row').slice(1);
     expect(after).toHaveLength(before.length + 12);
     expect(after.slice(12)).toEqual(before);
+  });
+});
+
+describe('many rows', () => {
+  /** Frames that are asked for by nobody. */
+  async function add(bench: AppBench, count: number): Promise<void> {
+    for (let i = 0; i < count; i++) bench.session.log.add(damage('noise', 'ff'));
+    await idle();
+  }
+
+  it('are drawn as far as one looks, and the older ones when they are asked for', async () => {
+    await add(await opened(), 100);
+    expect(rows()).toHaveLength(32);
+    expect(screen.getByText('The newest 32 of 114 are shown.')).toBeTruthy();
+    await press('Show older');
+    expect(rows()).toHaveLength(64);
+    await press('Show older');
+    await press('Show older');
+    expect(rows()).toHaveLength(114);
+    expect(screen.queryByRole('button', { name: 'Show older' })).toBeNull();
+  });
+
+  it('cost their own group when one comes: the others are not drawn again', async () => {
+    const bench = await opened();
+    await add(bench, 80);
+    await press('Show older');
+    const drawn: unknown[] = [];
+    const hooks = options as { __r?: ((vnode: VNode) => void) | undefined };
+    const { __r: before } = hooks;
+    onTestFinished(() => {
+      hooks.__r = before;
+    });
+    hooks.__r = (vnode) => {
+      if (typeof vnode.type === 'function' && ['Group', 'LineRow'].includes(vnode.type.name))
+        drawn.push(vnode.type.name);
+      before?.(vnode);
+    };
+    await add(bench, 1);
+    expect(drawn).toEqual(['Group', 'LineRow']);
   });
 });
 

@@ -141,7 +141,7 @@ describe('a recording', () => {
     const view = new LineView(new LineLog());
     await view.load(new File([`${HEADING}0.000 > 00 00 00 00 00 03 6b 6b 45`], 'field.txt'));
     expect(view.recording.value?.name).toBe('field.txt');
-    expect(view.shown.value.map(({ frame }) => frame?.code)).toEqual([0x6b]);
+    expect(view.shown.value.flatMap(({ records }) => records.map(({ frame }) => frame?.code))).toEqual([0x6b]);
     await view.load(new File(['no'], 'no.txt'));
     expect(view.fault.value?.fault).toBe('heading');
     expect(view.recording.value?.name, 'still').toBe('field.txt');
@@ -150,7 +150,7 @@ describe('a recording', () => {
     expect([view.fault.value, view.recording.value, view.shown.value.length]).toEqual([null, null, 0]);
   });
 
-  it('shows the newest rows of a long one, and finds all', async () => {
+  it('shows the newest rows of a long one, older ones when they are asked for, and finds all', async () => {
     const lines = Array.from(
       { length: 1200 },
       (_, i) => `${i}.000 > 00 00 00 00 00 04 73 0${i % 4} 7${3 + (i % 4)} 45`,
@@ -158,9 +158,17 @@ describe('a recording', () => {
     const view = new LineView(new LineLog());
     await view.load(new File([HEADING, lines.join('\n')], 'long.txt'));
     expect(view.found.value).toHaveLength(1200);
-    expect(view.shown.value).toHaveLength(500);
+    const shown = (): readonly number[] =>
+      view.shown.value.flatMap(({ records }) => records.map(({ number }) => number));
+    const newest = (rows: number): number[] => Array.from({ length: rows }, (_, i) => 1200 - i);
+    expect([shown(), view.shownCount.value]).toEqual([newest(32), 32]);
+    view.showOlder();
+    expect([shown(), view.shownCount.value]).toEqual([newest(64), 64]);
+    for (let i = 0; i < 40; i++) view.showOlder();
+    expect([shown(), view.shownCount.value]).toEqual([newest(1200), 1200]);
     view.setSearch('m2');
     expect(view.found.value).toHaveLength(300);
+    expect(shown().length, 'a search begins with a few again').toBe(32);
   });
 });
 

@@ -1,0 +1,30 @@
+import { computed } from '@preact/signals';
+import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
+import { messages } from '../messages/index.js';
+import type { LineRecord } from '../session/line-record.js';
+
+/** What an entry of the line says, in words and in hex. */
+export interface RowText {
+  readonly name: string;
+  readonly meaning: string;
+  readonly bytes: string;
+  /** Name and meaning as they are searched. */
+  readonly words: string;
+}
+
+/** An entry never changes, and a key of a search asks for all of them: each is put into words once. */
+const said = computed(() => {
+  void messages.value;
+  return new WeakMap<LineRecord, RowText>();
+});
+
+/** What an entry says, in the language of the page. */
+export function rowText(record: LineRecord): RowText {
+  const texts = said.value;
+  const known = texts.get(record);
+  if (known) return known;
+  const [name, meaning] = [frameName(record), describeFrame(record, record.layout)];
+  const text = { name, meaning, bytes: hexOf(record.bytes), words: `${name} ${meaning}`.toLowerCase() };
+  texts.set(record, text);
+  return text;
+}
