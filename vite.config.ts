@@ -78,36 +78,25 @@ const offline = VitePWA({
   // A new version waits until the pilot takes it: src/app/browser/offline.ts.
   registerType: 'prompt',
   injectRegister: false,
-  includeManifestIcons: false,
-  manifest: {
-    name: 'Sidus Timer',
-    short_name: 'Sidus Timer',
-    description: 'Reads, edits and writes the program of a Sidus free-flight timer. Works offline.',
-    lang: 'en',
-    start_url: './',
-    scope: './',
-    display: 'standalone',
-    theme_color: '#161c22',
-    background_color: '#0d1115',
-    categories: ['utilities', 'sports'],
-    icons: [
-      { src: 'favicon.svg', sizes: 'any', type: 'image/svg+xml' },
-      { src: 'icon-192.png', sizes: '192x192', type: 'image/png' },
-      { src: 'icon-512.png', sizes: '512x512', type: 'image/png' },
-      { src: 'icon-maskable-512.png', sizes: '512x512', type: 'image/png', purpose: 'maskable' },
-    ],
-  },
+  // It lies in public/: made here, it would be kept twice, once without its integrity.
+  manifest: false,
   // The worker is our own, src/app/sw.ts: it must not be able to keep the page from loading.
   strategies: 'injectManifest',
   srcDir: '.',
   filename: 'sw.ts',
   injectManifest: {
     globPatterns: ['**/*'],
-    // The way out for whoever publishes the page; no part of it.
-    globIgnores: ['kill-sw.js', 'inter-license.txt'],
+    // The way out for whoever publishes the page, and what the page itself never asks for.
+    globIgnores: ['kill-sw.js', 'inter-license.txt', '*.png'],
     manifestTransforms: [
       async (entries) => ({
-        manifest: entries.map(({ url, size }) => ({ url, size, revision: null, integrity: integrityOf(url) })),
+        manifest: entries.map(({ url, size }) => ({
+          url,
+          size,
+          revision: null,
+          integrity: integrityOf(url),
+          ...(url.endsWith('.woff2') && !LATIN.test(url) ? { later: true } : {}),
+        })),
       }),
     ],
   },

@@ -9,6 +9,21 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     expect(await page.locator('html').getAttribute('lang')).toBe('en');
   });
 
+  test(`the page at ${new URL(inject(site)).pathname} is drawn in its own font, whose licence goes with it`, async () => {
+    const page = await newPage();
+    await page.goto(inject(site));
+    await page.getByRole('button', { name: 'Connect', exact: true }).first().waitFor();
+    await page.evaluate(() => document.fonts.ready);
+    const devtools = await page.context().newCDPSession(page);
+    await devtools.send('DOM.enable');
+    await devtools.send('CSS.enable');
+    const { root } = await devtools.send('DOM.getDocument');
+    const { nodeId } = await devtools.send('DOM.querySelector', { nodeId: root.nodeId, selector: 'button' });
+    const { fonts } = await devtools.send('CSS.getPlatformFontsForNode', { nodeId });
+    expect(fonts.map(({ familyName, isCustomFont }) => [familyName, isCustomFont])).toEqual([['Inter', true]]);
+    expect(await (await fetch(new URL('inter-license.txt', inject(site)))).text()).toContain('SIL OPEN FONT LICENSE');
+  });
+
   test(`all that the page at ${new URL(inject(site)).pathname} and its manifest name is there`, async () => {
     const page = await newPage();
     await page.goto(inject(site));

@@ -82,6 +82,39 @@ function lose(page: Page, ending: string): Promise<number> {
   }, ending);
 }
 
+/** The names of what the page has kept, without what the build adds to them. */
+function keptNames(page: Page): Promise<string[]> {
+  return page.evaluate(async () => {
+    const found = await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()));
+    return found
+      .flat()
+      .map(({ url }) => url.replace(/.*\//, '').replace(/-[\w-]{8}\./, '.'))
+      .sort();
+  });
+}
+
+test('what is kept is what the page needs; letters of another language from when they were read', async () => {
+  const { host, page } = await visited();
+  const readCzech = (): Promise<number> =>
+    page.evaluate(async () => (await document.fonts.load('16px "Inter Variable"', 'ř')).length);
+  const isNeeded = (name: string): boolean => !/\.(?:js|css)$/.test(name);
+  const needed = ['favicon.svg', 'index.html', 'inter-latin-wght-normal.woff2', 'manifest.webmanifest'];
+  expect((await keptNames(page)).filter(isNeeded)).toEqual(needed);
+
+  expect(await readCzech()).toBe(1);
+  const withCzech = [...needed, 'inter-latin-ext-wght-normal.woff2'].sort();
+  await expect.poll(async () => (await keptNames(page)).filter(isNeeded)).toEqual(withCzech);
+  publish(host, 'A new version');
+  expect(await update(page)).toBe('installed');
+  await page.getByRole('button', { name: 'Use it now' }).click();
+  await expect.poll(() => page.title()).toBe('A new version');
+  await expect.poll(async () => (await keptNames(page)).filter(isNeeded)).toEqual(withCzech);
+  await page.context().setOffline(true);
+  await page.reload();
+  await isDrawn(page);
+  expect(await readCzech()).toBe(1);
+});
+
 describe('what was kept and is gone', () => {
   test.for(['.js', '.css', 'index.html'])('is fetched again: %s', async (ending) => {
     const { page } = await visited();

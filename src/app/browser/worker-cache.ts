@@ -2,6 +2,8 @@
 export interface SiteFile {
   readonly url: string;
   readonly integrity: string;
+  /** Not every pilot needs it: it is kept from the first time on that it is asked for. */
+  readonly later?: true;
 }
 
 /** Without these nothing is drawn. */
@@ -38,10 +40,16 @@ export class SiteCache {
     return this.#files.has(file) ? file : null;
   }
 
-  /** Fetches all files. @throws when one of them is not what it must be: then this version is not installed. */
+  /**
+   * Fetches all files that every pilot needs, and those that this one had in the version before.
+   * @throws when one of them is not what it must be: then this version is not installed.
+   */
   async fill(): Promise<void> {
     const cache = await caches.open(this.#name);
-    await Promise.all([...this.#files.keys()].map((address) => this.#fetch(cache, address)));
+    const files = [...this.#files].map(async ([address, { later }]) => {
+      if (!later || (await caches.match(address))) await this.#fetch(cache, address);
+    });
+    await Promise.all(files);
   }
 
   /** Throws away what other versions have kept. */
