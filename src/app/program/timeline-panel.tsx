@@ -1,15 +1,16 @@
-import { useComputed, useSignal } from '@preact/signals';
+import { computed, useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, messages } from '../messages/index.js';
 import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import type { Standing } from '../session/standing.js';
 import type { OnEdit } from '../timeline/drag.js';
 import { useLate } from '../timeline/hooks.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import { KeptLinkages } from '../timeline/preview/linkages.js';
 import { Player } from '../timeline/preview/player.js';
-import { Timeline, type TimelineProps } from '../timeline/timeline.js';
+import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';
 import './timeline-panel.css';
 
 /** What lies behind the program: what the timer holds, nothing, or a backup by its key. */
@@ -34,14 +35,24 @@ export function TimelinePanel({ session, selected, onSelect, onPoint }: Timeline
   const player = useMemo(() => new Player(), []);
   const behind = useSignal(HELD);
   const open = useSignal(false);
-  const [late, catchUp] = useLate(editor.working);
-  const program = late?.identity === editor.identity.value ? late : editor.working.peek();
+  // All that the picture is made of comes a frame late: it is drawn once, after the field that was typed into.
+  const shown = useMemo(
+    () =>
+      computed(() => ({
+        program: editor.working.value,
+        held: editor.changes.value.length > 0 ? editor.baseline.value : null,
+        sure: session.standing.value.sure,
+      })),
+    [session],
+  );
+  const [late, catchUp] = useLate(shown);
+  const { program, held, sure } = late.program?.identity === editor.identity.value ? late : shown.peek();
+  const overlay = useOverlay(session, program, behind.value, held, sure);
   if (!program) return null;
   return (
     <div class="timeline-panel">
       <PlayedTimeline
-        {...{ program, player, selected, onSelect, onPoint }}
-        overlay={useOverlay(session, program, behind.value)}
+        {...{ program, player, selected, onSelect, onPoint, overlay }}
         now={() => editor.working.peek() ?? program}
         onEdit={(edit, phase) => {
           // A movement that leads back is no step.
@@ -51,14 +62,17 @@ export function TimelinePanel({ session, selected, onSelect, onPoint }: Timeline
           catchUp();
           if (phase !== 'moving') editor.settle();
         }}
-      />
-      <Behind
-        session={session}
-        program={program}
-        chosen={behind.value}
-        onChoose={(key) => {
-          behind.value = key;
-        }}
+        foot={
+          <CompareWith
+            session={session}
+            program={program}
+            isDrawn={overlay !== null}
+            chosen={behind.value}
+            onChoose={(key) => {
+              behind.value = key;
+            }}
+          />
+        }
       />
       <details
         class="flight"
@@ -80,36 +94,40 @@ function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player:
   return <Timeline {...props} cursor={isUnderWay ? time : null} />;
 }
 
-/** The second program and its name. */
-function useOverlay(session: Session, program: TimerProgram, chosen: string): TimelineProps['overlay'] {
+/** The second program and its name. @param held what the timer holds, where it differs. */
+function useOverlay(
+  session: Session,
+  program: TimerProgram | null,
+  chosen: string,
+  held: TimerProgram | null,
+  sure: Standing['sure'],
+): TimelineProps['overlay'] {
   const { knowledge } = messages.value;
-  const { sure } = session.standing.value;
-  const held = session.editor.baseline.value;
-  const differs = useComputed(() => session.editor.changes.value.length > 0).value;
   const backup = session.backups.list.value.find(({ key }) => key === chosen);
   return useMemo(() => {
-    if (chosen === HELD) {
-      return held && differs ? { program: held, name: knowledge.held[sure], uncertain: sure === 'not' } : null;
-    }
-    if (!backup || !sameLayout(backup.program.identity, program.identity)) return null;
+    if (chosen === HELD) return held && { program: held, name: knowledge.held[sure], uncertain: sure === 'not' };
+    if (!program || !backup || !sameLayout(backup.program.identity, program.identity)) return null;
     return { program: backup.program, name: dateText(backup.savedAt) };
-  }, [chosen, held, differs, backup, program.identity, knowledge, sure]);
+  }, [chosen, held, backup, program?.identity, knowledge, sure]);
 }
 
-interface BehindProps {
+interface CompareWithProps {
   readonly session: Session;
   readonly program: TimerProgram;
+  /** Whether there is a second program in the picture: what the timer holds is not, where nothing differs. */
+  readonly isDrawn: boolean;
   readonly chosen: string;
   readonly onChoose: (key: string) => void;
 }
 
-function Behind({ session, program, chosen, onChoose }: BehindProps) {
+function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWithProps) {
   const { timeline, backups: words, knowledge, memoryName, recovery } = messages.value;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
     .slice(0, CHOICES);
   return (
     <label class="timeline-choice">
+      {isDrawn && <BehindSwatch />}
       {timeline.compareWith}
       <select value={chosen} onChange={(event) => onChoose(event.currentTarget.value)}>
         {session.editor.madeAt.value === null && (

@@ -19,6 +19,11 @@ export function timeStep(identity: Identity, slot: number): number {
   return manualRange(identity, slot)?.step ?? 1;
 }
 
+/** The step of a field: of a time in hundredths of a second, of a position 1. */
+export function stepOf(identity: Identity, field: ProgramField): number {
+  return field.kind === 'time' ? timeStep(identity, field.slot) : 1;
+}
+
 /**
  * How far a field can be moved. A time keeps its place among its neighbours, at least one step away from each; a
  * neighbour that it has reached or passed already does not hold it there. The motor stop lies between launch and DT.
@@ -42,13 +47,13 @@ export function limitsOf(program: TimerProgram, field: ProgramField, free = fals
 
 /** The nearest value that a field can be moved to: a whole step inside of its limits. */
 export function snapped(program: TimerProgram, field: ProgramField, value: number, free = false): number {
-  const step = field.kind === 'time' ? timeStep(program.identity, field.slot) : 1;
+  const step = stepOf(program.identity, field);
   return within(Math.round(value / step) * step, limitsOf(program, field, free));
 }
 
 /** The value some steps up or down. From between two steps the first one goes to the next of them. */
 export function stepped(program: TimerProgram, field: ProgramField, steps: number, free = false): number {
-  const step = field.kind === 'time' ? timeStep(program.identity, field.slot) : 1;
+  const step = stepOf(program.identity, field);
   const value = valueAt(program, field) ?? 0;
   const start = steps > 0 ? Math.floor(value / step) : Math.ceil(value / step);
   return within((start + steps) * step, limitsOf(program, field, free));

@@ -1,5 +1,6 @@
 import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
-import { heightsOf, highestOf, Layout, type LinePaths, pathsOf, spread, type View } from './layout.js';
+import { lanesOf, leastHeight } from './lanes.js';
+import { Layout, spread, type View } from './layout.js';
 import { endOf, marksOf, motorStopOf, type Stage, stagesOf } from './preview/flight.js';
 import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
@@ -8,6 +9,7 @@ import { ticks } from './ticks.js';
 export interface Measures {
   readonly left: number;
   readonly right: number;
+  /** The upper edge of the first lane and the lower edge of the last. */
   readonly top: number;
   readonly bottom: number;
   /** The bar that shows how long the motor runs: its middle and its thickness. */
@@ -18,21 +20,45 @@ export interface Measures {
   readonly height: number;
 }
 
-const FULL: Measures = { left: 32, right: 34, top: 47, bottom: 199, motor: 214, motorBar: 8, axis: 241, height: 250 };
-/** Without a motor everything below the plot is higher up by this. */
-const MOTOR_ROOM = 20;
-const COMPACT: Measures = { left: 8, right: 26, top: 8, bottom: 66, motor: 72, motorBar: 4, axis: 89, height: 94 };
+/** The marks stand above the lanes, the motor's bar and the times below them. */
+const FULL = { left: 44, right: 16, top: 36, motor: 18, times: 30 };
+const COMPACT = { left: 28, right: 10, top: 4, motor: 8, times: 24 };
+/** A lane of a small picture, in pixels; of a few servos, and of many. */
+const COMPACT_LANE = { few: 26, many: 16 };
+const FEW = 4;
 
-/** @param compact a small picture, to be looked at and not to be worked on. */
-export function measuresOf(program: TimerProgram, compact: boolean): Measures {
-  if (compact) return COMPACT;
-  if (motorStopOf(program) !== null) return FULL;
-  return { ...FULL, axis: FULL.axis - MOTOR_ROOM, height: FULL.height - MOTOR_ROOM };
+/** The least height of a picture that can be worked on. */
+export function leastHeightOf(program: TimerProgram): number {
+  return FULL.top + leastHeight(program.identity.servos) + belowOf(program, FULL);
+}
+
+/** @param height of the picture; none for a small one, to be looked at and not to be worked on. */
+export function measuresOf(program: TimerProgram, height?: number): Measures {
+  const { servos } = program.identity;
+  const own = height === undefined ? COMPACT : FULL;
+  const small = COMPACT.top + servos * COMPACT_LANE[servos > FEW ? 'many' : 'few'] + belowOf(program, COMPACT);
+  const whole = height === undefined ? small : Math.max(height, leastHeightOf(program));
+  const bottom = whole - belowOf(program, own);
+  return {
+    left: own.left,
+    right: own.right,
+    top: own.top,
+    bottom,
+    motor: bottom + own.motor / 2 + 1,
+    motorBar: own === FULL ? 6 : 4,
+    axis: whole - (own === FULL ? 10 : 4),
+    height: whole,
+  };
+}
+
+/** What the motor's bar and the times take. */
+function belowOf(program: TimerProgram, { motor, times }: { readonly motor: number; readonly times: number }): number {
+  return (motorStopOf(program) === null ? 0 : motor) + times;
 }
 
 /** The least distance of two marks on the stretched axis, and the room of the run-out, in pixels. */
-const MARK_GAP = 26;
-const RUN_OUT_ROOM = 14;
+const MARK_GAP = 28;
+const RUN_OUT_ROOM = 16;
 
 /** The axis for a program and what lies behind it. @param width that of the plot, in pixels. */
 export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, even: boolean, width: number): Scale {
@@ -59,7 +85,7 @@ export interface Flag {
 }
 
 /** The number of a mark stands in a circle of this radius, in pixels; where it is narrow, in a smaller one. */
-const RADIUS = 11;
+const RADIUS = 12;
 const SMALLEST_RADIUS = 8;
 
 function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout): Flag[] {
@@ -96,53 +122,58 @@ function flagsOf(program: TimerProgram, stages: readonly Stage[], layout: Layout
   });
 }
 
-/** Everything that is to be drawn for a program, in pixels. */
-export interface Geometry {
-  readonly program: TimerProgram;
-  readonly layout: Layout;
-  readonly measures: Measures;
+/** What is to be drawn of the times of a program, in pixels. */
+export interface Marks {
   readonly stages: readonly Stage[];
-  readonly lines: readonly LinePaths[];
-  /** `[servo][slot]` */
-  readonly heights: readonly (readonly number[])[];
   readonly flags: readonly Flag[];
+  /** The times that are written below the plot. */
   readonly ticks: readonly number[];
   readonly motorStop: number | null;
 }
 
-export interface GeometryOptions {
+/** Everything that is to be drawn for a program, in pixels. */
+export interface Geometry extends Marks {
+  readonly program: TimerProgram;
+  readonly layout: Layout;
+  readonly measures: Measures;
+}
+
+export interface LayoutOptions {
   readonly scale: Scale;
   readonly view: View;
   /** The width of the plot in pixels. */
   readonly plot: number;
   readonly measures: Measures;
-  readonly overlay: TimerProgram | null;
-  readonly selected: ProgramField | null;
-  /** Whether every second has the same length. */
-  readonly even: boolean;
+  readonly servos: number;
+  /** The servo in hand; null where all lanes are alike. */
+  readonly front: number | null;
+  /** The position at the upper edge of each lane. */
+  readonly highest: number;
+}
+
+export function layoutOf({ scale, view, plot, measures, servos, front, highest }: LayoutOptions): Layout {
+  const { left, top, bottom } = measures;
+  const box = { left, right: left + plot, top, bottom };
+  return new Layout(scale, view, box, lanesOf(servos, front, top, bottom), highest);
 }
 
 /** Two times at the axis are this far apart, in pixels. */
-const TICK_GAP = 42;
+const TICK_GAP = 52;
 
-export function geometryOf(program: TimerProgram, options: GeometryOptions): Geometry {
-  const { scale, view, plot, measures, overlay, selected, even } = options;
-  const box = { left: measures.left, right: measures.left + plot, top: measures.top, bottom: measures.bottom };
-  const layout = new Layout(scale, view, box, highestOf(overlay ? [program, overlay] : [program]));
+/**
+ * @param even whether every second has the same length: then round times are written, else those of the marks.
+ * @param chosen a time that is written before all others but DT.
+ */
+export function marksIn(program: TimerProgram, layout: Layout, even: boolean, chosen: number | null): Marks {
+  const { scale, view, width } = layout;
   const stages = stagesOf(program);
-  const heights = heightsOf(program, layout);
   const dt = stages.at(-1)?.from ?? 0;
-  const chosen = selected?.kind === 'time' ? [program.times[selected.slot] ?? 0] : [];
-  const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / plot) * view.span };
+  const wished = even ? [] : [...(chosen === null ? [] : [chosen]), 0, ...marksOf(program)];
+  const room = { from: view.start, to: view.start + view.span, gap: (TICK_GAP / width) * view.span };
   return {
-    program,
-    layout,
-    measures,
     stages,
-    heights,
-    lines: heights.map((row) => pathsOf(stages, row, layout)),
     flags: flagsOf(program, stages, layout),
-    ticks: ticks(scale, [dt], even ? [] : [...chosen, 0, ...marksOf(program)], room),
+    ticks: ticks(scale, [dt], wished, room),
     motorStop: motorStopOf(program),
   };
 }
@@ -154,19 +185,20 @@ export interface HandlePlace {
   readonly y: number;
 }
 
-/** Where the handles are: those of the marks, of the end of the motor, and of the steps of the servo in front. */
+/** Where the handles are: those of the marks, of the end of the motor, and of the steps of the servo in hand. */
 export function handlePlaces(geometry: Geometry, front: number): HandlePlace[] {
-  const { flags, heights, stages, layout, measures, motorStop } = geometry;
+  const { program, flags, stages, layout, measures, motorStop } = geometry;
   const places = flags.map(({ slot, x }): HandlePlace => ({ field: { kind: 'time', slot }, x, y: FLAG }));
   if (motorStop !== null) {
     places.push({ field: { kind: 'time', slot: 0 }, x: layout.x(motorStop), y: measures.motor });
   }
   for (const { slot, from } of stages) {
-    const y = heights[front]?.[slot];
-    if (y !== undefined) places.push({ field: { kind: 'position', servo: front, slot }, x: layout.x(from), y });
+    const position = program.positions[front]?.[slot];
+    if (position === undefined) continue;
+    places.push({ field: { kind: 'position', servo: front, slot }, x: layout.x(from), y: layout.y(front, position) });
   }
   return places;
 }
 
 /** How high the numbers of the marks stand. */
-export const FLAG = 17;
+export const FLAG = 16;

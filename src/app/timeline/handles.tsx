@@ -1,12 +1,13 @@
-import type { ComponentChildren } from 'preact';
+import type { JSX } from 'preact';
+import { useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import { limitsOf, type OnEdit } from './drag.js';
 import { FLAG, type Flag, type Geometry } from './geometry.js';
 import type { HandleKeys } from './key-control.js';
-import { servoClass } from './layers.js';
 import { timeOf } from './preview/flight.js';
+import { servoClass } from './servo-class.js';
 import type { TimelineModel } from './view-model.js';
 import './handles.css';
 
@@ -23,12 +24,11 @@ export interface HandlesProps {
   readonly onSelect: ((field: ProgramField) => void) | undefined;
 }
 
-/** The marks above the plot, the end of the motor and the steps of the servo in front, in the order of the slots. */
+/** The marks above the plot, the end of the motor and the steps of the servo in hand, in the order of the slots. */
 export function Handles(props: HandlesProps) {
   const { geometry, front, onEdit } = props;
-  const { flags, stages, heights, layout, measures, motorStop } = geometry;
-  const row = heights[front];
-  const dots = onEdit && row ? row : [];
+  const { program, flags, stages, layout, measures, motorStop } = geometry;
+  const row = onEdit ? program.positions[front] : undefined;
   return (
     <g>
       {motorStop !== null && (
@@ -37,36 +37,36 @@ export function Handles(props: HandlesProps) {
           field={{ kind: 'time', slot: 0 }}
           x={layout.x(motorStop)}
           y={measures.motor}
-          inView={layout.shows(layout.x(motorStop))}
-        >
-          <circle class="knob" r="5.5" />
-        </Handle>
+          on=""
+          figure={() => <circle class="knob" r="6" />}
+        />
       )}
       {stages.map(({ slot, from, passing }) => {
-        const roomy = flags[slot - 1]?.roomy ?? true;
-        const inView = layout.shows(layout.x(from));
         const flag = flags[slot - 1];
-        const y = dots[slot];
+        const roomy = flag?.roomy ?? true;
+        const position = row?.[slot];
+        const dot = `dot ${servoClass(front)} ${passing === 'passed' ? 'passed' : ''} ${roomy ? '' : 'small'}`;
         return (
           <g key={slot}>
             {flag && (
-              <Handle {...props} field={{ kind: 'time', slot }} x={flag.x} y={FLAG} inView={inView}>
-                <FlagFigure flag={flag} />
-              </Handle>
+              <Handle
+                {...props}
+                field={{ kind: 'time', slot }}
+                x={flag.x}
+                y={FLAG}
+                on={`${flag.radius} ${flag.labelled} ${flag.roomy} ${flag.passedOver}`}
+                figure={() => <FlagFigure flag={flag} />}
+              />
             )}
-            {y !== undefined && (
+            {position !== undefined && (
               <Handle
                 {...props}
                 field={{ kind: 'position', servo: front, slot }}
                 x={layout.x(from)}
-                y={y}
-                inView={inView}
-              >
-                <circle
-                  class={`dot ${servoClass(front)} ${passing === 'passed' ? 'passed' : ''} ${roomy ? '' : 'small'}`}
-                  r={roomy ? 5 : 3}
-                />
-              </Handle>
+                y={layout.y(front, position)}
+                on={dot}
+                figure={() => <circle class={dot} r={roomy ? 6 : 3} />}
+              />
             )}
           </g>
         );
@@ -74,6 +74,9 @@ export function Handles(props: HandlesProps) {
     </g>
   );
 }
+
+/** A number in a smaller circle than this is smaller, too; in pixels. */
+const LETTERS = 11;
 
 function FlagFigure({ flag: { slot, isDt, radius, labelled, roomy, passedOver } }: { flag: Flag }) {
   const { dt } = messages.value.program;
@@ -84,7 +87,7 @@ function FlagFigure({ flag: { slot, isDt, radius, labelled, roomy, passedOver } 
       {isDt && <rect class={classes} x={-wide} y={-radius} width={2 * wide} height={2 * radius} rx="6" />}
       {!isDt && roomy && <circle class={classes} r={radius} />}
       {labelled && (
-        <text class={classes} y="0.35em" font-size={Math.min(13, radius * 1.2)}>
+        <text class={classes} y="0.35em" font-size={radius < LETTERS ? radius * 1.2 : undefined}>
           {isDt ? dt : slot}
         </text>
       )}
@@ -99,68 +102,62 @@ interface HandleProps extends HandlesProps {
   readonly field: ProgramField;
   readonly x: number;
   readonly y: number;
-  /** Out of view it can still get the focus, which brings it into view. */
-  readonly inView: boolean;
-  readonly children: ComponentChildren;
+  /** What is drawn at it, and what that depends on. */
+  readonly figure: () => JSX.Element;
+  readonly on: string;
 }
 
-function Handle({
-  geometry,
-  model,
-  keys,
-  selected,
-  now,
-  onEdit,
-  onSelect,
-  field,
-  x,
-  y,
-  inView,
-  children,
-}: HandleProps) {
-  const { program } = geometry;
+/** One handle, drawn again only when something of its own has changed. */
+function Handle({ geometry, model, keys, selected, now, onEdit, onSelect, field, x, y, figure, on }: HandleProps) {
+  const { program, layout } = geometry;
+  const latest = useRef(geometry);
+  latest.current = geometry;
   const key = fieldKey(field);
   const isSelected = selected !== null && fieldKey(selected) === key;
-  const place = { transform: `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})` };
+  // Out of view it can still get the focus, which brings it into view.
+  const inView = layout.shows(layout.x(timeOf(program, field)));
+  const place = `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})`;
   const classes = `handle ${field.kind} ${isSelected ? 'selected' : ''} ${inView ? '' : 'away'}`;
-  if (!onEdit) {
+  const value = valueAt(program, field) ?? 0;
+  const { min, max } = limitsOf(program, field);
+  const isEntered = model.entered.value;
+  const words = messages.value;
+  return useMemo(() => {
+    if (!onEdit) {
+      return (
+        <g class={classes} transform={place}>
+          {figure()}
+        </g>
+      );
+    }
+    const isTime = field.kind === 'time';
+    const shown = (number: number): number => (isTime ? number / 100 : number);
     return (
-      <g class={classes} {...place}>
-        {children}
+      <g
+        transform={place}
+        class={classes}
+        data-field={key}
+        role="slider"
+        tabindex={isEntered ? 0 : -1}
+        aria-label={fieldLabel(program.identity, field)}
+        aria-orientation={isTime ? 'horizontal' : 'vertical'}
+        aria-valuemin={shown(min)}
+        aria-valuemax={shown(Math.max(max, value))}
+        aria-valuenow={shown(value)}
+        aria-valuetext={isTime ? words.seconds(formatTime(value)) : words.timeline.steps(value)}
+        onFocus={() => {
+          model.setEntered(true);
+          model.reveal(latest.current.layout.scale.place(timeOf(latest.current.program, field)));
+          onSelect?.(field);
+        }}
+        onKeyDown={(event) => keys.down(event, now(), field, onEdit)}
+        onKeyUp={keys.up}
+        onBlur={keys.up}
+      >
+        <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
+        <circle class="ring" r="15" />
+        {figure()}
       </g>
     );
-  }
-  const value = valueAt(program, field) ?? 0;
-  const limits = limitsOf(program, field);
-  const isTime = field.kind === 'time';
-  const shown = (number: number): number => (isTime ? number / 100 : number);
-  const { seconds } = messages.value;
-  const { steps } = messages.value.timeline;
-  return (
-    <g
-      {...place}
-      class={classes}
-      data-field={key}
-      role="slider"
-      tabindex={model.entered.value ? 0 : -1}
-      aria-label={fieldLabel(program.identity, field)}
-      aria-orientation={isTime ? 'horizontal' : 'vertical'}
-      aria-valuemin={shown(limits.min)}
-      aria-valuemax={shown(Math.max(limits.max, value))}
-      aria-valuenow={shown(value)}
-      aria-valuetext={isTime ? seconds(formatTime(value)) : steps(value)}
-      onFocus={() => {
-        model.setEntered(true);
-        model.reveal(geometry.layout.scale.place(timeOf(program, field)));
-        onSelect?.(field);
-      }}
-      onKeyDown={(event) => keys.down(event, now(), field, onEdit)}
-      onKeyUp={keys.up}
-      onBlur={keys.up}
-    >
-      <rect class="reach" x={-FINGER / 2} y={-FINGER / 2} width={FINGER} height={FINGER} />
-      <circle class="ring" r="15" />
-      {children}
-    </g>
-  );
+  }, [key, place, classes, value, min, max, isEntered, words, on, now, onEdit, onSelect, program.identity]);
 }

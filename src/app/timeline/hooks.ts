@@ -1,46 +1,39 @@
 import { effect, type ReadonlySignal, useSignal } from '@preact/signals';
 import type { RefObject } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
-import { media } from '../browser/doors.js';
-import { between, type Scale, sameScale } from './scale.js';
 
-/** Before anything has been measured. */
-const USUAL_WIDTH = 640;
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
 
-/** The width of an element in pixels, as it is and as it changes. */
-export function useWidth(element: RefObject<HTMLElement | null>): number {
-  const width = useSignal(USUAL_WIDTH);
+/** Before anything has been measured, in pixels. */
+const USUAL: Size = { width: 640, height: 320 };
+
+/** The size of an element in pixels, as it is and as it changes. */
+export function useSize(element: RefObject<HTMLElement | null>): Size {
+  const size = useSignal(USUAL);
   useLayoutEffect(() => {
     const { current } = element;
     if (!current) return;
     const measure = (): void => {
-      if (current.clientWidth > 0) width.value = current.clientWidth;
+      const { clientWidth: width, clientHeight: height } = current;
+      const before = size.peek();
+      if (width > 0 && (width !== before.width || height !== before.height)) size.value = { width, height };
     };
     measure();
     const observer = new ResizeObserver(measure);
     observer.observe(current);
     return () => observer.disconnect();
   }, []);
-  return width.value;
-}
-
-/** Whether this person does not want things to move by themselves. */
-export function prefersStillness(): boolean {
-  return media('(prefers-reduced-motion: reduce)')?.matches ?? false;
+  return size.value;
 }
 
 /** A function that stays the same while what it calls may change at each drawing. */
-export function useStable<A extends unknown[]>(
-  called: ((...args: A) => void) | undefined,
-): ((...args: A) => void) | undefined {
+export function useStable<F extends ((...args: never[]) => unknown) | undefined>(called: F): F {
   const latest = useRef(called);
   latest.current = called;
-  const stable = useMemo(
-    () =>
-      (...args: A): void =>
-        latest.current?.(...args),
-    [],
-  );
+  const stable = useMemo(() => ((...args: never[]) => latest.current?.(...args)) as F, []);
   return called && stable;
 }
 
@@ -74,54 +67,26 @@ export function useLate<T>(source: ReadonlySignal<T>): [value: T, catchUp: () =>
   return [late.value, catchUp];
 }
 
-const GLIDE = 180;
 /**
  * Changes that follow each other faster than this are drawn as they come: who types is not kept waiting. Milliseconds.
  */
 const HURRY = 500;
 
 /**
- * The axis to be drawn: `held` while there is one, else `wanted`. From the one to the other it glides, so that the eye
- * can follow; but not when it is the room for it that has changed, nor while one change follows the other.
+ * Whether what is drawn now goes gently from where it was, so that the eye can follow: the styles do it. Not while a
+ * handle is in hand, nor when what is in view or the room for it has changed, nor while one change follows the other.
+ * @param drawn all that is drawn; another object whenever it changes.
+ * @param frame what lets everything jump when it changes.
  */
-export function useGlide(wanted: Scale, held: Scale | null, room: number): Scale {
-  const shown = useRef(wanted);
-  const before = useRef(room);
-  const way = useRef<{ from: Scale; to: Scale; start: number } | null>(null);
-  const changed = useRef(Number.NEGATIVE_INFINITY);
-  const frame = useRef(0);
-  const drawn = useSignal(0);
-  // Read, so that each step of the way is drawn.
-  void drawn.value;
-
-  useLayoutEffect(() => () => cancelAnimationFrame(frame.current), []);
-
+export function useGlides(drawn: unknown, frame: readonly unknown[], held: boolean): boolean {
+  const before = useRef({ drawn, frame, at: Number.NEGATIVE_INFINITY, glides: false });
+  const last = before.current;
   if (held) {
-    way.current = null;
-    shown.current = held;
-    return held;
+    before.current = { drawn, frame, at: Number.NEGATIVE_INFINITY, glides: false };
+  } else if (drawn !== last.drawn) {
+    const now = performance.now();
+    const glides = now - last.at >= HURRY && frame.every((part, i) => part === last.frame[i]);
+    before.current = { drawn, frame, at: now, glides };
   }
-  const now = performance.now();
-  const jumps = before.current !== room || now - changed.current < HURRY || prefersStillness();
-  before.current = room;
-  if (!sameScale(way.current?.to ?? shown.current, wanted)) {
-    way.current = jumps ? null : { from: shown.current, to: wanted, start: now };
-    changed.current = now;
-  }
-  if (!way.current) {
-    shown.current = wanted;
-    return wanted;
-  }
-  const share = Math.min(1, (now - way.current.start) / GLIDE);
-  if (share >= 1) {
-    way.current = null;
-    shown.current = wanted;
-  } else {
-    shown.current = between(way.current.from, wanted, share * (2 - share));
-    cancelAnimationFrame(frame.current);
-    frame.current = requestAnimationFrame(() => {
-      drawn.value++;
-    });
-  }
-  return shown.current;
+  return before.current.glides;
 }

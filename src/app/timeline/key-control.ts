@@ -64,11 +64,18 @@ const ZOOM = 1.5;
 const PAN = 0.2;
 
 /**
- * Keys at the picture as a whole: the arrows go from mark to mark, with Shift they move what is in view; + and − zoom.
+ * Keys at the picture as a whole: left and right go from mark to mark, with Shift they move what is in view; up and
+ * down go from servo to servo; + and − zoom.
+ * @param anchor the place of the scale about which they do.
  */
-export function pictureKey(event: KeyboardEvent, model: TimelineModel, { program, layout }: Geometry): void {
+export function pictureKey(
+  event: KeyboardEvent,
+  model: TimelineModel,
+  { program, layout }: Geometry,
+  anchor: number | undefined,
+): void {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target !== event.currentTarget) return;
-  const action = actionOf(event, model, program, layout.scale);
+  const action = actionOf(event, model, program, layout.scale, anchor);
   if (!action) return;
   take(event);
   action();
@@ -79,6 +86,7 @@ function actionOf(
   model: TimelineModel,
   program: TimerProgram,
   scale: Scale,
+  anchor: number | undefined,
 ): (() => void) | null {
   const { asked } = model;
   const marks = [0, ...marksOf(program)];
@@ -87,12 +95,16 @@ function actionOf(
     if (time !== null) model.reveal(scale.place(time));
   };
   const now = asked.value;
+  const toServo = (by: number) => (): void => {
+    const last = program.identity.servos - 1;
+    model.bringToFrontAloud(Math.max(0, Math.min(last, Math.min(last, model.front.value) + by)));
+  };
   switch (key) {
     case '+':
     case '=':
-      return () => model.zoom(ZOOM);
+      return () => model.zoom(ZOOM, anchor);
     case '-':
-      return () => model.zoom(1 / ZOOM);
+      return () => model.zoom(1 / ZOOM, anchor);
     case '0':
       return () => model.fit();
     case 'ArrowRight':
@@ -101,6 +113,10 @@ function actionOf(
     case 'ArrowLeft':
       if (shiftKey) return () => model.pan(-PAN);
       return ask(now === null ? Math.max(...marks) : Math.max(0, ...marks.filter((time) => time < now)));
+    case 'ArrowUp':
+      return toServo(-1);
+    case 'ArrowDown':
+      return toServo(1);
     case 'Home':
       return ask(0);
     case 'End':

@@ -1,98 +1,101 @@
 import type { ProgramField, TimerProgram } from '../../program/index.js';
-import { messages } from '../messages/index.js';
-import { FLAG, type Geometry } from './geometry.js';
-import { linesOf, spread } from './layout.js';
-import { marksOf, motorStopOf, reachedAt, stagesOf } from './preview/flight.js';
+import { figureText, messages } from '../messages/index.js';
+import { FLAG, type Geometry, type Marks as MarksOf } from './geometry.js';
+import { Kept } from './kept.js';
+import type { Layout } from './layout.js';
+import { LaneNames, Lines, Overlay } from './lines.js';
+import { marksOf, reachedAt } from './preview/flight.js';
+import { servoClass } from './servo-class.js';
 import { shortTime } from './ticks.js';
 import './layers.css';
 
 interface PictureProps {
   readonly geometry: Geometry;
+  /** The servo in hand; null for a small picture, of which nothing can be taken in hand. */
   readonly front: number | null;
   readonly selected: ProgramField | null;
   /** What lies behind. */
   readonly overlay: TimerProgram | null;
+  /** What the pilot calls what the servos move, for each servo. */
+  readonly names?: readonly string[] | undefined;
   /** The id for what keeps the lines inside of the plot. */
   readonly clip: string;
 }
 
-/** All that is drawn of a program but its handles. */
-export function Picture({ geometry, front, selected, overlay, clip }: PictureProps) {
-  const { left, right } = geometry.layout.box;
-  const { height } = geometry.measures;
+/** All that is drawn of a program but its handles: what has not changed is not drawn again. */
+export function Picture({ geometry, front, selected, overlay, names, clip }: PictureProps) {
+  const { program, layout, measures, flags, ticks, stages, motorStop } = geometry;
+  const { left, right } = layout.box;
+  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
+  const time = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
   return (
     <>
       <clipPath id={clip}>
-        <rect x={left - 2} y={0} width={right - left + 4} height={height} />
+        <rect x={left - 2} y={0} width={right - left + 4} height={measures.height} />
       </clipPath>
-      <Grid {...geometry} />
+      <Kept on={[layout, front]} draw={() => <Grid layout={layout} front={front} />} />
       <g clip-path={`url(#${clip})`}>
-        <MotorRun {...geometry} />
-        <Unknown {...geometry} />
-        {overlay && <Overlay program={overlay} layout={geometry.layout} />}
-        <Marks {...geometry} selected={selected} />
-        <Lines {...geometry} front={front} />
+        <Kept on={[geometry.flags, motorStop]} draw={() => <MotorRun {...geometry} small={front === null} />} />
+        <Kept on={[stages, layout]} draw={() => <Unknown stages={stages} layout={layout} />} />
+        {overlay && <Kept on={[overlay, layout]} draw={() => <Overlay program={overlay} layout={layout} />} />}
+        <Kept on={[flags, chosen]} draw={() => <Marks {...geometry} chosen={chosen} small={front === null} />} />
+        <Lines geometry={geometry} front={front} />
       </g>
-      <TimeAxis {...geometry} selected={selected} />
-      <LineNames {...geometry} front={front} />
-      <Extent {...geometry} />
+      <Kept on={[ticks, layout, time]} draw={() => <TimeAxis {...geometry} chosen={time} />} />
+      <Kept on={[layout, names]} draw={() => <LaneNames layout={layout} names={names} small={front === null} />} />
+      <Kept on={[layout]} draw={() => <Extent layout={layout} y={measures.height - 3} />} />
     </>
   );
 }
 
-const COLOURS = 6;
-const DASHES = 5;
-
-/** Lines of servos differ by colour and by dash, whichever of the two can be seen. */
-export function servoClass(servo: number): string {
-  return `colour-${servo % COLOURS} dash-${servo % DASHES}`;
-}
-
-/** Positions that have a line of their own across the plot: the ends and the middle. */
+/** Positions that have a line of their own across the lane in hand: the ends and the middle. */
 function levels(highest: number): number[] {
   return highest > 130 ? [0, 65, 130, highest] : [0, 65, highest];
 }
 
-/** The positions at the left edge and their lines across the plot. */
-function Grid({ layout, measures }: Geometry) {
+/** Where each lane ends, and in the lane in hand the positions at the left edge and their lines across. */
+function Grid({ layout, front }: { readonly layout: Layout; readonly front: number | null }) {
   const { left, right } = layout.box;
+  const edges = layout.lanes.slice(0, -1).map(({ until }) => Math.round(until) + 0.5);
   return (
     <g class="grid">
-      {levels(layout.highest).map((position) => {
-        const y = Math.round(layout.y(position)) + 0.5;
-        return (
-          <g key={position}>
-            <path d={`M${left} ${y}H${right}`} />
-            {measures.left >= 24 && (
-              <text x={left - 7} y={y} dy="0.35em">
+      {edges.map((y) => (
+        <path key={y} class="edge" d={`M0 ${y}H${right}`} />
+      ))}
+      {front !== null &&
+        levels(layout.highest).map((position) => {
+          const y = Math.round(layout.y(front, position)) + 0.5;
+          return (
+            <g key={position}>
+              <path d={`M${left} ${y}H${right}`} />
+              <text x={left - 8} y={y} dy="0.35em">
                 {position}
               </text>
-            )}
-          </g>
-        );
-      })}
+            </g>
+          );
+        })}
     </g>
   );
 }
 
-/** A time that stands nearer to the left edge than this does not have its middle there, in pixels. */
-const FIRST_ROOM = 14;
+/** A time that stands nearer to an edge than this does not have its middle there, in pixels. */
+const EDGE_ROOM = 16;
 
 /** The times below the plot: DT in strong letters, those of the marks, and round ones where there is room. */
-function TimeAxis({ program, layout, measures, ticks, stages, selected }: Geometry & Pick<PictureProps, 'selected'>) {
+function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry & { readonly chosen: number | null }) {
   const dt = stages.at(-1)?.from;
   const marks = new Set(marksOf(program));
-  const chosen = selected?.kind === 'time' ? program.times[selected.slot] : undefined;
-  const { bottom, right } = layout.box;
+  const { bottom, left, right } = layout.box;
   return (
     <g class="axis">
       {ticks.map((time) => {
         const x = layout.x(time);
+        const at = x < left + EDGE_ROOM ? 'first' : x > right - EDGE_ROOM ? 'last' : '';
         const classes = `${marks.has(time) ? 'mark' : ''} ${time === dt ? 'dt' : ''} ${time === chosen ? 'selected' : ''}`;
         return (
-          <g key={time} class={classes}>
-            <path d={`M${x} ${bottom}V${bottom + 5}`} />
-            <text x={Math.min(x, right)} y={measures.axis} class={x < FIRST_ROOM ? 'first' : ''}>
+          <g key={time} class={classes} transform={`translate(${pixels(x)} 0)`}>
+            <path d={`M0 ${bottom}V${bottom + 5}`} />
+            <text y={measures.axis} class={at}>
               {time === 0 ? messages.value.timeline.zero : shortTime(time)}
             </text>
           </g>
@@ -103,7 +106,7 @@ function TimeAxis({ program, layout, measures, ticks, stages, selected }: Geomet
 }
 
 /** Where times fall: between a function and the one before it, which comes later. */
-function Unknown({ stages, layout }: Geometry) {
+function Unknown({ stages, layout }: Pick<Geometry, 'stages' | 'layout'>) {
   const { top, bottom } = layout.box;
   return (
     <g class="unknown">
@@ -116,64 +119,99 @@ function Unknown({ stages, layout }: Geometry) {
   );
 }
 
+interface MarksProps extends Pick<MarksOf, 'flags'> {
+  readonly layout: Layout;
+  /** The slot that is selected. */
+  readonly chosen: number | null;
+  readonly small: boolean;
+}
+
 /** The uprights of the functions and of DT, from their numbers down. */
-function Marks({ flags, layout, measures, selected }: Geometry & { selected: ProgramField | null }) {
+function Marks({ flags, layout, chosen, small }: MarksProps) {
   const { top, bottom } = layout.box;
-  const flagged = measures.left >= 24;
-  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
   return (
     <g class="marks">
       {flags.map(({ slot, isDt, at, x, radius, labelled, roomy }) => {
-        const lead = !flagged || !labelled ? '' : `M${x} ${FLAG + radius}L${at} ${top - 4}V${top}`;
-        return (
-          <path
-            key={slot}
-            class={`${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`}
-            d={`${lead}M${at} ${top}V${bottom}`}
-          />
-        );
+        const lead = small || !labelled ? '' : `M${pixels(x)} ${FLAG + radius}L${pixels(at)} ${top - 3}V${top}`;
+        const classes = `${isDt ? 'dt' : ''} ${slot === chosen ? 'selected' : ''} ${roomy ? '' : 'many'}`;
+        return <path key={slot} class={classes} d={`${lead}M${pixels(at)} ${top}V${bottom}`} />;
       })}
     </g>
   );
 }
 
 /** What the name of the motor stop needs beside it, in pixels. */
-const MOTOR_NAME = 90;
+const MOTOR_NAME = 150;
 
-/** While the motor runs. */
-function MotorRun({ motorStop, layout, measures }: Geometry) {
+/** While the motor runs: a band over all lanes and a bar below them. */
+function MotorRun({ program, motorStop, layout, measures, small }: Geometry & { readonly small: boolean }) {
   if (motorStop === null) return null;
   const start = layout.x(0);
-  const { top, bottom } = layout.box;
+  const { top, bottom, left, right } = layout.box;
   const end = layout.x(motorStop);
   const width = Math.max(0, end - start);
   const { motor, motorBar } = measures;
+  const isBefore = end > right - MOTOR_NAME;
+  const isNamed = !small && layout.shows(end) && (!isBefore || end > left + MOTOR_NAME);
   return (
     <g class="motor">
       <rect class="run" x={start} y={top} width={width} height={bottom - top} />
       <rect class="bar" x={start} y={motor - motorBar / 2} width={width} height={motorBar} rx={motorBar / 2} />
-      <path d={`M${end} ${top}V${motor}`} />
-      {measures.left >= 24 && layout.shows(end) && end < layout.box.right - MOTOR_NAME && (
-        <text x={end + 12} y={motor} dy="0.35em">
-          {messages.value.program.motorStop}
+      <path d={`M${pixels(end)} ${top}V${motor}`} />
+      {isNamed && (
+        <text class={isBefore ? 'before' : ''} x={isBefore ? end - 12 : end + 12} y={motor} dy="0.35em">
+          {messages.value.program.motorStop} {figureText(program.identity, { kind: 'time', slot: 0 }, motorStop)}
         </text>
       )}
     </g>
   );
 }
 
-/** The lines of the servos, the one in front last. */
-function Lines({ lines, front }: Pick<Geometry, 'lines'> & { front: number | null }) {
-  const order = lines.map((_, servo) => servo).sort((a, b) => Number(a === front) - Number(b === front));
+/** Which part of the whole is in view, where it is not all. */
+function Extent({ layout, y }: { readonly layout: Layout; readonly y: number }) {
+  const { start, span } = layout.view;
+  if (span >= 1) return null;
+  const { left, right } = layout.box;
+  const from = left + start * layout.width;
   return (
-    <g class={`lines ${lines.length > 12 ? 'many' : ''}`}>
-      {order.map((servo) => {
-        const { held, steps, back } = lines[servo] as Geometry['lines'][number];
+    <g class="extent">
+      <path d={`M${left} ${y}H${right}`} />
+      <path class="seen" d={`M${from} ${y}H${from + span * layout.width}`} />
+    </g>
+  );
+}
+
+/** What the position beside the line at one time needs, in pixels. */
+const VALUE_ROOM = 40;
+
+interface CrosshairProps {
+  readonly geometry: Geometry;
+  readonly time: number | null;
+  readonly small?: boolean;
+}
+
+/** A line at one time of the flight, with a dot on each servo's line and the position that it has there. */
+export function Crosshair({ geometry, time, small = false }: CrosshairProps) {
+  const { layout, program } = geometry;
+  if (time === null || !layout.shows(layout.x(time))) return null;
+  const { top, bottom, right } = layout.box;
+  const x = layout.x(time);
+  const { slot, certain } = reachedAt(program, time);
+  const side = x > right - VALUE_ROOM ? 'before' : '';
+  return (
+    <g class="crosshair" transform={`translate(${x.toFixed(1)} 0)`}>
+      <path d={`M0 ${top - 4}V${bottom + 4}`} />
+      {program.positions.map((row, servo) => {
+        const y = layout.y(servo, row[slot] ?? 0);
+        const { from, until } = layout.lanes[servo] ?? { from: top, until: bottom };
         return (
-          <g key={servo} class={`servo-line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
-            <path class="steps" d={steps} />
-            {back && <path class="back" d={back} />}
-            <path class="held" d={held} />
+          <g key={servo} class={servoClass(servo)}>
+            <circle cy={y} r={small ? 3 : 4} />
+            {!small && (
+              <text class={side} x={side ? -9 : 9} y={Math.min(until - 8, Math.max(from + 8, y - 10))} dy="0.35em">
+                {certain ? row[slot] : messages.value.timeline.unknownValue}
+              </text>
+            )}
           </g>
         );
       })}
@@ -181,83 +219,7 @@ function Lines({ lines, front }: Pick<Geometry, 'lines'> & { front: number | nul
   );
 }
 
-/** A second program, faint behind the first: its lines, and where its DT and its motor stop are. */
-function Overlay({ program, layout }: { program: TimerProgram; layout: Geometry['layout'] }) {
-  const { top, bottom } = layout.box;
-  const dt = stagesOf(program).at(-1)?.from ?? 0;
-  const stop = motorStopOf(program);
-  return (
-    <g class="overlay">
-      {linesOf(program, layout).map(({ held, steps, back }, servo) => (
-        <path key={servo} class={`dash-${servo % DASHES}`} d={held + steps + back} />
-      ))}
-      <path class="mark" d={`M${layout.x(dt)} ${top}V${bottom}`} />
-      {stop !== null && <path class="mark" d={`M${layout.x(stop)} ${top}V${bottom}`} />}
-    </g>
-  );
-}
-
-/** More lines than this are not named at their ends: there is no room for it. */
-const MOST_NAMES = 10;
-const NAME_HEIGHT = 14;
-
-/** The name of each servo where its line leaves the picture. */
-function LineNames({ program, heights, layout, measures, front }: Geometry & { readonly front: number | null }) {
-  const { top, bottom, right } = layout.box;
-  const { slot } = reachedAt(program, layout.time(right));
-  const named = heights.map((row, servo) => ({ servo, y: row[slot] as number }));
-  const shown = named.length > MOST_NAMES ? named.filter(({ servo }) => servo === front) : named;
-  const places = spread(
-    shown.map(({ y }) => y),
-    measures.left >= 24 ? NAME_HEIGHT : NAME_HEIGHT - 2,
-    Math.max(6, top - 4),
-    bottom + 2,
-  );
-  return (
-    <g class="line-names">
-      {shown.map(({ servo }, i) => (
-        <text
-          key={servo}
-          class={`${servoClass(servo)} ${servo === front ? 'front' : ''}`}
-          x={right + 5}
-          y={places[i]}
-          dy="0.35em"
-        >
-          {messages.value.servoName(servo)}
-        </text>
-      ))}
-    </g>
-  );
-}
-
-/** Which part of the whole is in view, where it is not all. */
-function Extent({ layout, measures }: Geometry) {
-  const { start, span } = layout.view;
-  if (span >= 1) return null;
-  const { left } = layout.box;
-  const y = measures.height - 3;
-  const from = left + start * layout.width;
-  return (
-    <g class="extent">
-      <path d={`M${left} ${y}H${layout.box.right}`} />
-      <path class="seen" d={`M${from} ${y}H${from + span * layout.width}`} />
-    </g>
-  );
-}
-
-/** A line at one time of the flight, with a dot on each servo's line. */
-export function Crosshair({ geometry, time }: { geometry: Geometry; time: number | null }) {
-  const { layout, heights, program } = geometry;
-  if (time === null || !layout.shows(layout.x(time))) return null;
-  const { top, bottom } = layout.box;
-  const { slot } = reachedAt(program, time);
-  const dots = heights.length > MOST_NAMES ? [] : heights;
-  return (
-    <g class="crosshair" transform={`translate(${layout.x(time).toFixed(1)} 0)`}>
-      <path d={`M0 ${top - 6}V${bottom + 6}`} />
-      {dots.map((row, servo) => (
-        <circle key={servoClass(servo)} class={servoClass(servo)} cy={row[slot]} r="3.5" />
-      ))}
-    </g>
-  );
+/** A place as it is written into the picture. */
+function pixels(place: number): number {
+  return Math.round(place * 10) / 10;
 }

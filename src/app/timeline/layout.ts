@@ -1,6 +1,6 @@
 import type { TimerProgram } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
-import { type Stage, stagesOf } from './preview/flight.js';
+import type { Stage } from './preview/flight.js';
 import type { Scale } from './scale.js';
 
 /** The part of the time axis that is in view, in places of its scale. */
@@ -17,18 +17,31 @@ export interface Box {
   readonly bottom: number;
 }
 
+/** The strip of the picture in which the positions of one servo are drawn, in pixels. */
+export interface Lane {
+  /** Its edges. */
+  readonly from: number;
+  readonly until: number;
+  /** Where the highest position lies, and where 0. */
+  readonly top: number;
+  readonly bottom: number;
+}
+
 /** Where times and positions lie in the picture. */
 export class Layout {
   readonly scale: Scale;
   readonly view: View;
   readonly box: Box;
-  /** The position at the upper edge. */
+  /** One for each servo. */
+  readonly lanes: readonly Lane[];
+  /** The position at the upper edge of each lane. */
   readonly highest: number;
 
-  constructor(scale: Scale, view: View, box: Box, highest: number) {
+  constructor(scale: Scale, view: View, box: Box, lanes: readonly Lane[], highest: number) {
     this.scale = scale;
     this.view = view;
     this.box = box;
+    this.lanes = lanes;
     this.highest = highest;
   }
 
@@ -41,13 +54,15 @@ export class Layout {
     return this.scale.time(this.view.start + ((x - this.box.left) / this.width) * this.view.span);
   }
 
-  y(position: number): number {
-    const { top, bottom } = this.box;
+  /** How high a position of a servo lies. */
+  y(servo: number, position: number): number {
+    const { top, bottom } = this.lanes[servo] ?? this.box;
     return bottom - (Math.min(position, this.highest) / this.highest) * (bottom - top);
   }
 
-  position(y: number): number {
-    const { top, bottom } = this.box;
+  /** The position of a servo at a height, not rounded. */
+  position(servo: number, y: number): number {
+    const { top, bottom } = this.lanes[servo] ?? this.box;
     return ((bottom - y) / (bottom - top)) * this.highest;
   }
 
@@ -68,55 +83,37 @@ export function highestOf(programs: readonly TimerProgram[]): number {
     : MAX_POSITION;
 }
 
-/** More lines than this are not kept apart where they run together: there is no room for it. */
-const MOST_STRANDS = 6;
-/** Lines that run together are drawn side by side, this many pixels apart. */
-const STRAND = 4;
-
-/** `[servo][slot]`: how high each line runs, in pixels. Lines that would cover each other are drawn side by side. */
-export function heightsOf({ positions }: TimerProgram, layout: Layout): number[][] {
-  const heights = positions.map((row) => row.map((position) => layout.y(position)));
-  if (heights.length > MOST_STRANDS) return heights;
-  const slots = heights[0]?.length ?? 0;
-  for (let slot = 0; slot < slots; slot++) {
-    const apart = spread(
-      heights.map((row) => row[slot] as number),
-      STRAND,
-      layout.box.top,
-      layout.box.bottom,
-    );
-    heights.forEach((row, servo) => {
-      row[slot] = apart[servo] as number;
-    });
-  }
-  return heights;
-}
-
-/** The three parts of a servo's line, as the data of paths. */
+/** A servo's line, as the data of paths. */
 export interface LinePaths {
-  readonly held: string;
-  /** Where it goes from one position to the next. */
-  readonly steps: string;
+  /** Where it stands and how it goes from one position to the next. */
+  readonly line: string;
   /** Where it would have to go back in time. */
   readonly back: string;
 }
 
-export function pathsOf(stages: readonly Stage[], heights: readonly number[], layout: Layout): LinePaths {
-  const paths = { held: '', steps: '', back: '' };
+/**
+ * The line of one servo. Programs with the same stages give lines of the same parts, so that one can become another.
+ */
+export function lineOf(
+  { positions }: TimerProgram,
+  stages: readonly Stage[],
+  servo: number,
+  layout: Layout,
+): LinePaths {
+  const row = positions[servo] ?? [];
+  const height = (slot: number): number => round(layout.y(servo, row[slot] ?? 0));
+  let line = `M${round(layout.x(0))} ${height(0)}`;
+  let back = '';
   for (const { slot, from, until, passing } of stages) {
-    const x = round(layout.x(from));
-    const y = round(heights[slot] as number);
-    const end = until === null ? round(Math.max(layout.x(layout.scale.end), layout.box.right)) : round(layout.x(until));
-    if (passing !== 'passed') paths[passing === 'back' ? 'back' : 'held'] += `M${x} ${y}H${end}`;
-    if (until !== null) paths.steps += `M${end} ${y}V${round(heights[slot + 1] as number)}`;
+    const last = Math.max(layout.x(layout.scale.end), layout.box.right);
+    const end = round(until === null ? last : layout.x(until));
+    if (passing === 'back') {
+      back += `M${round(layout.x(from))} ${height(slot)}H${end}`;
+      line += `M${end} ${height(slot)}`;
+    } else line += `H${end}`;
+    if (until !== null) line += `V${height(slot + 1)}`;
   }
-  return paths;
-}
-
-/** The paths of all lines of a program. */
-export function linesOf(program: TimerProgram, layout: Layout): LinePaths[] {
-  const stages = stagesOf(program);
-  return heightsOf(program, layout).map((row) => pathsOf(stages, row, layout));
+  return { line, back };
 }
 
 /**

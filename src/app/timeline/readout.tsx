@@ -1,37 +1,52 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { formatTime } from '../editing/units.js';
 import { fieldLabel, messages, slotLabel } from '../messages/index.js';
-import { servoClass } from './layers.js';
 import { motorStopOf, reachedAt } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
 import './readout.css';
 
-interface ReadoutProps {
+interface MomentProps {
   readonly program: TimerProgram;
-  /** The time that is asked about; null for none. */
-  readonly time: number | null;
-  /** The field in hand; it goes before the time. */
-  readonly moving: ProgramField | null;
+  readonly model: TimelineModel;
+  readonly cursor: number | null;
+  readonly selected: ProgramField | null;
 }
 
 /**
- * The one large figure of the timeline: the value in hand, else the time that is asked about and what it has reached.
+ * The one large figure of the timeline: the value in hand, else the time that is asked about and what it has reached,
+ * else the value that is selected.
  */
-function Readout({ program, time, moving }: ReadoutProps) {
+export function Moment({ program, model, cursor, selected }: MomentProps) {
   const { timeline, seconds } = messages.value;
-  if (moving) {
-    const value = valueAt(program, moving) ?? 0;
-    const figure = moving.kind === 'time' ? seconds(formatTime(value)) : String(value);
-    return <Figure figure={figure} what={fieldLabel(program.identity, moving)} />;
-  }
-  if (time === null) return <p class="timeline-readout hint">{timeline.ask}</p>;
-  return <Figure figure={seconds(formatTime(time))} what={reachedText(program, time)} />;
+  const field = model.moving.value?.edit.field;
+  const time = model.asked.value ?? cursor;
+  if (field) return <ValueFigure program={program} field={field} fineness={model.fineness.value} />;
+  if (time !== null) return <Figure figure={seconds(formatTime(time))} what={reachedText(program, time)} />;
+  if (selected && selected.kind !== 'idleThrottle') return <ValueFigure program={program} field={selected} />;
+  return <p class="timeline-readout hint">{timeline.ask}</p>;
 }
 
-function Figure({ figure, what }: { figure: string; what: string }) {
+interface ValueFigureProps {
+  readonly program: TimerProgram;
+  readonly field: ProgramField;
+  /** How finely it is moved while it is in hand: 0 as far as the pointer, 1 as finely as can be. */
+  readonly fineness?: number;
+}
+
+function ValueFigure({ program, field, fineness = 0 }: ValueFigureProps) {
+  const { timeline, seconds } = messages.value;
+  const value = valueAt(program, field) ?? 0;
+  const figure = field.kind === 'time' ? seconds(formatTime(value)) : String(value);
+  const more = fineness === 0 ? '' : fineness < 1 ? timeline.finer : timeline.finest;
+  const label = fieldLabel(program.identity, field);
+  return <Figure figure={figure} what={label} more={more} />;
+}
+
+function Figure({ figure, what, more = '' }: { figure: string; what: string; more?: string }) {
   return (
     <p class="timeline-readout">
       <strong>{figure}</strong> <span>{what}</span>
+      {more && <em>{more}</em>}
     </p>
   );
 }
@@ -42,36 +57,17 @@ function reachedText(program: TimerProgram, time: number): string {
   return certain ? slotLabel(program.identity, slot) : messages.value.timeline.notKnown;
 }
 
-interface MomentProps {
+interface SpokenProps {
   readonly program: TimerProgram;
   readonly model: TimelineModel;
-  readonly cursor: number | null;
-}
-
-/** {@link Readout} of what the model asks about. */
-export function Moment({ program, model, cursor }: MomentProps) {
-  const moving = model.moving.value?.edit.field ?? null;
-  return <Readout program={program} time={model.asked.value ?? cursor} moving={moving} />;
-}
-
-/** {@link Legend} of what the model asks about. */
-export function MomentLegend(props: MomentProps & { readonly front: number; readonly overlay: string | null }) {
-  const { program, model, cursor, front, overlay } = props;
-  return (
-    <Legend
-      {...{ program, front, overlay }}
-      time={model.asked.value ?? cursor}
-      onFront={(servo) => model.bringToFront(servo)}
-    />
-  );
 }
 
 /** What a key has asked about, for who does not see it. */
-export function Spoken({ program, model }: Omit<MomentProps, 'cursor'>) {
-  const time = model.spoken.value;
+export function Spoken({ program, model }: SpokenProps) {
+  const spoken = model.spoken.value;
   return (
     <p class="visually-hidden" role="status">
-      {time !== null && momentText(program, time)}
+      {spoken && ('time' in spoken ? momentText(program, spoken.time) : messages.value.servoName(spoken.servo))}
     </p>
   );
 }
@@ -95,69 +91,4 @@ function momentText(program: TimerProgram, time: number): string {
   const { slot, certain } = reachedAt(program, time);
   const servos = program.positions.map((row, servo) => timeline.stands(servoName(servo), row[slot] ?? 0));
   return [seconds(formatTime(time)), reachedText(program, time), ...(certain ? servos : [])].join(', ');
-}
-
-interface LegendProps {
-  readonly program: TimerProgram;
-  readonly time: number | null;
-  readonly front: number;
-  readonly onFront: (servo: number) => void;
-  /** What lies behind, by its name. */
-  readonly overlay: string | null;
-}
-
-/** More servos than this are chosen from a list. */
-const MOST_CHIPS = 8;
-
-/** Which line is which, where each servo stands at the time that is asked about, and which one is in front. */
-function Legend({ program, time, front, onFront, overlay }: LegendProps) {
-  const { timeline, servoName } = messages.value;
-  const slot = time === null ? null : reachedAt(program, time);
-  const servos = program.positions.map((row, servo) => ({
-    servo,
-    value: slot === null ? '' : slot.certain ? String(row[slot.slot] ?? '') : timeline.unknownValue,
-  }));
-  return (
-    <div class="timeline-legend">
-      {servos.length > MOST_CHIPS ? (
-        <label class="timeline-servos">
-          {timeline.front}
-          <select value={front} onChange={(event) => onFront(Number(event.currentTarget.value))}>
-            {servos.map(({ servo, value }) => (
-              <option key={servo} value={servo}>
-                {timeline.stands(servoName(servo), value)}
-              </option>
-            ))}
-          </select>
-        </label>
-      ) : (
-        <fieldset class="timeline-servos">
-          <legend class="visually-hidden">{timeline.front}</legend>
-          {servos.map(({ servo, value }) => (
-            <button
-              type="button"
-              key={servo}
-              class={`chip ${servoClass(servo)}`}
-              aria-pressed={servo === front}
-              onClick={() => onFront(servo)}
-            >
-              <svg class="swatch" width="26" height="8" aria-hidden="true">
-                <path class="held" d="M1 4H25" />
-              </svg>
-              <span>{servoName(servo)}</span>
-              <span class="chip-value">{value}</span>
-            </button>
-          ))}
-        </fieldset>
-      )}
-      {overlay !== null && (
-        <p class="timeline-behind">
-          <svg class="swatch overlay" width="26" height="8" aria-hidden="true">
-            <path d="M1 4H25" />
-          </svg>
-          {overlay}
-        </p>
-      )}
-    </div>
-  );
 }

@@ -112,24 +112,6 @@ export function evenScale(end: number): Scale {
   return new Scale([0, drawable(end) + RUN_OUT], [0, 1]);
 }
 
-/** A scale on the way from one to another. @param share 0 is the first, 1 the second. */
-export function between(from: Scale, to: Scale, share: number): Scale {
-  const times = rising([...from.times, ...to.times]);
-  return new Scale(
-    times,
-    times.map((time) => from.place(time) * (1 - share) + to.place(time) * share),
-  );
-}
-
-/** Whether two scales put every time at the same place. */
-export function sameScale(a: Scale, b: Scale): boolean {
-  return same(a.times, b.times) && same(a.places, b.places);
-}
-
-function same(a: readonly number[], b: readonly number[]): boolean {
-  return a.length === b.length && a.every((value, i) => value === b[i]);
-}
-
 /** The numbers in rising order, each once. */
 function rising(numbers: readonly number[]): number[] {
   return [...new Set(numbers)].sort((a, b) => a - b);

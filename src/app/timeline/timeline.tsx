@@ -1,18 +1,22 @@
+import type { ReadonlySignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import type { OnEdit } from './drag.js';
-import { geometryOf, measuresOf, scaleOf } from './geometry.js';
+import { type Geometry, layoutOf, leastHeightOf, marksIn, measuresOf, scaleOf } from './geometry.js';
 import { Handles } from './handles.js';
-import { useGlide, useStable, useWidth } from './hooks.js';
+import { useGlides, useSize, useStable } from './hooks.js';
 import { HandleKeys, pictureKey } from './key-control.js';
+import { LaneButtons } from './lane-buttons.js';
 import { Crosshair, Picture } from './layers.js';
+import { highestOf } from './layout.js';
 import type { Target } from './pointer/gesture.js';
 import { PointerControl } from './pointer/pointer-control.js';
 import { timeOf } from './preview/flight.js';
-import { descriptionOf, Moment, MomentLegend, Spoken } from './readout.js';
+import { descriptionOf, Moment, Spoken } from './readout.js';
 import { TimelineNotes, TimelineTable } from './timeline-table.js';
-import { EvenSeconds, Tools } from './tools.js';
+import { Tools, TrueScale } from './tools.js';
 import { TimelineModel } from './view-model.js';
 import './timeline.css';
 
@@ -44,11 +48,17 @@ export interface TimelineProps {
   readonly onPoint?: ((field: ProgramField | null) => void) | undefined;
   /** What it is called where there are several. */
   readonly title?: string | undefined;
+  /** What the pilot calls what the servos move, for each servo: “tailplane”. */
+  readonly names?: readonly string[] | undefined;
+  /** The pointer or a key has asked about a time of the flight, or no longer: null. */
+  readonly onAsk?: ((time: number | null) => void) | undefined;
+  /** What stands below the picture, as what it is compared with; else the name of what lies behind. */
+  readonly foot?: ComponentChildren;
   /** A small picture to be looked at, with nothing to take hold of. */
   readonly compact?: boolean | undefined;
 }
 
-/** The program over time: a line for each servo, marks for functions, motor stop and DT, to be read and to be moved. */
+/** The program over time: a lane for each servo, marks for functions, motor stop and DT, to be read and to be moved. */
 export function Timeline({ compact = false, ...props }: TimelineProps) {
   return compact ? <SmallTimeline {...props} /> : <WholeTimeline {...props} />;
 }
@@ -56,35 +66,49 @@ export function Timeline({ compact = false, ...props }: TimelineProps) {
 /** The least width of a plot, in pixels, whatever room there is. */
 const LEAST_WIDTH = 120;
 
-function WholeTimeline({ program, overlay = null, cursor = null, selected = null, ...calls }: TimelineProps) {
+function WholeTimeline({ program, overlay = null, cursor = null, selected = null, names, ...calls }: TimelineProps) {
   const { timeline } = messages.value;
   // While a flight is played all of this is drawn at each frame: only what has changed is made again.
   const onEdit = useStable(calls.onEdit);
   const onSelect = useStable(calls.onSelect);
   const onPoint = useStable(calls.onPoint);
+  const onAsk = useStable(calls.onAsk);
   const latest = useRef(program);
   latest.current = program;
-  const { now = () => latest.current } = calls;
+  const { now: asOfNow = () => latest.current } = calls;
+  const now = useStable(asOfNow);
   const selectedKey = selected && fieldKey(selected);
   const id = useId();
   const model = useMemo(() => new TimelineModel(), []);
   const keys = useMemo(() => new HandleKeys(model), []);
   const room = useRef<HTMLDivElement>(null);
   const svg = useRef<SVGSVGElement>(null);
-  const width = useWidth(room);
+  const size = useSize(room);
 
+  const { servos } = program.identity;
   const behind = overlay?.program ?? null;
-  const measures = measuresOf(program, false);
-  const plot = Math.max(LEAST_WIDTH, width - measures.left - measures.right);
+  const measures = useMemo(() => measuresOf(program, size.height), [program.identity, size.height]);
+  const plot = Math.max(LEAST_WIDTH, size.width - measures.left - measures.right);
   const even = model.even.value;
-  const wanted = useMemo(() => scaleOf(program, behind, even, plot), [program, behind, even, plot]);
-  const scale = useGlide(wanted, model.moving.value?.scale ?? null, plot);
+  const held = model.moving.value?.scale;
   const view = model.view.value;
-  const geometry = useMemo(
-    () => geometryOf(program, { scale, view, plot, measures, overlay: behind, selected, even }),
-    [program, behind, scale, view, plot, selectedKey, even],
+  const front = Math.min(model.front.value, servos - 1);
+  const highest = highestOf(behind ? [program, behind] : [program]);
+  const chosen = selected?.kind === 'time' ? (program.times[selected.slot] ?? null) : null;
+  // A handle that is moved changes little: what is not touched by it stays as it is.
+  const times = program.times.join();
+  const scale = useMemo(() => held ?? scaleOf(program, behind, even, plot), [held, times, behind, even, plot]);
+  const layout = useMemo(
+    () => layoutOf({ scale, view, plot, measures, servos, front, highest }),
+    [scale, view, plot, measures, servos, front, highest],
   );
-  const front = Math.min(model.front.value, program.identity.servos - 1);
+  const marks = useMemo(() => marksIn(program, layout, even, chosen), [program.identity, times, layout, even, chosen]);
+  const geometry = useMemo(() => ({ program, layout, measures, ...marks }), [program, marks]);
+  const glides = useGlides(geometry, [view, plot, measures], held !== undefined);
+  const anchor = (): number | undefined => {
+    const time = model.asked.peek() ?? (selected && timeOf(program, selected));
+    return time === null ? undefined : layout.scale.place(time);
+  };
 
   const target = useRef<Target | null>(null);
   const pointer = useMemo(() => new PointerControl(model, () => target.current), []);
@@ -107,28 +131,14 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       keys.up();
     };
   }, []);
-  useEffect(() => {
-    if (!onPoint) return;
-    const stop = model.pointed.subscribe(onPoint);
-    return () => {
-      stop();
-      onPoint(null);
-    };
-  }, [onPoint]);
+  useTold(model.pointed, onPoint);
+  useTold(model.asked, onAsk);
   useEffect(() => {
     if (!selected || selected.kind === 'idleThrottle' || model.moving.peek()) return;
     if (selected.kind === 'position') model.bringToFront(selected.servo);
     model.reveal(scale.place(timeOf(program, selected)));
   }, [selectedKey]);
 
-  const picture = useMemo(
-    () => <Picture geometry={geometry} front={front} selected={selected} overlay={behind} clip={`${id}-plot`} />,
-    [geometry, front, behind],
-  );
-  const handles = useMemo(
-    () => <Handles {...{ geometry, model, keys, front, selected, now, onEdit, onSelect }} />,
-    [geometry, front, onEdit, onSelect],
-  );
   const { height } = measures;
   return (
     <section
@@ -136,11 +146,10 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       aria-label={calls.title ?? timeline.title}
     >
       <div class="timeline-top">
-        <Moment program={program} model={model} cursor={cursor} />
-        <Tools model={model} />
+        <Moment program={program} model={model} cursor={cursor} selected={selected} />
+        <Tools model={model} anchor={anchor} />
       </div>
-      <MomentLegend {...{ program, model, cursor, front }} overlay={overlay?.name ?? null} />
-      <div class="timeline-room" ref={room} style={{ height: `${height}px` }}>
+      <div class="timeline-room" ref={room} style={{ minHeight: `max(var(--picture), ${leastHeightOf(program)}px)` }}>
         {/* biome-ignore lint/a11y/useSemanticElements: a picture with handles in it is no fieldset */}
         <svg
           ref={svg}
@@ -150,23 +159,24 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
           tabindex={0}
           aria-label={timeline.picture}
           aria-describedby={`${id}-about`}
-          class={model.moving.value ? 'moving' : ''}
+          class={`${model.moving.value ? 'moving' : ''} ${glides ? 'glides' : ''}`}
           onPointerDown={pointer.down}
           onPointerMove={pointer.hover}
           onPointerLeave={pointer.leave}
           // The handle that is nearest gets the focus, not the one that lies on top.
           onMouseDown={(event) => event.preventDefault()}
           onDblClick={pointer.doubleClick}
-          onKeyDown={(event) => pictureKey(event, model, geometry)}
+          onKeyDown={(event) => pictureKey(event, model, geometry, anchor())}
           onFocusOut={(event) => {
             const next = event.relatedTarget as Node | null;
             model.setEntered(next !== svg.current && (svg.current?.contains(next) ?? false));
           }}
         >
-          {picture}
+          <Picture {...{ geometry, front, selected, names }} overlay={behind} clip={`${id}-plot`} />
           <MomentLine geometry={geometry} model={model} cursor={cursor} />
-          {handles}
+          <Handles {...{ geometry, model, keys, front, selected, now, onEdit, onSelect }} />
         </svg>
+        <LaneButtons {...{ layout, front, model, names }} />
       </div>
       <p class="visually-hidden" id={`${id}-about`}>
         {descriptionOf(program)} {onEdit ? timeline.keysToEdit : timeline.keys}
@@ -174,35 +184,66 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       <Spoken program={program} model={model} />
       <TimelineNotes program={program} />
       <div class="timeline-foot">
+        {calls.foot ?? (overlay && <Behind name={overlay.name} />)}
+        <TrueScale model={model} />
         <TimelineTable program={program} />
-        <EvenSeconds model={model} />
       </div>
     </section>
   );
 }
 
-function MomentLine(props: { geometry: ReturnType<typeof geometryOf>; model: TimelineModel; cursor: number | null }) {
+function MomentLine(props: { geometry: Geometry; model: TimelineModel; cursor: number | null }) {
   const { geometry, model, cursor } = props;
   return <Crosshair geometry={geometry} time={model.asked.value ?? cursor} />;
 }
 
+/** What lies behind, by its name, beside a piece of its line. */
+function Behind({ name }: { name: string }) {
+  return (
+    <p class="timeline-behind">
+      <BehindSwatch />
+      {name}
+    </p>
+  );
+}
+
+/** A piece of the line of what lies behind. */
+export function BehindSwatch() {
+  return (
+    <svg class="swatch overlay" width="26" height="8" aria-hidden="true">
+      <path d="M1 4H25" />
+    </svg>
+  );
+}
+
+/** Tells of what a signal holds, and of nothing once the picture goes away. */
+function useTold<T>(source: ReadonlySignal<T | null>, told: ((value: T | null) => void) | undefined): void {
+  useEffect(() => {
+    if (!told) return;
+    const stop = source.subscribe(told);
+    return () => {
+      stop();
+      told(null);
+    };
+  }, [told]);
+}
+
 const ALL = { start: 0, span: 1 };
 
-function SmallTimeline({ program, overlay = null, cursor = null }: TimelineProps) {
+function SmallTimeline({ program, overlay = null, cursor = null, names }: TimelineProps) {
   const id = useId();
   const room = useRef<HTMLDivElement>(null);
-  const width = useWidth(room);
+  const { width } = useSize(room);
   const behind = overlay?.program ?? null;
-  const measures = measuresOf(program, true);
+  const measures = measuresOf(program);
   const plot = Math.max(LEAST_WIDTH, width - measures.left - measures.right);
   const geometry = useMemo(() => {
     const scale = scaleOf(program, behind, false, plot);
-    return geometryOf(program, { scale, view: ALL, plot, measures, overlay: behind, selected: null, even: false });
+    const highest = highestOf(behind ? [program, behind] : [program]);
+    const { servos } = program.identity;
+    const layout = layoutOf({ scale, view: ALL, plot, measures, servos, front: null, highest });
+    return { program, layout, measures, ...marksIn(program, layout, false, null) };
   }, [program, behind, plot]);
-  const picture = useMemo(
-    () => <Picture geometry={geometry} front={null} selected={null} overlay={behind} clip={`${id}-plot`} />,
-    [geometry, behind],
-  );
   return (
     <div class="timeline small">
       <div class="timeline-room" ref={room} style={{ height: `${measures.height}px` }}>
@@ -212,8 +253,8 @@ function SmallTimeline({ program, overlay = null, cursor = null }: TimelineProps
           role="img"
           aria-label={descriptionOf(program)}
         >
-          {picture}
-          <Crosshair geometry={geometry} time={cursor} />
+          <Picture {...{ geometry, names }} front={null} selected={null} overlay={behind} clip={`${id}-plot`} />
+          <Crosshair geometry={geometry} time={cursor} small />
         </svg>
       </div>
     </div>

@@ -4,16 +4,22 @@ import './tools.css';
 
 const ZOOM = 2;
 
+interface ToolsProps {
+  readonly model: TimelineModel;
+  /** The place of the scale about which it zooms: that of the mark in hand, or of the time that is asked about. */
+  readonly anchor: () => number | undefined;
+}
+
 /** How much of the flight is in view. */
-export function Tools({ model }: { model: TimelineModel }) {
+export function Tools({ model, anchor }: ToolsProps) {
   const { timeline } = messages.value;
   return (
     // biome-ignore lint/a11y/useSemanticElements: buttons that belong together are no form
     <div class="timeline-tools" role="group" aria-label={timeline.tools}>
-      <button type="button" class="chip" aria-label={timeline.zoomOut} onClick={() => model.zoom(1 / ZOOM)}>
+      <button type="button" class="chip" aria-label={timeline.zoomOut} onClick={() => model.zoom(1 / ZOOM, anchor())}>
         <Icon path="M4 10H16" />
       </button>
-      <button type="button" class="chip" aria-label={timeline.zoomIn} onClick={() => model.zoom(ZOOM)}>
+      <button type="button" class="chip" aria-label={timeline.zoomIn} onClick={() => model.zoom(ZOOM, anchor())}>
         <Icon path="M4 10H16M10 4V16" />
       </button>
       <button type="button" class="chip" aria-label={timeline.fit} onClick={() => model.fit()}>
@@ -24,7 +30,7 @@ export function Tools({ model }: { model: TimelineModel }) {
 }
 
 /** Whether the axis is stretched where much happens, or shows every second with the same length. */
-export function EvenSeconds({ model }: { model: TimelineModel }) {
+export function TrueScale({ model }: { model: TimelineModel }) {
   return (
     <label class="timeline-even">
       <input
@@ -32,7 +38,7 @@ export function EvenSeconds({ model }: { model: TimelineModel }) {
         checked={model.even.value}
         onChange={(event) => model.setEven(event.currentTarget.checked)}
       />
-      {messages.value.timeline.even}
+      {messages.value.timeline.trueScale}
     </label>
   );
 }

@@ -15,15 +15,19 @@ export interface Moving {
   readonly scale: Scale;
 }
 
+/** A time of the flight in hundredths of a second, or a servo. */
+export type Spoken = { readonly time: number } | { readonly servo: number };
+
 /**
  * What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program.
  */
 export class TimelineModel {
   readonly #even = signal(false);
   readonly #asked = signal<number | null>(null);
-  readonly #spoken = signal<number | null>(null);
+  readonly #spoken = signal<Spoken | null>(null);
   readonly #front = signal(0);
   readonly #moving = signal<Moving | null>(null);
+  readonly #fineness = signal(0);
   readonly #pointed = signal<ProgramField | null>(null);
   readonly #entered = signal(false);
   readonly #wanted = signal<ProgramField | null>(null);
@@ -32,11 +36,13 @@ export class TimelineModel {
   readonly even: ReadonlySignal<boolean> = this.#even;
   /** The time that a pointer or a key has asked about, in hundredths of a second. */
   readonly asked: ReadonlySignal<number | null> = this.#asked;
-  /** The same where a key has asked: it is said to who does not see it. */
-  readonly spoken: ReadonlySignal<number | null> = this.#spoken;
-  /** The servo whose line has handles. */
+  /** What a key has asked about or taken in hand: it is said to who does not see it. */
+  readonly spoken: ReadonlySignal<Spoken | null> = this.#spoken;
+  /** The servo in hand: its lane is tall and has handles. */
   readonly front: ReadonlySignal<number> = this.#front;
   readonly moving: ReadonlySignal<Moving | null> = this.#moving;
+  /** How finely the handle in hand is moved: 0 as far as the pointer, 1 as finely as can be. */
+  readonly fineness: ReadonlySignal<number> = this.#fineness;
   /** What the mouse is over and could take hold of; null while something is in hand. */
   readonly pointed: ReadonlySignal<ProgramField | null> = this.#pointed;
   /** Whether the keyboard is among the handles. */
@@ -64,11 +70,17 @@ export class TimelineModel {
   /** Asks about a time, and says it. */
   askAloud(time: number | null): void {
     this.#asked.value = time;
-    this.#spoken.value = time;
+    this.#spoken.value = time === null ? null : { time };
   }
 
   bringToFront(servo: number): void {
     this.#front.value = servo;
+  }
+
+  /** Takes a servo in hand, and says it. */
+  bringToFrontAloud(servo: number): void {
+    this.#front.value = servo;
+    this.#spoken.value = { servo };
   }
 
   pointAt(field: ProgramField | null): void {
@@ -81,7 +93,13 @@ export class TimelineModel {
     this.#asked.value = null;
     if (field.kind === 'position') this.#front.value = field.servo;
     this.#wanted.value = field;
+    this.#fineness.value = 0;
     this.#moving.value = { edit, scale };
+  }
+
+  /** The handle in hand is moved more or less finely from now on. */
+  refine(fineness: number): void {
+    this.#fineness.value = fineness;
   }
 
   /** Lets go of the handle. What is in view may have left the picture with it, and comes back. */
@@ -103,13 +121,15 @@ export class TimelineModel {
 
   /**
    * Shows less or more.
-   * @param anchor the place of the scale that stays where it is; the middle of what is in view if there is none.
+   * @param anchor the place of the scale that stays where it is, or comes into view; the middle of what is in view if
+   * there is none.
    */
   zoom(factor: number, anchor?: number): void {
     const { start, span } = this.#view.peek();
     const fixed = anchor ?? start + span / 2;
+    const share = fixed < start || fixed > start + span ? 0.5 : (fixed - start) / span;
     const next = Math.min(1, Math.max(1 / DEEPEST, span / factor));
-    this.#show(fixed - ((fixed - start) / span) * next, next);
+    this.#show(fixed - share * next, next);
   }
 
   /**

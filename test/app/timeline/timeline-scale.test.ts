@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { limitsOf, snapped, stepped, timeStep } from '../../../src/app/timeline/drag.js';
 import { spread } from '../../../src/app/timeline/layout.js';
 import { endOf, eventsBetween, reachedAt, stagesOf } from '../../../src/app/timeline/preview/flight.js';
-import { between, evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
+import { evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
 import { shortTime, ticks } from '../../../src/app/timeline/ticks.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
 import type { ProgramField } from '../../../src/program/index.js';
@@ -18,10 +18,7 @@ const options = fc.record({
 });
 const stretched = fc.tuple(times, options).map(([marks, given]) => stretchedScale(marks, given));
 const even = fc.integer({ min: 0, max: 65535 }).map(evenScale);
-const blended = fc
-  .tuple(stretched, stretched, fc.double({ min: 0, max: 1, noNaN: true }))
-  .map(([a, b, share]) => between(a, b, share));
-const anyScale: fc.Arbitrary<Scale> = fc.oneof(stretched, even, blended);
+const anyScale: fc.Arbitrary<Scale> = fc.oneof(stretched, even);
 
 describe('times that no timer has', () => {
   const hostile = fc.oneof(

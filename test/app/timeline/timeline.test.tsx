@@ -49,6 +49,20 @@ function placeOf(element: Element): { clientX: number; clientY: number } {
   return { clientX: left + Number(x), clientY: top + Number(y) };
 }
 
+/** The strip of a servo, where the window has it. */
+function laneOf(servo: string): { height: number; middle: number } {
+  const { top, height } = screen.getByRole('button', { name: servo }).style;
+  const [from, high] = [Number.parseFloat(top), Number.parseFloat(height)];
+  return { height: high, middle: picture().getBoundingClientRect().top + from + high / 2 };
+}
+
+/** The servo whose lane has handles. */
+const inHand = (): string | null => screen.getByRole('button', { name: /^S\d/, pressed: true }).textContent;
+
+/** The value of a field as its handle tells it: a position in steps, a time in hundredths of a second. */
+const standing = (name: string): number =>
+  Math.round(Number(handle(name).getAttribute('aria-valuenow')) * (name.endsWith('time') ? 100 : 1));
+
 const mouse = { pointerId: 1, pointerType: 'mouse', button: 0 };
 
 /** Takes a handle with the mouse and moves it by so many pixels, without letting go. */
@@ -118,6 +132,56 @@ describe('the handles', () => {
   });
 });
 
+describe('the lanes', () => {
+  it('lie one below the other: that of the servo in hand is tall, the others are low', async () => {
+    shown();
+    expect(laneOf('S1').height).toBeGreaterThanOrEqual(180);
+    expect([laneOf('S2').height, laneOf('S3').height].every((height) => height >= 24 && height < 40)).toBe(true);
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: 'S2' })));
+    expect([inHand(), laneOf('S2').height >= 180, laneOf('S1').height < 40]).toEqual(['S2', true, true]);
+    expect([laneOf('S1'), laneOf('S2'), laneOf('S3')].map(({ middle }) => middle)).toEqual(
+      [laneOf('S1'), laneOf('S2'), laneOf('S3')].map(({ middle }) => middle).sort((a, b) => a - b),
+    );
+  });
+
+  it('draw equal positions of two servos equally high', async () => {
+    shown(
+      programOf(
+        'Q',
+        [1000, 200, 400, 600, 18000],
+        [15, 15, 15].map((at) => [at, 70, 130, 0, at]),
+      ),
+    );
+    const heights: number[][] = [];
+    for (const servo of ['S1', 'S2', 'S3']) {
+      await act(() => void fireEvent.click(screen.getByRole('button', { name: servo })));
+      const { top } = screen.getByRole('button', { name: servo }).style;
+      const at = (slot: string) => placeOf(handle(`${slot}, ${servo}`)).clientY - Number.parseFloat(top);
+      heights.push(['Start', 'Function 1', 'Function 2', 'Function 3', 'DT'].map((slot) => Math.round(at(slot) * 10)));
+    }
+    expect(heights[1]).toEqual(heights[0]);
+    expect(heights[2]).toEqual(heights[0]);
+  });
+
+  it('have the names that the pilot gives to what the servos move', () => {
+    shown(PROGRAM, { names: ['rudder', '', 'wing'] });
+    const names = screen.getAllByRole('button', { name: /^S\d/ }).map((button) => button.getAttribute('aria-label'));
+    expect(names).toEqual(['S1 rudder', 'S2', 'S3 wing']);
+    expect(document.querySelector('.lane-names')?.textContent, 'in the tall one').toBe('rudder');
+  });
+
+  it('are gone through by the keyboard, and said', async () => {
+    shown();
+    const said: (string | null)[] = [];
+    for (const pressed of ['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp']) {
+      await key(picture(), pressed);
+      said.push(screen.getByRole('status').textContent);
+    }
+    expect(said).toEqual(['S2', 'S3', 'S3', 'S2']);
+    expect(handle('Function 2, S2')).toBeTruthy();
+  });
+});
+
 describe('the mouse', () => {
   it('moves a time in steps of the class, tells so meanwhile, and says when it is let go', async () => {
     const { log, current } = shown();
@@ -173,15 +237,19 @@ describe('the mouse', () => {
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
   });
 
-  it('takes a line by any part of it, which brings it to the front', async () => {
-    shown();
-    await act(() => void fireEvent.click(screen.getByRole('button', { name: /^S3/ })));
-    const line = placeOf(handle('Function 3, S3'));
-    await act(() => void fireEvent.click(screen.getByRole('button', { name: /^S1/ })));
-    const from = { ...mouse, clientX: line.clientX + 20, clientY: line.clientY };
+  it('takes the line in hand by any part of it, and of another lane only the servo', async () => {
+    const { log } = shown();
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: 'S3' })));
+    const { clientX, clientY } = placeOf(handle('Function 3, S3'));
+    const from = { ...mouse, clientX: clientX + 20, clientY };
     await act(() => void fireEvent.pointerDown(picture(), from));
-    await act(() => void fireEvent.pointerUp(window, { ...from, clientY: from.clientY + 1000 }));
+    await act(() => void fireEvent.pointerUp(window, { ...from, clientY: clientY + 1000 }));
     expect(handle('Function 3, S3').getAttribute('aria-valuenow')).toBe('0');
+    log.length = 0;
+    const other = { ...mouse, clientX: clientX + 20, clientY: laneOf('S1').middle };
+    await act(() => void fireEvent.pointerDown(picture(), other));
+    await act(() => void fireEvent.pointerUp(window, other));
+    expect([log, inHand()]).toEqual([[], 'S1']);
   });
 
   it('keeps the axis still while a handle is held, and no longer', async () => {
@@ -273,23 +341,52 @@ describe('fingers', () => {
     for (const id of [1, 2]) await act(() => void fireEvent.pointerUp(window, finger(id, clientX, clientY)));
   });
 
-  it('bring the line to the front that is tapped between its steps, and none that they move over', async () => {
+  it('take the servo in hand whose lane is tapped, and none that they move over', async () => {
     shown();
-    const chip = (name: RegExp) => screen.getByRole('button', { name });
-    const isInFront = (name: RegExp) => chip(name).getAttribute('aria-pressed') === 'true';
-    await act(() => void fireEvent.click(chip(/^S3/)));
-    const { clientX, clientY } = placeOf(handle('Function 3, S3'));
-    const until = placeOf(handle('DT, S3')).clientX;
-    await act(() => void fireEvent.click(chip(/^S1/)));
     const tap = async (dx: number): Promise<void> => {
-      const middle = (clientX + until) / 2;
-      await act(() => void fireEvent.pointerDown(picture(), finger(1, middle, clientY)));
-      await act(() => void fireEvent.pointerUp(window, finger(1, middle + dx, clientY)));
+      const at = [100, laneOf('S3').middle] as const;
+      await act(() => void fireEvent.pointerDown(picture(), finger(1, ...at)));
+      await act(() => void fireEvent.pointerUp(window, finger(1, at[0] + dx, at[1])));
     };
     await tap(20);
-    expect(isInFront(/^S1/)).toBe(true);
+    expect(inHand()).toBe('S1');
     await tap(2);
-    expect(isInFront(/^S3/)).toBe(true);
+    expect(inHand()).toBe('S3');
+  });
+
+  it('that only tremble on a handle move nothing', async () => {
+    const { log } = shown();
+    const { clientX, clientY } = placeOf(handle('Function 2, S1'));
+    await act(() => void fireEvent.pointerDown(picture(), finger(1, clientX, clientY)));
+    await act(() => void fireEvent.pointerMove(window, finger(1, clientX + 3, clientY - 4)));
+    await drawn();
+    await act(() => void fireEvent.pointerUp(window, finger(1, clientX + 3, clientY - 4)));
+    expect(log).toEqual([]);
+  });
+
+  it.each([
+    ['Function 2, S1', 1],
+    ['Function 2 time', 10],
+    ['DT time', 100],
+  ])('find every step of %s when they are far from where they took it', async (name, step) => {
+    const { log } = shown();
+    const { clientX, clientY } = placeOf(handle(name));
+    const isTime = name.endsWith('time');
+    const at = (away: number, way: number) =>
+      isTime ? finger(1, clientX + way, clientY + away) : finger(1, clientX + away, clientY - way);
+    const begin = standing(name);
+    const seen = new Set([begin]);
+    await act(() => void fireEvent.pointerDown(picture(), at(0, 0)));
+    for (let way = 0; way <= 70; way += 4) {
+      await act(() => void fireEvent.pointerMove(window, at(300, way)));
+      await drawn();
+      seen.add(standing(name));
+    }
+    expect(screen.getByText('Step by step')).toBeTruthy();
+    await act(() => void fireEvent.pointerUp(window, at(300, 70)));
+    expect(seen.size, 'it goes on').toBeGreaterThanOrEqual(4);
+    expect([...seen]).toEqual(Array.from(seen, (_, count) => begin + count * step));
+    expect(log.at(-1)).toMatch(/\.$/);
   });
 
   it('on a handle keep the page from scrolling, beside one they do not', async () => {
@@ -401,10 +498,10 @@ describe('reading', () => {
     await act(() => void fireEvent.pointerMove(picture(), over));
     await drawn();
     expect(document.querySelector('.timeline-readout')?.textContent).toBe('4.00 s Function 2');
-    expect(screen.getAllByRole('button', { name: /^S\d/ }).map(({ textContent }) => textContent)).toEqual([
-      'S112',
-      'S222',
-      'S332',
+    expect([...document.querySelectorAll('.crosshair text')].map(({ textContent }) => textContent)).toEqual([
+      '12',
+      '22',
+      '32',
     ]);
     expect(screen.getByRole('status').textContent, 'not said at each movement').toBe('');
     const [, line] =

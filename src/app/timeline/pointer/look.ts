@@ -1,13 +1,13 @@
 import type { TimelineModel } from '../view-model.js';
 import type { Gesture, Point, Report, Target } from './gesture.js';
-import { lineUnder, timeUnder } from './under-pointer.js';
+import { servoUnder, timeUnder } from './under-pointer.js';
 
 /** A pointer that moves less than this has not moved, in pixels. */
 const STILL = 4;
 
 /**
- * A pointer is down beside the handles: it asks for the time or moves what is in view; a click brings a line to the
- * front.
+ * A pointer is down beside the handles: it asks for the time or moves what is in view; a click takes the servo
+ * of the lane in hand.
  */
 export class Look implements Gesture {
   readonly holdsPage = false;
@@ -36,8 +36,8 @@ export class Look implements Gesture {
   up(target: Target, report: Report): void {
     this.move(target, report);
     if (this.#moved) return;
-    const line = lineUnder(target.geometry, this.#model.front.value, this.#from, report.coarse);
-    if (line) this.#model.bringToFront(line.servo);
+    const servo = servoUnder(target.geometry, this.#from);
+    if (servo !== null) this.#model.bringToFront(servo);
   }
 
   cancel(): void {}

@@ -1,20 +1,27 @@
 import { type ProgramField, valueAt } from '../../../program/index.js';
-import { DragEdit, limitsOf, type OnEdit, snapped } from '../drag.js';
+import { DragEdit, limitsOf, type OnEdit, snapped, stepOf } from '../drag.js';
 import type { Layout } from '../layout.js';
 import type { TimelineModel } from '../view-model.js';
+import { finenessAt, refined } from './fineness.js';
 import type { Gesture, Point, Report, Target } from './gesture.js';
 
 /** Beside the plot the picture follows a handle, by this share of the way it is beside it, in each frame. */
 const FOLLOW = 0.02;
 
-/** A handle is in hand, and its value with it. */
+/** So far a finger trembles that only taps, in pixels. */
+const TREMBLE = 5;
+
+/** A handle is in hand, and its value with it: the further the pointer is from where it took it, the finer. */
 export class MoveHandle implements Gesture {
   readonly holdsPage = true;
   readonly #model: TimelineModel;
   readonly #edit: DragEdit;
   readonly #from: Point;
-  /** From the pointer to where the value lies: what is moved keeps its distance. */
-  readonly #offset: Point;
+  /** Where the pointer was told to be last, along the way of the handle. */
+  #last: number;
+  /** Where the handle would be along its way if it were not bound to steps and limits, in pixels. */
+  #at: number;
+  #moved = false;
 
   constructor(
     model: TimelineModel,
@@ -26,15 +33,28 @@ export class MoveHandle implements Gesture {
     this.#model = model;
     this.#edit = new DragEdit(program, field, onEdit);
     this.#from = from;
-    this.#offset = { x: layout.x(value) - from.x, y: layout.y(value) - from.y };
+    this.#last = field.kind === 'time' ? from.x : from.y;
+    this.#at = this.#placeOf(layout, value);
     model.take(this.#edit, layout.scale);
   }
 
-  move({ geometry: { layout } }: Target, { point, free }: Report): boolean {
-    if (this.#edit.field.kind === 'time') return this.#moveTime(layout, point, free);
+  move({ geometry: { layout } }: Target, { point, free, coarse }: Report): boolean {
     const { program, field } = this.#edit;
-    const hasMoved = Math.abs(point.y - this.#from.y) >= 1;
-    if (hasMoved) this.#edit.move(snapped(program, field, layout.position(point.y + this.#offset.y)));
+    const [along, across] = field.kind === 'time' ? (['x', 'y'] as const) : (['y', 'x'] as const);
+    if (!this.#hasMoved(point[along] - this.#from[along], coarse ? TREMBLE : 0)) return false;
+    const way = point[along] - this.#last;
+    this.#last = point[along];
+    const fineness = finenessAt(point[across] - this.#from[across]);
+    this.#model.refine(fineness);
+    const before = this.#valueAt(layout, this.#at);
+    this.#at += way;
+    if (fineness > 0) {
+      const plain = this.#valueAt(layout, this.#at) - before;
+      this.#at = this.#placeOf(layout, before + refined(plain, way, stepOf(program.identity, field), fineness));
+    }
+    if (field.kind === 'time' && fineness === 0) return this.#followPointer(layout, point.x, free);
+    this.#edit.move(snapped(program, field, this.#valueAt(layout, this.#at), free));
+    if (field.kind === 'time') this.#keepInView(layout);
     return false;
   }
 
@@ -49,17 +69,47 @@ export class MoveHandle implements Gesture {
     this.#model.letGo();
   }
 
-  #moveTime(layout: Layout, point: Point, free: boolean): boolean {
-    const edit = this.#edit;
-    if (Math.abs(point.x - this.#from.x) < 1) return false;
+  /** Whether it is meant. What a finger has trembled is no way that it went. @param way from where it was taken. */
+  #hasMoved(way: number, trembling: number): boolean {
+    if (this.#moved || Math.abs(way) < Math.max(1, trembling)) return this.#moved;
+    this.#last += Math.sign(way) * trembling;
+    this.#moved = true;
+    return true;
+  }
+
+  /** The value that lies at a place along the way of the handle, not rounded. */
+  #valueAt(layout: Layout, at: number): number {
+    const { field } = this.#edit;
+    return field.kind === 'position' ? layout.position(field.servo, at) : layout.time(at);
+  }
+
+  #placeOf(layout: Layout, value: number): number {
+    const { field } = this.#edit;
+    return field.kind === 'position' ? layout.y(field.servo, value) : layout.x(value);
+  }
+
+  /**
+   * A time that goes with the pointer stays in the plot; beside it the picture follows.
+   * @returns whether it does: nothing reports while the pointer stands still there.
+   */
+  #followPointer(layout: Layout, x: number, free: boolean): boolean {
+    const { program, field, value } = this.#edit;
     const { left, right } = layout.box;
-    const beside = Math.min(0, point.x - left) + Math.max(0, point.x - right);
-    const { min, max } = limitsOf(edit.program, edit.field, free);
-    const follows = (beside > 0 && edit.value < max) || (beside < 0 && edit.value > min);
+    const beside = Math.min(0, x - left) + Math.max(0, x - right);
+    const { min, max } = limitsOf(program, field, free);
+    const follows = (beside > 0 && value < max) || (beside < 0 && value > min);
     if (follows) this.#model.pan((beside * FOLLOW) / layout.width, true);
-    const x = Math.min(right, Math.max(left, point.x + this.#offset.x));
-    edit.move(snapped(edit.program, edit.field, layout.time(x), free));
-    // Nothing reports while the pointer stands still beside the plot.
+    const at = Math.min(right, Math.max(left, this.#at));
+    this.#edit.move(snapped(program, field, layout.time(at), free));
     return follows;
+  }
+
+  /** What is moved finely takes the picture with it at its edges. */
+  #keepInView(layout: Layout): void {
+    const { left, right } = layout.box;
+    const beside = this.#at - Math.min(right, Math.max(left, this.#at));
+    if (beside === 0) return;
+    this.#at -= beside;
+    this.#model.pan(beside / layout.width, true);
   }
 }

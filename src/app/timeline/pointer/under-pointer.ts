@@ -1,16 +1,19 @@
 import type { ProgramField } from '../../../program/index.js';
 import { type Geometry, handlePlaces } from '../geometry.js';
+import { laneAt } from '../lanes.js';
 import type { Layout } from '../layout.js';
 import type { Point, Target } from './gesture.js';
 
 /** How near a pointer must come, in pixels: a finger covers 44, a mouse points. */
 const REACH = { coarse: 22, fine: 13 };
-const LINE_REACH = { coarse: 14, fine: 7 };
+/** And from inside of another lane: who taps there means that. */
+const REACH_FROM_OTHER = 12;
+const LINE_REACH = 7;
 const MARK_REACH = 4;
 
 /**
- * The field whose handle is under a pointer: the nearest one within reach. A mouse can also take a line by any part of
- * it, and a function by its upright; a finger would do that without wanting to.
+ * The field whose handle is under a pointer: the nearest one within reach. A mouse can also take the line in hand by
+ * any part of it, and a function by its upright; a finger would do that without wanting to.
  */
 export function fieldUnder(
   { geometry, onEdit }: Pick<Target, 'geometry' | 'onEdit'>,
@@ -20,42 +23,43 @@ export function fieldUnder(
 ): ProgramField | null {
   if (!onEdit) return null;
   const { layout } = geometry;
-  const reach = coarse ? REACH.coarse : REACH.fine;
+  const { top, bottom } = layout.box;
+  const isInLanes = y >= top && y <= bottom;
+  const isInOther = isInLanes && laneAt(layout.lanes, y) !== front;
+  const reach = isInOther ? REACH_FROM_OTHER : coarse ? REACH.coarse : REACH.fine;
   const near = handlePlaces(geometry, front)
     .filter((place) => layout.shows(place.x) || place.field.kind === 'time')
     .map((place) => ({ field: place.field, distance: Math.hypot(place.x - x, place.y - y) }))
     .filter(({ distance }) => distance <= reach)
     .sort((a, b) => a.distance - b.distance)[0];
   if (near) return near.field;
-  if (coarse || y < layout.box.top || y > layout.box.bottom) return null;
+  if (coarse || !isInLanes) return null;
 
-  const line = lineUnder(geometry, front, { x, y }, false);
-  if (line) return { kind: 'position', ...line };
+  const slot = isInOther ? null : slotUnder(geometry, front, { x, y });
+  if (slot !== null) return { kind: 'position', servo: front, slot };
   const mark = geometry.flags.find(({ at }) => Math.abs(at - x) <= MARK_REACH && layout.shows(at));
   return mark ? { kind: 'time', slot: mark.slot } : null;
 }
 
-/** The line under a pointer and the slot that it stands at there; of several the one in front. */
-export function lineUnder(
-  { heights, stages, layout }: Geometry,
-  front: number,
-  { x, y }: Point,
-  coarse: boolean,
-): { servo: number; slot: number } | null {
-  const reach = coarse ? LINE_REACH.coarse : LINE_REACH.fine;
-  let found: { servo: number; slot: number } | null = null;
-  let nearest = reach;
+/** The slot at which the line in hand stands under a pointer; null where there is nothing of it. */
+function slotUnder({ program, stages, layout }: Geometry, front: number, { x, y }: Point): number | null {
+  let found: number | null = null;
+  let nearest = LINE_REACH;
   for (const { slot, from, until } of stages) {
     const ends = [layout.x(from), until === null ? layout.box.right : layout.x(until)];
     if (x < Math.min(...ends) || x > Math.max(...ends)) continue;
-    for (const [servo, row] of heights.entries()) {
-      const distance = Math.abs((row[slot] as number) - y);
-      if (distance > nearest || (distance === nearest && servo !== front)) continue;
-      nearest = distance;
-      found = { servo, slot };
-    }
+    const distance = Math.abs(layout.y(front, program.positions[front]?.[slot] ?? 0) - y);
+    if (distance > nearest) continue;
+    nearest = distance;
+    found = slot;
   }
   return found;
+}
+
+/** The servo whose lane is under a pointer; null above and below the lanes. */
+export function servoUnder({ layout }: Geometry, { y }: Point): number | null {
+  const { top, bottom } = layout.box;
+  return y < top || y > bottom ? null : laneAt(layout.lanes, y);
 }
 
 /** A pointer this near to a mark asks about the very time of the mark. */

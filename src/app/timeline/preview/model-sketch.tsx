@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { messages } from '../../messages/index.js';
-import { servoClass } from '../layers.js';
+import { servoClass } from '../servo-class.js';
 import type { Linkages, Surface } from './surfaces.js';
 import './model-sketch.css';
 

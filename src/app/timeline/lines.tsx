@@ -1,0 +1,87 @@
+import type { TimerProgram } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import type { Geometry } from './geometry.js';
+import { Kept } from './kept.js';
+import { type Layout, lineOf } from './layout.js';
+import { motorStopOf, stagesOf } from './preview/flight.js';
+import { servoClass } from './servo-class.js';
+import './lines.css';
+
+interface LinesProps {
+  readonly geometry: Geometry;
+  readonly front: number | null;
+}
+
+/** The lines of the servos, each in its lane. */
+export function Lines({ geometry, front }: LinesProps) {
+  const { program, stages, layout } = geometry;
+  return (
+    <g class="lines">
+      {program.positions.map((row, servo) => (
+        <Kept
+          key={servo}
+          on={[row.join(), stages, layout, servo === front]}
+          draw={() => {
+            const { line, back } = lineOf(program, stages, servo, layout);
+            return (
+              <g class={`servo-line ${servoClass(servo)} ${servo === front ? 'front' : ''}`} data-servo={servo}>
+                <path class="line" d={line} />
+                {back && <path class="back" d={back} />}
+              </g>
+            );
+          }}
+        />
+      ))}
+    </g>
+  );
+}
+
+/** A second program, thin and dashed behind the first: its lines, and where its DT and its motor stop are. */
+export function Overlay({ program, layout }: { readonly program: TimerProgram; readonly layout: Layout }) {
+  const { top, bottom } = layout.box;
+  const stages = stagesOf(program);
+  const dt = stages.at(-1)?.from ?? 0;
+  const stop = motorStopOf(program);
+  return (
+    <g class="overlay">
+      {program.positions.map((_, servo) => {
+        const { line, back } = lineOf(program, stages, servo, layout);
+        return <path key={servo} d={line + back} />;
+      })}
+      <path class="mark" d={`M${layout.x(dt)} ${top}V${bottom}`} />
+      {stop !== null && <path class="mark" d={`M${layout.x(stop)} ${top}V${bottom}`} />}
+    </g>
+  );
+}
+
+/** A lane that is lower than this has no room for a word beside its line, in pixels. */
+const WORD_ROOM = 40;
+
+interface LaneNamesProps {
+  readonly layout: Layout;
+  /** What the pilot calls what the servos move, for each servo. */
+  readonly names: readonly string[] | undefined;
+  /** A small picture has no buttons at its lanes: their names are written. */
+  readonly small: boolean;
+}
+
+/** What each lane is: in a small picture the servo, else what it moves. */
+export function LaneNames({ layout, names, small }: LaneNamesProps) {
+  return (
+    <g class="lane-names">
+      {layout.lanes.map(({ from, until }, servo) => {
+        const name = small ? messages.value.servoName(servo) : names?.[servo];
+        if (!name || (!small && until - from < WORD_ROOM)) return null;
+        return small ? (
+          <text key={from} class={servoClass(servo)} x={2} y={(from + until) / 2} dy="0.35em">
+            {name}
+          </text>
+        ) : (
+          <text key={from} x={layout.box.left + 14} y={from + 14} dy="0.35em">
+            {name}
+          </text>
+        );
+      })}
+    </g>
+  );
+}
