@@ -16,20 +16,30 @@ interface ModalProps {
 }
 
 /** A dialog over the page that follows a model: open when the model says so, and never closed past it. */
-export function Modal({ open, title, head, titleId, onEscape, held, children }: ModalProps) {
+export function Modal({ open, ...props }: ModalProps) {
+  // Shut there is nothing of it in the page.
+  return open ? <OpenModal {...props} /> : null;
+}
+
+function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<ModalProps, 'open'>) {
   const dialog = useRef<HTMLDialogElement>(null);
   const heading = useRef<HTMLHeadingElement>(null);
   // Before the next picture: an empty dialog is never seen.
   useLayoutEffect(() => {
-    if (open && !dialog.current?.open) {
-      dialog.current?.showModal();
-      // A browser gives the focus to the first button and scrolls there: it begins at its top.
-      heading.current?.focus({ preventScroll: true });
-      dialog.current?.scrollTo?.(0, 0);
-    }
-    if (!open && dialog.current?.open) dialog.current.close();
+    const { current: opened } = dialog;
+    opened?.showModal();
+    // A browser gives the focus to the first button and scrolls there: it begins at its top.
+    heading.current?.focus({ preventScroll: true });
+    opened?.scrollTo?.(0, 0);
+    return () => {
+      // Closed before it goes: a browser then gives the focus back to what had it. Nobody is told of that any more.
+      dialog.current = null;
+      opened?.close();
+    };
+  }, []);
+  useLayoutEffect(() => {
     // What had the focus may have gone with the step before; a button of this one might be pressed unawares.
-    if (open && !dialog.current?.contains(document.activeElement)) heading.current?.focus();
+    if (!dialog.current?.contains(document.activeElement)) heading.current?.focus();
   });
   return (
     <dialog
@@ -42,24 +52,19 @@ export function Modal({ open, title, head, titleId, onEscape, held, children }: 
         onEscape();
       }}
       onClose={() => {
-        // It is told late: the dialog may be open again, for something else.
-        if (dialog.current?.open) return;
+        if (!dialog.current || dialog.current.open) return;
         // A browser lets Escape be refused once, then closes anyway.
-        if (held) dialog.current?.showModal();
+        if (held) dialog.current.showModal();
         else onEscape();
       }}
     >
-      {open && (
-        <>
-          <div class="dialog-head">
-            <h2 id={titleId} ref={heading} tabIndex={-1}>
-              {title}
-            </h2>
-            {head}
-          </div>
-          {children}
-        </>
-      )}
+      <div class="dialog-head">
+        <h2 id={titleId} ref={heading} tabIndex={-1}>
+          {title}
+        </h2>
+        {head}
+      </div>
+      {children}
     </dialog>
   );
 }

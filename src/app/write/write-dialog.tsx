@@ -18,7 +18,7 @@ import './write-dialog.css';
 /** The difference, the write, the result: one dialog from start to end. */
 export function WriteDialog({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const current = write.current.value;
-  const identity = session.editor.identity.value;
+  const identity = current && session.editor.identity.value;
   const { write: words } = messages.value;
   return (
     <Modal

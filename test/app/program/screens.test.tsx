@@ -377,14 +377,14 @@ describe('the line', () => {
     await press('Try a simulated F1Q timer');
     table();
     expect(screen.getByText('Line').closest('details')).toBe(details);
-    expect(screen.getByRole('region', { name: 'Line' })).toBeTruthy();
+    expect(screen.getByRole('table', { name: 'Line' })).toBeTruthy();
   });
 
   it('shows each message with its direction, name and bytes, newest first', async () => {
     await connected();
     fireEvent.click(screen.getByText('Line'));
     await idle();
-    const log = within(screen.getByRole('region', { name: 'Line' }));
+    const log = within(screen.getByRole('table', { name: 'Line' }));
     const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
     expect(rows).toHaveLength(15);
     expect(rows.at(-1)?.slice(1)).toEqual(['to the timer', 'Identify · GETSWVER', '00 00 00 00 00 03 6b 6b 45']);

@@ -1,0 +1,70 @@
+import { render, screen, within } from '@testing-library/preact';
+import { options, type VNode } from 'preact';
+import { expect, it, onTestFinished, vi } from 'vitest';
+import { Modal } from '../../../src/app/ui/modal.js';
+import { idle, run } from '../bench/bench.js';
+import { connected, press, type } from '../screen.js';
+
+/** Preact tells its tools by this option of each component that it draws. */
+const hooks = options as { __r?: ((vnode: VNode) => void) | undefined };
+
+/** The dialogs that are drawn from now on. */
+function dialogsDrawn(): string[] {
+  const drawn: string[] = [];
+  const { __r: before } = hooks;
+  onTestFinished(() => {
+    hooks.__r = before;
+  });
+  hooks.__r = (vnode) => {
+    const { name } = typeof vnode.type === 'function' ? vnode.type : { name: '' };
+    if (/(Dialog|Modal)$/.test(name)) drawn.push(name);
+    before?.(vnode);
+  };
+  return drawn;
+}
+
+it('is not in the page while it is shut, and not drawn whatever else is', async () => {
+  const { session } = await connected();
+  const drawn = dialogsDrawn();
+  await run(session.read());
+  await type('DT time', '5:00');
+  await type('Function 4, S2', '70');
+  await run(session.selectMemory(2));
+  await press('Disconnect');
+  within(screen.getByRole('dialog')).getByRole('button', { name: 'Disconnect' }).click();
+  await idle();
+  // The question before the end of the connection, which is meant.
+  expect([...new Set(drawn)]).toEqual(['LeaveDialog', 'Modal', 'OpenModal']);
+  expect(document.querySelector('dialog')).toBeNull();
+});
+
+it('comes back when a browser closes it past its model, which has gone on', () => {
+  const onEscape = vi.fn();
+  const modal = (held: boolean) => (
+    <Modal open title="Question" titleId="question" held={held} onEscape={onEscape}>
+      text
+    </Modal>
+  );
+  const { rerender } = render(modal(true));
+  const dialog = screen.getByRole<HTMLDialogElement>('dialog', { name: 'Question' });
+  dialog.close();
+  expect([dialog.open, onEscape.mock.calls.length]).toEqual([true, 0]);
+  rerender(modal(false));
+  dialog.close();
+  expect([dialog.open, onEscape.mock.calls.length]).toEqual([false, 1]);
+});
+
+it('is closed before it goes, and does not take that for an Escape', () => {
+  const onEscape = vi.fn();
+  const modal = (open: boolean) => (
+    <Modal open={open} title="Question" titleId="question" held={false} onEscape={onEscape}>
+      text
+    </Modal>
+  );
+  const { rerender } = render(modal(true));
+  const dialog = screen.getByRole<HTMLDialogElement>('dialog');
+  rerender(modal(false));
+  dialog.dispatchEvent(new Event('close'));
+  expect([dialog.open, onEscape.mock.calls.length]).toEqual([false, 0]);
+  expect(screen.queryByRole('dialog')).toBeNull();
+});
