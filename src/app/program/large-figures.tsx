@@ -1,7 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { EditSheet, useHand } from './edit-sheet.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
 
@@ -10,9 +9,7 @@ export function LargeFigures({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor } = session;
   const identity = editor.identity.value;
-  const hand = useHand();
   const isShort = useComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short')).value;
-  const hasThrottle = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
   if (!identity) return null;
   return (
     <div class="figures">
@@ -25,37 +22,14 @@ export function LargeFigures({ session }: { readonly session: Session }) {
           field={{ kind: 'time', slot: identity.functions }}
           label={program.dt}
           place="large"
-          hand={hand}
         />
       </div>
       {identity.timerClass === 'Q' && (
         <div class="figure">
           <span class="figure-name">{program.motorStop}</span>
-          <ValueField
-            session={session}
-            field={{ kind: 'time', slot: 0 }}
-            label={program.motorStop}
-            place="large"
-            hand={hand}
-          />
+          <ValueField session={session} field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
         </div>
       )}
-      {hasThrottle && (
-        <div class="figure minor">
-          <span class="figure-name">
-            {program.idleThrottle} <span class="hint">{program.idleThrottleUnit}</span>
-          </span>
-          <ValueField
-            session={session}
-            field={{ kind: 'idleThrottle' }}
-            label={program.idleThrottle}
-            place="large"
-            hand={hand}
-            notesShown
-          />
-        </div>
-      )}
-      <EditSheet {...{ identity, hand }} standing={session.standing} />
     </div>
   );
 }

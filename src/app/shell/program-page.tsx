@@ -16,7 +16,6 @@ import { ChecksPanel } from '../program/checks-panel.js';
 import { LargeFigures } from '../program/large-figures.js';
 import { DtPresets } from '../program/presets.js';
 import { ProgramTable } from '../program/program-table.js';
-import { ShiftTool } from '../program/shift-tool.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
@@ -63,7 +62,6 @@ export function ProgramPage({ session, write, memories, bench, follow, preferenc
             <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
             <ProgramTable session={session} bench={bench} follow={follow} marked={marked} />
-            <ShiftTool editor={session.editor} />
           </div>
         ) : (
           <MemoryLook session={session} memories={memories} memory={looking} />
