@@ -1,44 +1,68 @@
+import { useEffect } from 'preact/hooks';
+import { BenchPanel } from './bench/bench-panel.js';
+import { commandsOf } from './commands.js';
 import { StartScreen } from './connect/start-screen.js';
+import { LibraryView } from './library/library-view.js';
 import { LinePanel } from './line/line-panel.js';
 import { LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import { EraseDialog } from './settings/erase-dialog.js';
-import { ThemeChoice } from './settings/theme-choice.js';
 import { Header } from './shell/header.js';
-import { ProgramPage } from './shell/program-page.js';
+import { MemoriesView } from './shell/memories-view.js';
+import { Palette } from './shell/palette.js';
+import { ProgramView } from './shell/program-view.js';
+import { SettingsView } from './shell/settings-view.js';
+import { ViewFrame } from './shell/view-frame.js';
+import { ViewLinks } from './shell/view-links.js';
+import type { View } from './shell/views.js';
 import { RecoveryPanel } from './write/recovery-panel.js';
 import { WriteDialog } from './write/write-dialog.js';
 import './app.css';
 
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
-  const { session, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, keeping, aside, update, portHolder } = models;
+  const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
+  const { preferences, keeping, aside, update, portHolder, line } = models;
+  const { name, views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
+  const shown = views.shown.value;
+  const isStart = !hasProgram && shown === 'program';
+  useEffect(() => {
+    document.title = shown === 'program' ? name : words.window(words.names[shown], name);
+  }, [shown, name, words]);
+  const view: Record<View, () => preact.JSX.Element> = {
+    program: () =>
+      hasProgram ? (
+        <ProgramView {...{ session, write, memories, bench, follow, preferences }} />
+      ) : (
+        <StartScreen session={session} platform={platform} />
+      ),
+    memories: () => <MemoriesView {...{ session, memories, follow }} />,
+    bench: () => (
+      <>
+        <h1>{words.names.bench}</h1>
+        {hasProgram ? <BenchPanel {...{ session, bench, follow }} /> : <p class="hint">{words.noTimer.bench}</p>}
+      </>
+    ),
+    library: () => <LibraryView />,
+    line: () => <LinePanel session={session} view={line.view} form={line.form} />,
+    settings: () => <SettingsView {...{ session, theme, erase, views }} />,
+  };
   return (
     <>
-      <Header {...{ session, memories, leaving, keeping, aside, update, portHolder, platform }} />
-      <main>
+      <Header {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }} />
+      {!isStart && <ViewLinks views={views} />}
+      <ViewFrame views={views} busy={session.runner.busy.value}>
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
-        {hasProgram ? (
-          <ProgramPage {...{ session, write, memories, bench, follow, preferences }} />
-        ) : (
-          <StartScreen session={session} platform={platform} />
-        )}
-        <LinePanel session={session} />
-      </main>
-      <footer class="foot">
-        <ThemeChoice theme={theme} />
-        <button type="button" class="quiet" onClick={() => void erase.open()}>
-          {messages.value.erase.open}
-        </button>
-      </footer>
+        {view[shown]()}
+      </ViewFrame>
       <WriteDialog session={session} write={write} />
       <MemoriesDialog session={session} jobs={memories.jobs} />
       <LeaveDialog session={session} leaving={leaving} />
       <EraseDialog session={session} erase={erase} />
+      <Palette commands={() => commandsOf(models)} />
     </>
   );
 }

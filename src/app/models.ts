@@ -3,6 +3,8 @@ import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
 import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
+import { FrameForm } from './line/frame-form.js';
+import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
 import { Memories } from './memories/memories.js';
 import { Keeping } from './session/keeping.js';
@@ -13,6 +15,7 @@ import type { SetAside } from './session/set-aside.js';
 import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
+import { Views } from './shell/views.js';
 import { limited } from './storage/index.js';
 import { FinishWrite } from './write/finish-write.js';
 import { WriteFlow } from './write/write-flow.js';
@@ -20,6 +23,7 @@ import { WriteFlow } from './write/write-flow.js';
 /** The models that the screens read and call. */
 export interface AppModels {
   readonly session: Session;
+  readonly views: Views;
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly erase: Erase;
@@ -29,6 +33,8 @@ export interface AppModels {
   readonly leaving: Leaving;
   readonly bench: Bench;
   readonly follow: Follow;
+  /** What is shown of the line, and the frame that is made by hand: they outlast their view. */
+  readonly line: { readonly view: LineView; readonly form: FrameForm };
   readonly theme: Theme;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
@@ -69,6 +75,7 @@ export function createModels({
   const bench = new Bench(session);
   return {
     session,
+    views: new Views(),
     keeping,
     aside: session.aside,
     erase: new Erase(session, storage, erasers, reload),
@@ -77,6 +84,7 @@ export function createModels({
     leaving: new Leaving(session, memories),
     bench,
     follow: new Follow(session, bench),
+    line: { view: new LineView(session.log), form: new FrameForm(session) },
     theme: new Theme(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),

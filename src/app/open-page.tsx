@@ -37,8 +37,9 @@ export function openPage(root: HTMLElement): AppModels | null {
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
   });
-  const { session, follow, update, keeping, theme } = models;
+  const { session, views, follow, update, keeping, theme } = models;
   tried(() => theme.follow(document, doors.dark));
+  tried(() => views.follow(window));
   render(<App models={models} />, root);
   void session.keptWork.start();
 

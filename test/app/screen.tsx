@@ -1,11 +1,15 @@
-import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { App } from '../../src/app/app.js';
+import type { View } from '../../src/app/shell/views.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench/bench.js';
+
+let page: AppBench;
 
 /** The whole screen, as the page starts. */
 export async function opened(options: BenchOptions = {}): Promise<AppBench> {
   const bench = await appBench(options);
   render(<App models={bench.models} />);
+  page = bench;
   return bench;
 }
 
@@ -17,8 +21,15 @@ export async function connected(options: BenchOptions = {}): Promise<AppBench> {
   return bench;
 }
 
+/** Goes to a view, as a click on its link does. */
+export async function goTo(view: View): Promise<void> {
+  page.models.views.show(view);
+  await idle(0);
+}
+
 export async function press(name: string | RegExp): Promise<void> {
-  fireEvent.click(screen.getByRole('button', { name }));
+  if (/^(Copy M\d to|Back up all)/.test(String(name))) await goTo('memories');
+  fireEvent.click(button(name));
   await idle();
 }
 
@@ -37,7 +48,12 @@ export async function fly(name: string): Promise<void> {
   await idle();
 }
 
+/** A field of the program. The large figures are opened where one of them is asked for. */
 export function field(name: string): HTMLInputElement {
+  const isLarge = name === 'DT' || name === 'Motor stop';
+  if (isLarge && !screen.queryByRole('textbox', { name })) {
+    act(() => void fireEvent.click(document.querySelector('.strip-figures') as HTMLElement));
+  }
   return screen.getByRole<HTMLInputElement>('textbox', { name });
 }
 
@@ -50,7 +66,8 @@ export async function type(name: string, text: string): Promise<void> {
 }
 
 export function button(name: string | RegExp): HTMLButtonElement {
-  return screen.getByRole<HTMLButtonElement>('button', { name });
+  // It counts what it would write.
+  return screen.getByRole<HTMLButtonElement>('button', { name: name === 'Write…' ? /^Write( \d+)?…$/ : name });
 }
 
 /** The program on the screen; the log of the line is another table. */

@@ -89,6 +89,25 @@ export class AppPage {
     return this.page.getByRole('banner').getByText('firmware 536');
   }
 
+  /** Goes to a view. The link to the line is there only for experts, so its address is taken. */
+  async goTo(view: 'Program' | 'Memories' | 'Bench' | 'Library' | 'Line' | 'Settings'): Promise<void> {
+    if (view === 'Line') await this.page.evaluate(() => location.assign('#line'));
+    else await this.page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: view }).click();
+    await this.page.locator(`.${view.toLowerCase()}-view`).waitFor();
+  }
+
+  /** What is known of the timer at hand, in the settings. */
+  async showAbout(): Promise<void> {
+    await this.goTo('Settings');
+    await this.text('About this timer').click();
+  }
+
+  /** The large figures are shown when one asks for them. */
+  async #showFigure(name: string): Promise<void> {
+    const isLarge = name === 'DT' || name === 'Motor stop';
+    if (isLarge && (await this.field(name).count()) === 0) await this.page.locator('.strip-figures').click();
+  }
+
   async trySimulated(name: 'F1Q' | 'F1B' | 'F1E'): Promise<void> {
     await this.button(`Try a simulated ${name} timer`).click();
     await this.hasRead();
@@ -131,11 +150,13 @@ export class AppPage {
 
   /** Types over what stands in a field, and leaves it. */
   async type(field: string, text: string): Promise<void> {
+    await this.#showFigure(field);
     await this.field(field).fill(text);
     await this.field(field).blur();
   }
 
   async valueOf(field: string): Promise<string> {
+    await this.#showFigure(field);
     return this.field(field).inputValue();
   }
 
@@ -165,7 +186,7 @@ export class AppPage {
   }
 
   async review(): Promise<void> {
-    await this.button('Write…').click();
+    await this.button(/^Write( \d+)?…$/).click();
     await this.dialog.waitFor();
   }
 
@@ -195,24 +216,27 @@ export class AppPage {
     await this.dialog.waitFor({ state: 'hidden' });
   }
 
-  /** The log of the line, open: shut, it is not drawn. */
+  /** The log of the line. */
   get line(): Locator {
-    return this.page.locator('details.line');
+    return this.page.locator('.line');
   }
 
   async openLine(): Promise<void> {
-    await this.line.evaluate((details) => details.setAttribute('open', ''));
+    await this.goTo('Line');
     await this.line.locator('tbody').waitFor();
   }
 
   /** What the page has sent by its own log, oldest first. */
   async sent(): Promise<string[]> {
+    const before = await this.page.evaluate(() => location.hash);
     await this.openLine();
     const older = this.line.getByRole('button', { name: 'Show older' });
     while (await older.isVisible()) await older.click();
     const names = await this.line
       .locator('tbody tr.out .name')
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());
+    await this.page.evaluate((hash) => location.assign(hash || '#program'), before);
+    await this.line.waitFor({ state: 'hidden' });
     return names.map((name) => name.replace(/^.* · /, ''));
   }
 

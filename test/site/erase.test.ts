@@ -18,6 +18,7 @@ test('everything that is kept on this device is deleted, and nothing of another 
   await app.connect();
   await app.type('DT time', '4:00');
   await app.kept();
+  await app.goTo('Settings');
   await page.getByText('Dark', { exact: true }).click();
   await page.evaluate(async () => {
     localStorage.setItem('another program', '1');

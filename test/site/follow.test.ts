@@ -10,12 +10,13 @@ const isOn = async (app: AppPage): Promise<boolean> =>
 
 /** Opens the bench, says that it is safe, moves the servos to function 2 and lets them follow. */
 async function follow(app: AppPage): Promise<void> {
-  if (!(await followSwitch(app).isVisible())) await app.page.getByText('Bench', { exact: true }).click();
+  await app.goTo('Bench');
   await app.page.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await app.button('Function 2').click();
   await app.text('Servos at function 2').first().waitFor();
   await followSwitch(app).click();
   await expect.poll(() => isOn(app)).toBe(true);
+  await app.goTo('Program');
 }
 
 async function following(): Promise<AppPage> {
@@ -41,7 +42,9 @@ const held = (app: AppPage): Promise<number | undefined> => app.bench(({ content
 
 /** It is off, and what is changed now goes nowhere. */
 async function isOff(app: AppPage): Promise<void> {
+  await app.goTo('Bench');
   await expect.poll(() => isOn(app)).toBe(false);
+  await app.goTo('Program');
   const sets = await app.sets();
   await stepUp(app);
   // A whole reading leaves time for whatever would be sent.
@@ -74,7 +77,9 @@ test('another function waits until the servos are sent there, or the pilot lets 
   await app.text('1 tried in the timer').waitFor();
   await expect.poll(() => stand(app)).toEqual([5, [65, 70, 65]]);
   expect(await app.field('Function 5, S2').evaluate((field) => field === document.activeElement)).toBe(true);
+  await app.goTo('Bench');
   await app.page.getByRole('switch', { name: 'Go to the function I edit' }).click();
+  await app.goTo('Program');
   await app.type('Function 7, S3', '12');
   await app.text('2 tried in the timer').waitFor();
   await expect.poll(() => stand(app)).toEqual([7, [85, 85, 12]]);
@@ -121,7 +126,7 @@ for (const [how, comeBack] of Object.entries(returns)) {
   test(`it is off when the timer was ${how}, and safety is asked again`, async () => {
     const app = await following();
     await comeBack(app);
-    if (!(await followSwitch(app).isVisible())) await app.page.getByText('Bench', { exact: true }).click();
+    await app.goTo('Bench');
     expect(await isOn(app)).toBe(false);
     expect(await app.page.getByRole('checkbox', { name: 'The propeller is off' }).isChecked()).toBe(false);
     // It says that it cannot be switched; a finger does not read that.

@@ -26,10 +26,12 @@ async function load(app: AppPage, text: string): Promise<void> {
 describe('the line', () => {
   test('is saved, loaded and replayed as a timer, within the rules of the page', async () => {
     const app = await opened({ acceptDownloads: true });
+    await app.goTo('Program');
     await app.type('DT', '6:00');
     await app.write();
     await app.result('Verified.');
     await app.close();
+    await app.goTo('Line');
     const { name, text } = await saved(app);
     expect(name).toBe('sidus-line-Q536.txt');
     expect(parseCapture(text).length).toBeGreaterThan(10);
@@ -38,6 +40,7 @@ describe('the line', () => {
     await load(app, text);
     await app.text('field.txt: a recording of').waitFor();
     await app.button('Replay it as a timer').click();
+    await app.goTo('Program');
     await app.hasRead();
     await app.page.getByRole('banner').getByText('simulated').waitFor();
     for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
@@ -60,7 +63,9 @@ describe('the line', () => {
     const app = await opened();
     await app.button('Pause').click();
     const before = await app.line.locator('tbody tr').count();
+    await app.goTo('Program');
     await app.readAgain();
+    await app.goTo('Line');
     await app.text('Paused. 12 entries since.').waitFor();
     expect(await app.line.locator('tbody tr').count()).toBe(before);
     await app.button('Go on').click();
@@ -113,6 +118,7 @@ describe('a frame by hand', () => {
     await app.page.keyboard.press('Enter');
     expect(await app.bench((bench) => bench.sets)).toEqual([]);
     await app.button('Yes, send it once').click();
+    await app.goTo('Program');
     await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
     expect(await app.bench((bench) => bench.sets)).toEqual(['SETSERVO']);
   });

@@ -17,7 +17,7 @@ describe('finding the timer', () => {
     await app.reload();
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([19200]);
-    await app.text('About this timer').click();
+    await app.showAbout();
     await app.text('19200 baud').waitFor();
   });
 
@@ -174,11 +174,12 @@ describe('about this timer', () => {
     await app.says('The times of this timer fall.');
     await app.button('Swap them and read again').click();
     await expect.poll(() => app.valueOf('DT')).toBe('3:00');
-    await app.text('About this timer').click();
+    await app.showAbout();
     await app.text('Its times fall. With the two bytes of each swapped they would rise.').waitFor();
     const assumed = app.page.getByRole('checkbox', { name: 'The two bytes of each time are swapped' });
     expect(await assumed.isChecked()).toBe(true);
 
+    await app.goTo('Program');
     await app.reload();
     await app.connect();
     expect(await app.valueOf('DT')).toBe('3:00');
@@ -192,7 +193,7 @@ describe('about this timer', () => {
     await app.write();
     await app.result('The timer did not take every value.');
     await app.close();
-    await app.text('About this timer').click();
+    await app.showAbout();
     await app.text('It rounds times.').waitFor();
   });
 
@@ -201,7 +202,7 @@ describe('about this timer', () => {
     await app.bench((bench) => bench.failLineAt('GETTIMERS', 'framing'));
     await app.connect();
     expect(await app.valueOf('DT')).toBe('3:00');
-    await app.text('About this timer').click();
+    await app.showAbout();
     await app.text('framing 1').waitFor();
   });
 });
@@ -221,7 +222,7 @@ test('with one byte in a hundred damaged it is read, written and verified, and t
   await app.dialog.getByText(/^The line was disturbed: \d+ requests? (was|were) repeated\.$/).waitFor();
   expect(await held(app)).toEqual([24000, 7]);
   await app.close();
-  await app.text('About this timer').click();
+  await app.showAbout();
   await app.page
     .getByRole('definition')
     .filter({ hasText: /^[1-9]\d*$/ })

@@ -103,7 +103,6 @@ test('all memories are backed up, one is copied to another, and the backup is re
   expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);
   expect(await app.bench(({ adapter }) => adapter.timer.core.memory), 'current again').toBe(0);
 
-  await app.text('Backups').click();
   await app.page
     .getByRole('listitem')
     .filter({ hasText: '4 memories' })

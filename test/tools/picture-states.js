@@ -151,10 +151,10 @@ export const states = {
     },
   },
   shift: {
-    title: 'The tools of a row',
+    title: 'Shift in time',
     reach: async (page) => {
       await connect(page);
-      await press(page, 'Tools for Motor stop');
+      await open(page, 'Shift in time');
     },
   },
   paste: {

@@ -22,20 +22,12 @@ interface BenchPanelProps {
  * has said that it is safe.
  */
 export function BenchPanel({ session, bench, follow }: BenchPanelProps) {
-  const { bench: words } = messages.value;
-  const open = useSignal(false);
   const identity = session.editor.identity.value;
   if (!identity) return null;
   return (
-    <details
-      class="bench"
-      onToggle={(event) => {
-        open.value = event.currentTarget.open;
-      }}
-    >
-      <summary>{words.title}</summary>
-      {open.value && <Controls session={session} bench={bench} follow={follow} identity={identity} />}
-    </details>
+    <div class="bench">
+      <Controls session={session} bench={bench} follow={follow} identity={identity} />
+    </div>
   );
 }
 

@@ -19,8 +19,8 @@ export function MemoriesOverview({ session, memories }: { readonly session: Sess
     known: session.knowledge.of(memory),
   })).filter((each): each is Content => each.known.state !== 'unread');
   return (
-    <details class="overview">
-      <summary>{words.title}</summary>
+    <section class="overview">
+      <h2>{words.title}</h2>
       <div class="overview-top">
         <p class="hint">{contents.length < 2 ? words.empty : words.edited}</p>
         <button type="button" disabled={!ready} onClick={() => memories.jobs.open({ kind: 'back-up' })}>
@@ -40,7 +40,7 @@ export function MemoriesOverview({ session, memories }: { readonly session: Sess
         </ul>
       )}
       {contents.length > 1 && <Pair memories={memories} contents={contents} ready={ready} />}
-    </details>
+    </section>
   );
 }
 

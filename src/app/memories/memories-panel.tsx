@@ -45,8 +45,8 @@ export function BackupsPanel({ session, memories, following }: BackupsPanelProps
   const { backups: words } = messages.value;
   const sets = together(session.backups.list.value);
   return (
-    <details class="backups">
-      <summary>{words.title}</summary>
+    <section class="backups">
+      <h2>{words.title}</h2>
       {sets.length === 0 ? (
         <p class="hint">{words.empty}</p>
       ) : (
@@ -56,7 +56,7 @@ export function BackupsPanel({ session, memories, following }: BackupsPanelProps
           ))}
         </ul>
       )}
-    </details>
+    </section>
   );
 }
 

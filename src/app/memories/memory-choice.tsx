@@ -2,6 +2,7 @@ import { useComputed } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { PlaneIcon } from '../ui/plane-icon.js';
 import type { Memories } from './memories.js';
 import { NextFlightLine } from './next-flight-line.js';
 import './memory-choice.css';
@@ -22,7 +23,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
   const isOpen = next.open.value && !runner.busy.value && isConnected;
   return (
     <fieldset class="memories">
-      <legend>{program.memory}</legend>
+      <legend class="visually-hidden">{program.memory}</legend>
       <div class="segments">
         {Array.from({ length: identity.memories }, (_, index) => {
           const flies = isConnected && index === current;
@@ -39,7 +40,7 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
               />
               <span>
                 {memoryName(index)}
-                {flies && <small>{nextFlight.badge}</small>}
+                {flies && <PlaneIcon />}
               </span>
             </label>
           );

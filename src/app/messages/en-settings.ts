@@ -1,2 +1,11 @@
 /** How the page looks. */
 export const theme = { title: 'Colours', names: { system: 'System', light: 'Light', dark: 'Dark', sun: 'Sun' } };
+
+/** What a pilot has set once. */
+export const settings = {
+  title: 'Settings',
+  look: 'Look',
+  expert: 'Expert: show the line',
+  expertHint: 'The line shows every byte between this page and the timer.',
+  kept: 'What this device keeps',
+};

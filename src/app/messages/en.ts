@@ -10,7 +10,8 @@ import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
 import { backups, recovery } from './en-recovery.js';
-import { theme } from './en-settings.js';
+import { settings, theme } from './en-settings.js';
+import { library, palette, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
 
@@ -66,9 +67,6 @@ export const en = {
   memoryName: (memory: number) => `M${memory + 1}`,
   servoName: (servo: number) => `S${servo + 1}`,
   slotName,
-  /** Where there is little room: the number alone. */
-  slotShort: (slot: number, kind: 'start' | 'function' | 'dt') =>
-    kind === 'function' ? String(slot) : slotName(slot, kind),
   /** What stands before a sentence about it. */
   about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
@@ -113,12 +111,7 @@ export const en = {
     memoryOpen: 'It is not known which memory flies next. Make one fly next, or read again.',
     dt: 'DT',
     motorStop: 'Motor stop',
-    /** Where there is little room. */
-    motor: 'Motor',
-    /** The time of the start, from which all others count. */
-    origin: '0',
     idleThrottle: 'Idle throttle',
-    throttle: 'Idle',
     idleThrottleUnit: 'unit unknown',
     reserved: 'reserved',
     editReserved: 'Edit the reserved time',
@@ -129,8 +122,11 @@ export const en = {
     changes: (count: number) => plural(count, 'change', 'changes'),
     undoAll: 'Undo all',
     read: 'Read again',
-    write: 'Write…',
     connectAndWrite: 'Connect and write…',
+    /** @param count of the values that differ. */
+    write: (count: number) => (count === 0 ? 'Write…' : `Write ${count}…`),
+    picture: 'Picture',
+    table: 'Table',
     /** What is in the way of a write; its button leads there. */
     blocked: (field: string, why: string) => `Nothing can be written yet. ${field}: ${why}`,
     notConnected: 'Click Connect at the top to read and write.',
@@ -258,6 +254,11 @@ export const en = {
   bench,
   overview,
   theme,
+  settings,
+  views,
+  strip,
+  library,
+  palette,
   timeline: {
     title: 'Timeline',
     compareWith: 'Compare with',

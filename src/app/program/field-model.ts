@@ -22,8 +22,6 @@ export class FieldModel {
   readonly isChanged: ReadonlySignal<boolean>;
   /** The value that the timer held, where it was another and is known. */
   readonly was: ReadonlySignal<string | null>;
-  /** The same without a unit. */
-  readonly old: ReadonlySignal<string>;
   readonly isUnreadable: ReadonlySignal<boolean>;
   readonly either: ReadonlySignal<Question['either'] | null>;
   readonly isWrong: ReadonlySignal<boolean>;
@@ -55,7 +53,6 @@ export class FieldModel {
     this.was = computed(() =>
       identity.value && typeof from.value === 'number' ? wasText(identity.value, field, from.value, isLarge) : null,
     );
-    this.old = computed(() => (typeof from.value === 'number' ? formatValue(field, from.value) : ''));
     this.isUnreadable = computed(() => editor.unreadable.value.has(key));
     this.either = computed(() => editor.asked.value.get(key) ?? null);
     const notes = computed(() => notesFor(editor, field));

@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { IdleThrottle } from './idle-throttle.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
 
@@ -30,6 +31,7 @@ export function LargeFigures({ session }: { readonly session: Session }) {
           <ValueField session={session} field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
         </div>
       )}
+      <IdleThrottle session={session} />
     </div>
   );
 }

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useCallback, useMemo, useRef } from 'preact/hooks';
+import { useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { stepValue } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
@@ -10,7 +10,7 @@ import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
-import { OldValue, WasText } from './was-text.js';
+import { WasText } from './was-text.js';
 import './value-field.css';
 
 interface ValueFieldProps {
@@ -22,6 +22,8 @@ interface ValueFieldProps {
   /** Of the table; absent elsewhere. */
   readonly selection?: Selection;
   readonly readOnly?: boolean;
+  /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
+  readonly notesShown?: boolean;
 }
 
 /** More letters than there is room for beside a unit on a phone: such a time has a colon. */
@@ -29,7 +31,7 @@ const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
 export function ValueField(props: ValueFieldProps) {
-  const { session, field, label, place, selection, readOnly = false } = props;
+  const { session, field, label, place, selection, readOnly = false, notesShown = false } = props;
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
@@ -51,8 +53,7 @@ export function ValueField(props: ValueFieldProps) {
     was !== null && id('was'),
     notes && id('notes'),
   ].filter(Boolean);
-  // The same from key to key: what is given it is not drawn again.
-  const revert = useCallback(() => editor.revert(field), [editor, key]);
+  const revert = (): void => editor.revert(field);
   const step: OnStep = (direction, options) => {
     const working = editor.working.value;
     if (working && !readOnly) editor.apply(stepValue(working, field, direction, options));
@@ -97,7 +98,7 @@ export function ValueField(props: ValueFieldProps) {
         }}
       />
       {unit && (
-        <span class={`unit ${unit}`} id={id('unit')}>
+        <span class="unit" id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}
@@ -115,7 +116,7 @@ export function ValueField(props: ValueFieldProps) {
           }}
         />
       )}
-      {isLarge && (spoken || was !== null) && (
+      {(spoken || was !== null) && (
         <span class="below">
           {spoken && (
             <span class="spoken" id={id('spoken')}>
@@ -129,20 +130,8 @@ export function ValueField(props: ValueFieldProps) {
           )}
         </span>
       )}
-      {!isLarge && was !== null && (
-        <OldValue
-          id={id('was')}
-          standing={session.standing}
-          value={was}
-          figure={model.old.value}
-          // Else a click into the field would be taken for it.
-          label={focused.value ? messages.value.edits.field.putBack(label) : null}
-          onPutBack={revert}
-        />
-      )}
-      {/* They are seen in the table, under the row. */}
       {notes && (
-        <span class="visually-hidden" id={id('notes')}>
+        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={id('notes')}>
           {notes}
         </span>
       )}

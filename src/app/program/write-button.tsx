@@ -15,7 +15,7 @@ const NOTE = 'blocked-note';
 export function WriteButton({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const isBlocked = editor.blocked.value;
-  const hasChanges = useComputed(() => editor.changes.value.length > 0).value;
+  const count = useComputed(() => editor.changes.value.length).value;
   const isConnected = session.connection.value !== null;
   const isOff = session.link.state.value.status === 'off';
   const { program } = messages.value;
@@ -29,7 +29,7 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
   return (
     <button
       type="button"
-      class={isBlocked ? 'blocked' : hasChanges ? 'primary' : ''}
+      class={isBlocked ? 'blocked' : count > 0 ? 'primary' : ''}
       // Not while a job runs; but the focus stays, also for when the dialog is closed.
       aria-disabled={session.runner.busy.value}
       aria-describedby={isBlocked ? NOTE : undefined}
@@ -37,7 +37,7 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
       disabled={!isConnected && (!isOff || session.link.unavailable !== null)}
       onClick={() => void press()}
     >
-      {isOff ? program.connectAndWrite : program.write}
+      {isOff ? program.connectAndWrite : program.write(count)}
     </button>
   );
 }

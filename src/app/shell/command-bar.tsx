@@ -8,7 +8,6 @@ import { BlockedNote, WriteButton } from '../program/write-button.js';
 import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
 import type { WriteFlow } from '../write/write-flow.js';
-import { KnownLine } from './known-line.js';
 import './command-bar.css';
 
 interface CommandBarProps {
@@ -16,26 +15,31 @@ interface CommandBarProps {
   readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
+  /** Where there is no room for it beside the table: whether the picture is shown in its place. */
+  readonly picture: { readonly open: boolean; readonly onToggle: () => void } | null;
 }
 
 /** How the program stands to the timer, and the way to it and back. */
-export function CommandBar({ session, write, bench, follow }: CommandBarProps) {
+export function CommandBar({ session, write, bench, follow, picture }: CommandBarProps) {
   const { program } = messages.value;
   const { editor } = session;
   const connected = session.connection.value !== null;
   const bar = useRef<HTMLElement>(null);
-  useHeight(bar, '--actions');
+  useHeight(bar, '--bar');
   return (
     <section class="actions" ref={bar}>
-      <KnownLine session={session} follow={follow} />
       {session.link.state.value.status === 'off' && !session.link.unavailable && (
         <p class="hint">{program.notConnected}</p>
       )}
       <FollowNote session={session} write={write} bench={bench} follow={follow} />
       <BlockedNote editor={editor} />
       <UndoButtons session={session} write={write} />
+      {picture && (
+        <button type="button" class="quiet" aria-pressed={picture.open} onClick={picture.onToggle}>
+          {picture.open ? program.table : program.picture}
+        </button>
+      )}
       <div class="buttons">
-        <WriteButton session={session} write={write} />
         <button
           type="button"
           aria-disabled={session.runner.busy.value}
@@ -49,6 +53,7 @@ export function CommandBar({ session, write, bench, follow }: CommandBarProps) {
             {program.undoAll}
           </button>
         )}
+        <WriteButton session={session} write={write} />
       </div>
     </section>
   );

@@ -1,20 +1,21 @@
 import { useRef } from 'preact/hooks';
+import type { Follow } from '../bench/follow.js';
 import type { Platform } from '../browser/platform.js';
-import { ConnectButtons } from '../connect/connect-buttons.js';
 import { LinkNotice } from '../connect/link-notice.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
-import { messages, timerName } from '../messages/index.js';
+import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
 import type { Keeping } from '../session/keeping.js';
-import type { Link } from '../session/link.js';
 import type { PortHolder } from '../session/port-holder.js';
+import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { UncertainBand } from '../write/uncertain-band.js';
 import { NoticeBar } from './notice-bar.js';
+import { StatusStrip } from './status-strip.js';
 import type { UpdateOffer } from './update-offer.js';
 import './header.css';
 
@@ -22,6 +23,8 @@ interface HeaderProps {
   readonly session: Session;
   readonly memories: Memories;
   readonly leaving: Leaving;
+  readonly follow: Follow;
+  readonly preferences: Preferences;
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly update: UpdateOffer;
@@ -29,43 +32,17 @@ interface HeaderProps {
   readonly platform: Platform;
 }
 
-/**
- * What stays in sight: the name of the program, what it is connected to, the buttons that change that, and what there
- * is to say.
- */
-export function Header({ session, memories, leaving, keeping, aside, update, portHolder, platform }: HeaderProps) {
-  const { name, header } = messages.value;
-  const { status } = session.link.state.value;
+/** What stays in sight in every view: the status, what is not certain, what goes on, and what there is to say. */
+export function Header({ session, memories, leaving, follow, preferences, ...notices }: HeaderProps) {
   const top = useRef<HTMLElement>(null);
   useHeight(top, '--top');
   return (
     <header class="top" ref={top}>
-      <div class="top-row">
-        <p class="brand">
-          <img src="./favicon.svg" alt="" width="32" height="32" />
-          <span>{name}</span>
-        </p>
-        <LinkState link={session.link} />
-        <div class="top-actions">
-          {status === 'off' && session.editor.working.value && <ConnectButtons session={session} />}
-          {status === 'on' && (
-            <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
-              {header.disconnect}
-            </button>
-          )}
-        </div>
-      </div>
+      <StatusStrip {...{ session, memories, leaving, follow, preferences }} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
-      <LinkNotice session={session} platform={platform} onStop={() => void leaving.disconnect()} />
+      <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />
       <JobProgress runner={session.runner} />
-      <NoticeBar
-        session={session}
-        keeping={keeping}
-        aside={aside}
-        update={update}
-        portHolder={portHolder}
-        platform={platform}
-      />
+      <NoticeBar session={session} {...notices} />
     </header>
   );
 }
@@ -85,21 +62,4 @@ function JobProgress({ runner }: { readonly runner: JobRunner }) {
       onStop={() => void runner.stop()}
     />
   );
-}
-
-function LinkState({ link }: { readonly link: Link }) {
-  const { header, link: words } = messages.value;
-  const state = link.state.value;
-  if (state.status === 'on') {
-    const { identity } = state.connection;
-    return (
-      <p class="link-state on">
-        <strong>{timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
-        {link.simulated.value && <span class="badge">{header.simulated}</span>}
-      </p>
-    );
-  }
-  const busy = state.status === 'off' ? '' : 'busy';
-  const status = state.status === 'away' && !state.unplugged ? 'brokenOff' : state.status;
-  return <p class={`link-state ${busy}`}>{words.status[status]}</p>;
 }

@@ -6,7 +6,7 @@ import './known-line.css';
 
 /** How the program on the screen stands to the timer: what differs, or that it is as it was read, and when. */
 export function KnownLine({ session, follow }: { readonly session: Session; readonly follow: Follow }) {
-  const { program, bench, knowledge: words, memoryName } = messages.value;
+  const { program, bench, knowledge: words, memoryName, strip } = messages.value;
   const { editor } = session;
   const count = useComputed(() => editor.changes.value.length).value;
   const unfinished = useComputed(() => editor.unreadable.value.size).value;
@@ -25,9 +25,23 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
     if (standing.sure === 'once') return words.lastReadAt(time);
     return standing.verified ? words.verified(time) : words.readAt(time);
   };
+  const open = standing.sure === 'not';
+  const differs = tried + count + unfinished > 0;
+  const state = open ? 'open' : differs ? 'differs' : standing.sure === 'now' ? 'known' : 'once';
+  // The same in the room that a phone has.
+  const short = {
+    open: strip.notCertain,
+    differs: strip.shortChanges(tried + count + unfinished),
+    known: strip.asInTimer,
+    once: strip.asRead,
+  }[state];
   return (
-    <p class={`changes ${standing.sure === 'not' ? 'bad-text' : ''}`} role="status">
-      <strong>{said()}</strong> {count > 0 && <span>{words.hints[standing.sure](time)}</span>}
+    <p class={`changes ${state}`} role="status">
+      <strong class="changes-long">{said()}</strong>{' '}
+      <strong class="changes-short" aria-hidden="true">
+        {short}
+      </strong>
+      {count > 0 && <span class="visually-hidden">{words.hints[standing.sure](time)}</span>}
     </p>
   );
 }

@@ -1,22 +1,32 @@
 import { fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import type { View } from '../../../src/app/shell/views.js';
 import { HOLD } from '../../../src/app/ui/press-and-hold.js';
 import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
 
+let app: AppBench;
+
+/** The bench has a view of its own; what is said beside the program stands in the other. */
+async function show(view: View): Promise<void> {
+  app.models.views.show(view);
+  await idle(0);
+}
+
+/** A button, in whichever of the two views it stands. */
 async function press(name: string | RegExp): Promise<void> {
+  if (!screen.queryByRole('button', { name }))
+    await show(app.models.views.shown.value === 'bench' ? 'program' : 'bench');
   fireEvent.click(screen.getByRole('button', { name }));
   await idle();
 }
 
 /** The whole screen with the bench open, and the pilot's word that it is safe. */
 async function opened(options: BenchOptions = {}): Promise<AppBench> {
-  const app = await appBench(options);
+  app = await appBench(options);
   render(<App models={app.models} />);
   await press('Connect');
-  (panel() as HTMLDetailsElement).open = true;
-  fireEvent(panel(), new Event('toggle'));
-  await idle(0);
+  await show('bench');
   fireEvent.click(within(panel()).getByRole('checkbox', { name: /propeller is off/ }));
   await idle(0);
   app.timer.core.answered.length = 0;
@@ -24,7 +34,7 @@ async function opened(options: BenchOptions = {}): Promise<AppBench> {
 }
 
 function panel(): HTMLElement {
-  return document.querySelector('details.bench') as HTMLElement;
+  return document.querySelector('.bench') as HTMLElement;
 }
 
 function unlockButton(): HTMLElement {
@@ -36,6 +46,7 @@ function unlocks({ timer }: AppBench): number {
 }
 
 async function type(name: string, text: string): Promise<void> {
+  await show('program');
   const input = screen.getByRole<HTMLInputElement>('textbox', { name });
   fireEvent.focus(input);
   fireEvent.input(input, { target: { value: text } });
@@ -44,6 +55,7 @@ async function type(name: string, text: string): Promise<void> {
 }
 
 async function flip(): Promise<void> {
+  await show('bench');
   fireEvent.click(screen.getByRole('switch', { name: 'Servos follow the positions' }));
   await idle();
 }

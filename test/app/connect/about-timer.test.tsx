@@ -4,7 +4,7 @@ import type { PortRecord } from '../../../src/app/storage/index.js';
 import { encodeFrame } from '../../../src/protocol/index.js';
 import { DEFAULT_SETTINGS } from '../../../src/serial/index.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
-import { connected, opened, press } from '../screen.js';
+import { connected, goTo, opened, press } from '../screen.js';
 
 const FTDI = { usbVendorId: 0x0403, usbProductId: 0x6001 };
 const KIND = 'timer/Q/536/10/3';
@@ -21,7 +21,8 @@ function quirksKept({ store }: AppBench): unknown {
   return store.ports.records.get('usb:0403:6001')?.quirks;
 }
 
-function about(): HTMLElement {
+async function about(): Promise<HTMLElement> {
+  await goTo('settings');
   const summary = screen.getByText('About this timer');
   fireEvent.click(summary);
   return summary.closest('details') as HTMLElement;
@@ -30,11 +31,11 @@ function about(): HTMLElement {
 describe('what is known to differ can be forgotten', () => {
   it('while nothing is connected', async () => {
     const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
-    expect(within(about()).getByText(/^F1Q, firmware 536 at FTDI adapter$/)).toBeTruthy();
-    expect(within(about()).getByText('The two bytes of each time are swapped')).toBeTruthy();
+    expect(within(await about()).getByText(/^F1Q, firmware 536 at FTDI adapter$/)).toBeTruthy();
+    expect(within(await about()).getByText('The two bytes of each time are swapped')).toBeTruthy();
     await press('Forget what is known to differ: F1Q, firmware 536 at FTDI adapter');
     expect(quirksKept(bench)).toEqual({});
-    expect(within(about()).getByText('Nothing.')).toBeTruthy();
+    expect(within(await about()).getByText('Nothing.')).toBeTruthy();
   });
 
   it('while the adapter is not plugged in', async () => {
@@ -91,7 +92,7 @@ describe('what is known to differ can be forgotten', () => {
 describe('what the line says of the timer', () => {
   it('a slow one answers after so many seconds, and is not called noisy', async () => {
     await connected({ latency: 900 });
-    const facts = within(about())
+    const facts = within(await about())
       .getAllByRole('definition')
       .map(({ textContent }) => textContent);
     expect(facts).toContain('after 0.9 s: slow');
@@ -103,7 +104,7 @@ describe('what the line says of the timer', () => {
     bench.port.device.write(encodeFrame(0x62, Array<number>(22).fill(0)));
     await press('Read again');
     expect(screen.getByText('Answers came that nobody asked for.')).toBeTruthy();
-    expect(within(about()).getByText(/^Another timer or programmer may be in the beam/)).toBeTruthy();
+    expect(within(await about()).getByText(/^Another timer or programmer may be in the beam/)).toBeTruthy();
     expect(bench.session.connection.value?.client.strays).toBe(1);
   });
 });

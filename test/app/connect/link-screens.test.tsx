@@ -2,7 +2,7 @@ import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import type { LinkState } from '../../../src/serial/index.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
-import { button, connected, field, opened, press, type } from '../screen.js';
+import { button, connected, field, goTo, opened, press, type } from '../screen.js';
 
 function choice(name: string): HTMLSelectElement {
   return screen.getByRole<HTMLSelectElement>('combobox', { name });
@@ -174,6 +174,7 @@ describe('the serial settings', () => {
 describe('about the timer', () => {
   it('stands what it did differently, and how it is reached', async () => {
     await connected({ info: FTDI, quirks: { timersReplyAs66: true } });
+    await goTo('settings');
     fireEvent.click(screen.getByText('About this timer'));
     expect(screen.getByText('It answers “read times” with the letter of “write times”.')).toBeTruthy();
     expect(screen.queryByText('Nothing so far: it has done all that was asked in the usual way.')).toBeNull();
@@ -184,6 +185,7 @@ describe('about the timer', () => {
 
   it('stands what is known to differ, which a click changes and a fresh reading follows', async () => {
     const { session } = await connected();
+    await goTo('settings');
     fireEvent.click(screen.getByText('About this timer'));
     const box = screen.getByRole<HTMLInputElement>('checkbox', { name: 'The two bytes of each time are swapped' });
     expect(box.checked).toBe(false);

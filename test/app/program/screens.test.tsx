@@ -2,7 +2,7 @@ import { fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
 import { appBench, idle, MemoryStore } from '../bench/bench.js';
-import { button, connected, field, opened, press, table, type } from '../screen.js';
+import { button, connected, field, goTo, opened, press, table, type } from '../screen.js';
 
 /** What is said about a field to someone who cannot see it. */
 function described(name: string): string {
@@ -11,15 +11,14 @@ function described(name: string): string {
 }
 
 describe('the start', () => {
-  it('offers Connect and two simulated timers, and the line folded up', async () => {
+  it('offers Connect and the simulated timers, and neither line nor settings', async () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
       'Try a simulated F1Q timer',
       'Try a simulated F1B timer',
-      'Delete everything on this device…',
     ]);
-    expect(screen.getByText<HTMLElement>('Line').closest('details')?.open).toBe(false);
+    expect(screen.queryByRole('navigation')).toBeNull();
   });
 
   it('says which browsers can, where this one cannot, and still offers the simulated timers', async () => {
@@ -94,12 +93,9 @@ describe('the table', () => {
     const rows = table()
       .getAllByRole('rowheader')
       .map(({ textContent }) => textContent);
-    const functions = Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`);
-    expect(rows).toEqual(['Start', 'Motor stop', ...functions, 'DT', 'Idle throttle']);
+    expect(rows).toEqual(['Start', ...Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`), 'DT']);
     for (const servo of ['S1', 'S2', 'S3']) {
-      expect(['Start', ...functions, 'DT'].map((row) => field(`${row}, ${servo}`).value)).toEqual(
-        CAPTURED_POSITIONS.map(String),
-      );
+      expect(rows.map((row) => field(`${row}, ${servo}`).value)).toEqual(CAPTURED_POSITIONS.map(String));
     }
     expect(field('Function 1 time').value).toBe('10.50');
     expect(field('DT time').value).toBe('3:00');
@@ -107,12 +103,12 @@ describe('the table', () => {
 
   it('has as many rows and columns as the timer says', async () => {
     await connected({ identity: { timerClass: 'Q', functions: 3, servos: 4, memories: 2 } });
-    expect(table().getAllByRole('rowheader')).toHaveLength(6);
+    expect(table().getAllByRole('rowheader')).toHaveLength(4);
     expect(
       table()
         .getAllByRole('columnheader')
         .map(({ textContent }) => textContent),
-    ).toEqual(['Function', 'Time s', 'After s', 'S1', 'S2', 'S3', 'S4']);
+    ).toEqual(['Function', 'Time', 'Interval', 'S1', 'S2', 'S3', 'S4']);
     expect(screen.getAllByRole('radio', { name: /^M\d/ })).toHaveLength(2);
   });
 
@@ -179,11 +175,12 @@ describe('the table', () => {
     expect(reasons().map(({ textContent }) => textContent)).toEqual(['Function 2, S1:', 'Function 2, S3:']);
   });
 
-  it('says under the idle throttle why it is refused', async () => {
+  it('says beside the idle throttle why it is refused', async () => {
     await connected();
     await type('Idle throttle', '256');
-    const note = table().getByText('Idle throttle:').parentElement;
-    expect(note?.textContent).toBe('Idle throttle: The idle throttle must be 0 to 255.');
+    const figure = field('Idle throttle').closest('.figure');
+    const seen = [...(figure?.querySelectorAll(':not(.visually-hidden)') ?? [])].map(({ textContent }) => textContent);
+    expect(seen).toContain('The idle throttle must be 0 to 255.');
   });
 
   it('puts a field back with Escape', async () => {
@@ -371,21 +368,19 @@ describe('writing', () => {
 });
 
 describe('the line', () => {
-  it('stays open from the start to the program of a recording', async () => {
-    await opened();
-    const details = screen.getByText('Line').closest('details') as HTMLDetailsElement;
-    details.open = true;
-    fireEvent(details, new Event('toggle'));
-    await press('Try a simulated F1Q timer');
+  it('is a view of its own, and keeps what was chosen in it', async () => {
+    await connected();
+    await goTo('line');
+    fireEvent.input(screen.getByRole('searchbox'), { target: { value: 'GETSERVO' } });
+    await goTo('program');
     table();
-    expect(screen.getByText('Line').closest('details')).toBe(details);
-    expect(screen.getByRole('table', { name: 'Line' })).toBeTruthy();
+    await goTo('line');
+    expect(screen.getByRole<HTMLInputElement>('searchbox').value).toBe('GETSERVO');
   });
 
   it('shows each message with its direction, name and bytes, newest first', async () => {
     await connected();
-    fireEvent.click(screen.getByText('Line'));
-    await idle();
+    await goTo('line');
     const log = within(screen.getByRole('table', { name: 'Line' }));
     const rows = log.getAllByRole('row').map((row) => [...row.children].map(({ textContent }) => textContent?.trim()));
     expect(rows).toHaveLength(15);

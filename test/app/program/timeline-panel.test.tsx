@@ -181,6 +181,8 @@ describe('the colours', () => {
 
   it('are chosen on the page', async () => {
     const app = await opened();
+    app.models.views.show('settings');
+    await idle(0);
     const sun = screen.getByRole<HTMLInputElement>('radio', { name: 'Sun' });
     fireEvent.click(sun);
     await idle(0);
@@ -191,7 +193,8 @@ describe('the colours', () => {
 describe('the memories side by side', () => {
   async function read(): Promise<AppBench> {
     const app = await opened();
-    (document.querySelector('details.overview') as HTMLDetailsElement).open = true;
+    app.models.views.show('memories');
+    await idle(0);
     await press('Read all…');
     fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Back up' }));
     await idle();

@@ -3,27 +3,24 @@ import { useCallback } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
-import { BenchPanel } from '../bench/bench-panel.js';
 import type { Follow } from '../bench/follow.js';
-import { AboutTimer } from '../connect/about-timer.js';
 import type { Memories } from '../memories/memories.js';
-import { MemoriesOverview } from '../memories/memories-overview.js';
-import { BackupsPanel, MemoriesPanel } from '../memories/memories-panel.js';
-import { MemoryChoice } from '../memories/memory-choice.js';
 import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
 import { messages, timerName } from '../messages/index.js';
 import { ChecksPanel } from '../program/checks-panel.js';
-import { LargeFigures } from '../program/large-figures.js';
+import { IdleThrottle } from '../program/idle-throttle.js';
 import { DtPresets } from '../program/presets.js';
 import { ProgramTable } from '../program/program-table.js';
+import { ShiftTool } from '../program/shift-tool.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
+import { NARROW, useQuery } from '../ui/use-query.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { CommandBar } from './command-bar.js';
-import './program-page.css';
+import './program-view.css';
 
-interface ProgramPageProps {
+interface ProgramViewProps {
   readonly session: Session;
   readonly write: WriteFlow;
   readonly memories: Memories;
@@ -33,7 +30,7 @@ interface ProgramPageProps {
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
-export function ProgramPage({ session, write, memories, bench, follow, preferences }: ProgramPageProps) {
+export function ProgramView({ session, write, memories, bench, follow, preferences }: ProgramViewProps) {
   const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -48,42 +45,51 @@ export function ProgramPage({ session, write, memories, bench, follow, preferenc
   // What is typed while another memory is asked for would go into the one that is left.
   const leaving = useComputed(() => session.runner.job.value?.kind === 'select').value;
   const looking = memories.looking.value;
+  const isNarrow = useQuery(NARROW).value;
+  const picture = useSignal(false);
   if (!identity) return null;
+  const side =
+    isNarrow && !picture.value ? null : looking === null ? (
+      <>
+        <TimelinePanel session={session} selected={selected.value} onSelect={select} onPoint={point} />
+        <ChecksPanel editor={session.editor} />
+      </>
+    ) : (
+      <MemoryPicture knowledge={session.knowledge} memory={looking} />
+    );
   return (
-    <div class="program">
+    <div class={`program ${isNarrow && picture.value ? 'shows-picture' : ''}`}>
       <h1 class="visually-hidden">
         {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
-        <MemoryChoice session={session} memories={memories} />
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
-            <LargeFigures session={session} />
-            <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
-            {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
+            {!isNarrow && (
+              <div class="program-tools">
+                <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
+                <IdleThrottle session={session} />
+              </div>
+            )}
             <ProgramTable session={session} bench={bench} follow={follow} marked={marked} />
+            {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
+            <ShiftTool editor={session.editor} />
           </div>
         ) : (
           <MemoryLook session={session} memories={memories} memory={looking} />
         )}
-        {/* It moves the servos to the functions of the current memory. */}
-        {(looking === null || follow.on.value) && <BenchPanel session={session} bench={bench} follow={follow} />}
-        <MemoriesPanel session={session} memories={memories} />
-        <MemoriesOverview session={session} memories={memories} />
-        <BackupsPanel session={session} memories={memories} following={follow.on.value} />
-        <AboutTimer session={session} />
       </div>
-      <aside class="program-side" inert={leaving}>
-        {looking === null ? (
-          <>
-            <TimelinePanel session={session} selected={selected.value} onSelect={select} onPoint={point} />
-            <ChecksPanel editor={session.editor} />
-          </>
-        ) : (
-          <MemoryPicture knowledge={session.knowledge} memory={looking} />
-        )}
-      </aside>
-      {looking === null && <CommandBar session={session} write={write} bench={bench} follow={follow} />}
+      {side && (
+        <aside class="program-side" inert={leaving}>
+          {side}
+        </aside>
+      )}
+      {looking === null && (
+        <CommandBar
+          {...{ session, write, bench, follow }}
+          picture={isNarrow ? { open: picture.value, onToggle: () => (picture.value = !picture.value) } : null}
+        />
+      )}
     </div>
   );
 }

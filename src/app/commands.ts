@@ -1,0 +1,94 @@
+import { fieldKey } from '../program/index.js';
+import { setValues } from './editing/edit.js';
+import { messages, presetText, stepText, timerName } from './messages/index.js';
+import type { AppModels } from './models.js';
+import { SIMULATED_CLASSES } from './session/session.js';
+import { THEMES } from './settings/theme.js';
+import type { Command } from './shell/palette.js';
+import { VIEWS } from './shell/views.js';
+
+/** All that can be done now, what is wanted most first. What cannot be done now is not in it. */
+export function commandsOf(models: AppModels): readonly Command[] {
+  return [...programCommands(models), ...timerCommands(models), ...pageCommands(models)];
+}
+
+function programCommands({ session, write, preferences, bench }: AppModels): Command[] {
+  const { editor, runner, connection } = session;
+  const { palette, program, edits, slotName } = messages.value;
+  const identity = editor.identity.value;
+  if (!identity || write.current.value) return [];
+  const isFree = !runner.busy.value;
+  const dt = { kind: 'time', slot: identity.functions } as const;
+  const { value: undo } = editor.undoStep;
+  const { value: redo } = editor.redoStep;
+  const found: (Command | false | null)[] = [
+    isFree &&
+      connection.value !== null &&
+      !editor.blocked.value && { name: program.write(editor.changes.value.length), run: () => void write.open() },
+    isFree && undo && { name: edits.undo(stepText(identity, undo)), keys: 'Ctrl+Z', run: () => editor.undo() },
+    isFree && redo && { name: edits.redo(stepText(identity, redo)), keys: 'Ctrl+Y', run: () => editor.redo() },
+    isFree && editor.dirty.value && { name: program.undoAll, run: () => editor.revertAll() },
+    ...preferences.presets.value.map((value) => ({
+      name: palette.preset(presetText(value)),
+      run: () => editor.apply(setValues({ code: 'preset', params: { field: fieldKey(dt) } }, [{ field: dt, value }])),
+    })),
+    ...(bench.ready.value
+      ? Array.from({ length: identity.functions + 1 }, (_, slot) => ({
+          name: palette.moveTo(slotName(slot, slot === 0 ? 'start' : slot === identity.functions ? 'dt' : 'function')),
+          run: () => void bench.moveTo(slot),
+        }))
+      : []),
+  ];
+  return found.filter((command): command is Command => Boolean(command));
+}
+
+function timerCommands({ session, memories, leaving }: AppModels): Command[] {
+  const { palette, header, program, look, memories: words, memoryName } = messages.value;
+  const { editor, runner, link, connection, engaged, nextFlight } = session;
+  const baseline = editor.baseline.value;
+  const current = baseline?.memory ?? null;
+  if (runner.busy.value) return [{ name: header.stop, run: () => void runner.stop() }];
+  if (!connection.value) {
+    if (engaged.value) return [];
+    return [
+      ...(link.unavailable ? [] : [{ name: header.connect, run: () => void session.connect() }]),
+      ...SIMULATED_CLASSES.map((timerClass) => ({
+        name: messages.value.start.simulated(messages.value.classNames[timerClass] ?? timerClass),
+        run: () => void session.trySimulated(timerClass),
+      })),
+    ];
+  }
+  const others = Array.from({ length: baseline?.identity.memories ?? 0 }, (_, memory) => memory).filter(
+    (memory) => memory !== current,
+  );
+  return [
+    { name: program.read, run: () => void session.read() },
+    ...(current === null ? [] : [{ name: words.backUp, run: () => void memories.jobs.open({ kind: 'back-up' }) }]),
+    ...others.flatMap((memory) => [
+      { name: look.look(memoryName(memory)), run: () => void memories.look(memory) },
+      { name: look.fly(memoryName(memory)), run: () => void memories.fly(memory) },
+    ]),
+    ...(current === null || nextFlight.open.value
+      ? []
+      : others.map((to) => ({
+          name: words.copy(memoryName(current), memoryName(to)),
+          run: () => void memories.jobs.open({ kind: 'copy', from: current, to }),
+        }))),
+    { name: palette.disconnect(timerName(connection.value.identity)), run: () => void leaving.disconnect() },
+  ];
+}
+
+function pageCommands({ views, theme, erase }: AppModels): Command[] {
+  const { palette, views: words, theme: themes, erase: eraseWords } = messages.value;
+  return [
+    ...VIEWS.filter((view) => view !== views.shown.value).map((view) => ({
+      name: palette.goTo(words.names[view]),
+      run: () => views.show(view),
+    })),
+    ...THEMES.filter((name) => name !== theme.chosen.value).map((name) => ({
+      name: palette.theme(themes.names[name]),
+      run: () => theme.choose(name),
+    })),
+    { name: eraseWords.open, run: () => void erase.open() },
+  ];
+}

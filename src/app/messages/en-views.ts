@@ -1,0 +1,53 @@
+import { plural } from './plural.js';
+
+/** The views of the page, and the way from one to the other. */
+export const views = {
+  title: 'Views',
+  names: {
+    program: 'Program',
+    memories: 'Memories',
+    bench: 'Bench',
+    library: 'Library',
+    line: 'Line',
+    settings: 'Settings',
+  },
+  /** The title of the window: “Memories · Sidus Timer”. */
+  window: (view: string, name: string) => `${view} · ${name}`,
+  noTimer: {
+    memories: 'Connect a timer to see its memories. Backups are below.',
+    bench: 'Connect a timer to move its servos.',
+  },
+};
+
+/** What stands in every view: the timer, its memory, DT, motor stop, and what is known. */
+export const strip = {
+  title: 'Status',
+  motor: 'Motor',
+  /** The button over the figures. */
+  open: (what: string) => `${what}. Show the large figures`,
+  close: 'Close the large figures',
+  panel: 'Large figures',
+  nextMemory: (memory: string) => `${memory}, flies next`,
+  shortChanges: (count: number) => String(count),
+  asInTimer: '✓',
+  notCertain: 'not certain',
+  asRead: 'as last read',
+  changes: (count: number) => plural(count, 'change', 'changes'),
+};
+
+export const library = {
+  title: 'Library',
+  empty: 'There is nothing here yet. What a timer holds is read in the Program view; backups lie in the Memories view.',
+};
+
+/** Every action by its name. */
+export const palette = {
+  title: 'Commands',
+  search: 'Type what you want to do',
+  nothing: 'Nothing is called that, or it cannot be done now.',
+  preset: (time: string) => `DT ${time}`,
+  moveTo: (slot: string) => `Move the servos: ${slot}`,
+  disconnect: (timer: string) => `Disconnect the ${timer}`,
+  goTo: (view: string) => `Go to ${view}`,
+  theme: (name: string) => `Colours: ${name}`,
+};

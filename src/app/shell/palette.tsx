@@ -1,0 +1,127 @@
+import { useSignal } from '@preact/signals';
+import { useEffect, useId, useRef } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+import { Modal } from '../ui/modal.js';
+import './palette.css';
+
+/** Something that can be done now, by its name. */
+export interface Command {
+  readonly name: string;
+  /** The keys that do the same. */
+  readonly keys?: string | undefined;
+  readonly run: () => void;
+}
+
+interface PaletteProps {
+  /** What can be done now. */
+  readonly commands: () => readonly Command[];
+}
+
+/** Every action by its name, with its keys: opened by Ctrl or Cmd and K. Nothing of it is made while it is shut. */
+export function Palette({ commands }: PaletteProps) {
+  const open = useSignal(false);
+  const titleId = useId();
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent): void => {
+      const isIt = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'k';
+      // Over another dialog it would hide what that one asks.
+      const isCovered = !open.peek() && document.querySelector('dialog[open]') !== null;
+      if (!isIt || isCovered) return;
+      event.preventDefault();
+      open.value = !open.peek();
+    };
+    document.addEventListener('keydown', onKey);
+    return () => document.removeEventListener('keydown', onKey);
+  }, [open]);
+  const close = (): void => {
+    open.value = false;
+  };
+  const { palette } = messages.value;
+  return (
+    <Modal open={open.value} title={palette.title} titleId={titleId} held={false} onEscape={close}>
+      <Choice commands={commands} onClose={close} />
+    </Modal>
+  );
+}
+
+function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => void }) {
+  const { palette } = messages.value;
+  const text = useSignal('');
+  const at = useSignal(0);
+  const list = useId();
+  const input = useRef<HTMLInputElement>(null);
+  useEffect(() => input.current?.focus(), []);
+  const found = commands().filter(({ name }) => matches(name, text.value));
+  const last = found.length - 1;
+  const chosen = Math.min(at.value, last);
+  const run = (command: Command | undefined): void => {
+    if (!command) return;
+    // Shut first: what is run may open a dialog of its own.
+    onClose();
+    command.run();
+  };
+  const onKey = (event: KeyboardEvent): void => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (step === undefined && event.key !== 'Enter') return;
+    event.preventDefault();
+    if (step === undefined) run(found[chosen]);
+    else at.value = Math.max(0, Math.min(last, chosen + step));
+  };
+  const id = (index: number): string => `${list}-${index}`;
+  return (
+    <div class="palette">
+      <input
+        ref={input}
+        type="search"
+        list={undefined}
+        // biome-ignore lint/a11y/noRedundantRoles: without a list of its own it is none
+        role="combobox"
+        aria-expanded="true"
+        aria-controls={list}
+        aria-activedescendant={found.length > 0 ? id(chosen) : undefined}
+        aria-label={palette.search}
+        placeholder={palette.search}
+        autocomplete="off"
+        value={text.value}
+        onInput={(event) => {
+          text.value = event.currentTarget.value;
+          at.value = 0;
+        }}
+        onKeyDown={onKey}
+      />
+      <div id={list} class="palette-list" role="listbox" tabIndex={-1} aria-label={palette.title}>
+        {found.map((command, index) => (
+          // biome-ignore lint/a11y/useKeyWithClickEvents: the field above has the keys
+          <div
+            key={command.name}
+            id={id(index)}
+            role="option"
+            tabIndex={-1}
+            aria-selected={index === chosen}
+            ref={(row) => {
+              if (index === chosen) row?.scrollIntoView?.({ block: 'nearest' });
+            }}
+            onClick={() => run(command)}
+          >
+            <span>{command.name}</span>
+            {command.keys && <kbd>{command.keys}</kbd>}
+          </div>
+        ))}
+      </div>
+      {found.length === 0 && (
+        <p class="hint" role="status">
+          {palette.nothing}
+        </p>
+      )}
+    </div>
+  );
+}
+
+/** Whether each word of a search begins a word of the name. */
+function matches(name: string, search: string): boolean {
+  const words = name.toLowerCase().split(/[\s,()]+/);
+  return search
+    .toLowerCase()
+    .split(/\s+/)
+    .every((part) => words.some((word) => word.startsWith(part)));
+}

@@ -1,0 +1,28 @@
+/** Where somebody was in a view. */
+export interface Place {
+  readonly scroll: number;
+  /** The element that had the focus: by its number among those of its kind; null where none had. */
+  readonly focus: { readonly tag: string; readonly at: number } | null;
+}
+
+/** Where somebody is in a view now. */
+export function placeIn(view: HTMLElement): Place {
+  const { activeElement: active } = view.ownerDocument;
+  const scroll = view.ownerDocument.documentElement.scrollTop;
+  if (!active || active === view || !view.contains(active)) return { scroll, focus: null };
+  const tag = active.tagName;
+  return { scroll, focus: { tag, at: [...view.querySelectorAll(tag)].indexOf(active) } };
+}
+
+/**
+ * Takes somebody to where they were: scrolled, and with the focus there; without a place, to the top. An open dialog
+ * keeps its focus.
+ * @param byTouch a finger came here: a field that gets the focus would open the keyboard.
+ */
+export function putBack(view: HTMLElement, place: Place | undefined, byTouch: boolean): void {
+  const { ownerDocument: page } = view;
+  page.documentElement.scrollTop = place?.scroll ?? 0;
+  if (page.querySelector('dialog[open]')) return;
+  const was = place?.focus && view.querySelectorAll<HTMLElement>(place.focus.tag)[place.focus.at];
+  (was && !byTouch ? was : view).focus({ preventScroll: true });
+}

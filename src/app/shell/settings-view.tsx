@@ -1,0 +1,56 @@
+import { AboutTimer } from '../connect/about-timer.js';
+import { PortList, SerialSettingsForm } from '../connect/port-list.js';
+import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import type { Erase } from '../settings/erase.js';
+import type { Theme } from '../settings/theme.js';
+import { ThemeChoice } from '../settings/theme-choice.js';
+import type { Views } from './views.js';
+import './settings-view.css';
+
+interface SettingsViewProps {
+  readonly session: Session;
+  readonly theme: Theme;
+  readonly erase: Erase;
+  readonly views: Views;
+}
+
+/** What is set once: how the page looks, the adapters, what this device keeps. */
+export function SettingsView({ session, theme, erase, views }: SettingsViewProps) {
+  const { settings: words, erase: eraseWords } = messages.value;
+  return (
+    <>
+      <h1>{words.title}</h1>
+      <section class="setting">
+        <h2>{words.look}</h2>
+        <ThemeChoice theme={theme} />
+      </section>
+      {!session.link.unavailable && (
+        <section class="setting">
+          <PortList session={session} />
+          <SerialSettingsForm link={session.link} />
+        </section>
+      )}
+      <AboutTimer session={session} />
+      <section class="setting">
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={views.expert.value}
+            onChange={(event) => views.setExpert(event.currentTarget.checked)}
+          />
+          {words.expert}
+        </label>
+        <p class="hint">{words.expertHint}</p>
+      </section>
+      <section class="setting">
+        <h2>{words.kept}</h2>
+        <div class="buttons">
+          <button type="button" onClick={() => void erase.open()}>
+            {eraseWords.open}
+          </button>
+        </div>
+      </section>
+    </>
+  );
+}

@@ -1,0 +1,179 @@
+import { useComputed, useSignal } from '@preact/signals';
+import { useCallback, useEffect, useId, useRef } from 'preact/hooks';
+import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import type { Follow } from '../bench/follow.js';
+import { ConnectButtons } from '../connect/connect-buttons.js';
+import type { Leaving } from '../memories/leaving.js';
+import type { Memories } from '../memories/memories.js';
+import { MemoryChoice } from '../memories/memory-choice.js';
+import { figureText, messages, timerName } from '../messages/index.js';
+import { keyFields, keyName } from '../messages/key-figures.js';
+import { LargeFigures } from '../program/large-figures.js';
+import { DtPresets } from '../program/presets.js';
+import type { Link } from '../session/link.js';
+import type { Preferences } from '../session/preferences.js';
+import type { Session } from '../session/session.js';
+import { PlaneIcon } from '../ui/plane-icon.js';
+import { NARROW, useQuery } from '../ui/use-query.js';
+import { KnownLine } from './known-line.js';
+import './status-strip.css';
+
+interface StatusStripProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly leaving: Leaving;
+  readonly follow: Follow;
+  readonly preferences: Preferences;
+}
+
+/**
+ * What is true now, in every view: the timer and its memory, DT and motor stop, and what is known of them. The figures
+ * are a button: it opens the large ones with the presets, and on a phone all else that has no room in one line.
+ */
+export function StatusStrip({ session, memories, leaving, follow, preferences }: StatusStripProps) {
+  const { name, header, strip } = messages.value;
+  const { status } = session.link.state.value;
+  const isNarrow = useQuery(NARROW).value;
+  const open = useSignal(false);
+  const panel = useId();
+  const box = useRef<HTMLDivElement>(null);
+  const identity = session.editor.identity.value;
+  const isOpen = open.value && identity !== null;
+  const close = useCallback((): void => {
+    open.value = false;
+    box.current?.querySelector<HTMLElement>('.strip-figures')?.focus();
+  }, [open]);
+  useEffect(() => {
+    if (!isOpen) return;
+    const onKey = (event: KeyboardEvent): void => {
+      if (event.key === 'Escape' && !event.defaultPrevented && !document.querySelector('dialog[open]')) close();
+    };
+    document.addEventListener('keydown', onKey);
+    return () => document.removeEventListener('keydown', onKey);
+  }, [isOpen, close]);
+  const actions = (
+    <div class="top-actions">
+      {status === 'off' && identity && <ConnectButtons session={session} />}
+      {status === 'on' && (
+        <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
+          {header.disconnect}
+        </button>
+      )}
+    </div>
+  );
+  const choice = identity && <MemoryChoice session={session} memories={memories} />;
+  return (
+    <div class="strip" ref={box}>
+      <div class="strip-line">
+        <p class="brand">
+          <img src="./favicon.svg" alt="" width="32" height="32" />
+          {!identity && <span>{name}</span>}
+        </p>
+        <LinkState link={session.link} />
+        {!isNarrow && choice}
+        {identity && (
+          <button
+            type="button"
+            class="strip-figures"
+            aria-expanded={isOpen}
+            aria-controls={panel}
+            onClick={() => (open.value = !open.value)}
+          >
+            {isNarrow && <MemoryNow session={session} />}
+            <Figures session={session} identity={identity} />
+          </button>
+        )}
+        {identity && <KnownLine session={session} follow={follow} />}
+        {(!isNarrow || !identity) && actions}
+      </div>
+      {isOpen && (
+        <section class="strip-panel" id={panel} aria-label={strip.panel}>
+          {isNarrow && choice}
+          <LargeFigures session={session} />
+          <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
+          {isNarrow && actions}
+          <button type="button" class="strip-close" onClick={close}>
+            {strip.close}
+          </button>
+        </section>
+      )}
+    </div>
+  );
+}
+
+/** The current memory, where there is no room to choose one. */
+function MemoryNow({ session }: { readonly session: Session }) {
+  const { memoryName, strip } = messages.value;
+  const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
+  if (memory === null) return null;
+  const flies = session.connection.value !== null && !session.nextFlight.open.value;
+  return (
+    <span class="strip-memory">
+      {flies ? (
+        <>
+          <span class="visually-hidden">{strip.nextMemory(memoryName(memory))}</span>
+          <span aria-hidden="true">{memoryName(memory)}</span> <PlaneIcon />
+        </>
+      ) : (
+        memoryName(memory)
+      )}
+    </span>
+  );
+}
+
+/** DT, and on a Q the motor stop, as they stand in the program on the screen. */
+function Figures({ session, identity }: { readonly session: Session; readonly identity: Identity }) {
+  return (
+    <>
+      {keyFields(identity).map((field) => (
+        <Figure key={fieldKey(field)} session={session} identity={identity} field={field} />
+      ))}
+    </>
+  );
+}
+
+interface FigureProps {
+  readonly session: Session;
+  readonly identity: Identity;
+  readonly field: ProgramField;
+}
+
+/** One figure. It is red when it is a short DT, and when it is not known what the timer holds. */
+function Figure({ session, identity, field }: FigureProps) {
+  const { editor } = session;
+  const key = fieldKey(field);
+  const text = useComputed(() => {
+    const value = editor.working.value && valueAt(editor.working.value, field);
+    return value === null ? '' : figureText(identity, field, value);
+  }).value;
+  const look = useComputed(() => {
+    const isDt = field.kind === 'time' && field.slot === identity.functions;
+    const isShort = isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
+    if (isShort || session.standing.value.sure === 'not') return 'bad';
+    return editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key) ? 'changed' : '';
+  }).value;
+  const [figure, unit] = text.split(' ');
+  return (
+    <span class={`strip-figure ${look}`}>
+      <small>{keyName(identity, field)}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
+    </span>
+  );
+}
+
+function LinkState({ link }: { readonly link: Link }) {
+  const { header, link: words } = messages.value;
+  const state = link.state.value;
+  if (state.status === 'on') {
+    const { identity } = state.connection;
+    return (
+      <p class="link-state on">
+        <strong>{timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
+        {link.simulated.value && <span class="badge">{header.simulated}</span>}
+      </p>
+    );
+  }
+  const busy = state.status === 'off' ? '' : 'busy';
+  const status = state.status === 'away' && !state.unplugged ? 'brokenOff' : state.status;
+  return <p class={`link-state ${busy}`}>{words.status[status]}</p>;
+}

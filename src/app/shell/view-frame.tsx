@@ -1,0 +1,38 @@
+import type { ComponentChildren } from 'preact';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useQuery } from '../ui/use-query.js';
+import { type Place, placeIn, putBack } from './place.js';
+import type { View, Views } from './views.js';
+
+interface ViewFrameProps {
+  readonly views: Views;
+  /** Bytes move: what is shown is about to change. */
+  readonly busy: boolean;
+  readonly children: ComponentChildren;
+}
+
+/** Around the view that is shown. Whoever comes back to a view finds it scrolled as it was, and the focus in it. */
+export function ViewFrame({ views, busy, children }: ViewFrameProps) {
+  const main = useRef<HTMLElement>(null);
+  const places = useRef(new Map<View, Place>());
+  const last = useRef<View | null>(null);
+  const byTouch = useQuery('(pointer: coarse)');
+  const shown = views.shown.value;
+  useLayoutEffect(
+    () =>
+      views.onLeave((view) => {
+        if (main.current) places.current.set(view, placeIn(main.current));
+      }),
+    [views],
+  );
+  useLayoutEffect(() => {
+    // At the start there is nothing to put back: the browser has the say.
+    if (last.current !== null && main.current) putBack(main.current, places.current.get(shown), byTouch.peek());
+    last.current = shown;
+  }, [shown, byTouch]);
+  return (
+    <main ref={main} class={`view ${shown}-view`} tabIndex={-1} aria-busy={busy}>
+      {children}
+    </main>
+  );
+}

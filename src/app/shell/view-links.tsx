@@ -1,0 +1,26 @@
+import { useRef } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+import { useHeight } from '../ui/use-height.js';
+import { NARROW, useQuery } from '../ui/use-query.js';
+import { ViewIcon } from './icons.js';
+import { VIEWS, type Views } from './views.js';
+import './view-links.css';
+
+/** From view to view: a rail at the left, on a phone a bar at the bottom. */
+export function ViewLinks({ views }: { readonly views: Views }) {
+  const { views: words } = messages.value;
+  const isNarrow = useQuery(NARROW).value;
+  const nav = useRef<HTMLElement>(null);
+  useHeight(nav, isNarrow ? '--tabs' : '--rail');
+  const shown = views.shown.value;
+  return (
+    <nav class="view-links" aria-label={words.title} ref={nav}>
+      {VIEWS.filter((view) => view !== 'line' || views.expert.value || shown === 'line').map((view) => (
+        <a key={view} href={`#${view}`} class={`to-${view}`} aria-current={view === shown ? 'page' : undefined}>
+          <ViewIcon view={view} />
+          {words.names[view]}
+        </a>
+      ))}
+    </nav>
+  );
+}

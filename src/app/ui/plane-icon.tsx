@@ -1,0 +1,8 @@
+/** A model in the air: it stands beside the memory that flies next. */
+export function PlaneIcon() {
+  return (
+    <svg class="plane" viewBox="0 0 24 24" width="15" height="15" fill="currentColor" aria-hidden="true">
+      <path d="M2 13l20-9-7 17-3-7-10-1z" />
+    </svg>
+  );
+}
