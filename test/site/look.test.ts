@@ -119,9 +119,10 @@ test('every tool can be used by everyone', async () => {
   await app.button('Connect').first().click();
   await app.hasRead();
   await open('As a table');
-  await open('Flight preview');
-  await open('What the servos move');
   await isWellMade(app, 'the picture and the preview');
+  await app.button('Name the servos…').click();
+  await isWellMade(app, 'the names of the servos');
+  await app.button('Cancel').click();
   await open('Shift in time');
   await app.button('Change presets').click();
   await isWellMade(app, 'the tools of the table');

@@ -215,7 +215,14 @@ export const states = {
     title: 'Flight preview',
     reach: async (page) => {
       await connect(page);
-      await open(page, 'Flight preview');
+      await page.locator('.preview').scrollIntoViewIfNeeded();
+    },
+  },
+  servos: {
+    title: 'What the servos move',
+    reach: async (page) => {
+      await connect(page);
+      await press(page, 'Name the servos…');
     },
   },
   bench: {

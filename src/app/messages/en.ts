@@ -9,6 +9,7 @@ import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
+import { preview } from './en-preview.js';
 import { backups, recovery } from './en-recovery.js';
 import { settings, theme } from './en-settings.js';
 import { library, palette, strip, views } from './en-views.js';
@@ -295,32 +296,7 @@ export const en = {
       `${next} comes before ${slot}. It is not known what the timer does in the shaded part. The dotted lines go back in the order of the functions.`,
     more: (count: number) => `And ${count} more.`,
   },
-  preview: {
-    title: 'Flight preview',
-    honest: 'A preview of the program, not of the timer: angles are not to scale.',
-    play: 'Play',
-    pause: 'Pause',
-    back: 'Previous event',
-    forward: 'Next event',
-    speed: 'Speed',
-    times: (speed: number) => `${speed}×`,
-    time: 'Time of the flight',
-    sound: 'Ticks',
-    launch: 'Launch',
-    at: (what: string, time: string) => `${what} at ${time}`,
-    sideView: 'Side view',
-    topView: 'Top view',
-    surfaces: { rudder: 'Rudder', tailplane: 'Tailplane', wing: 'Wing' },
-    assign: 'What the servos move',
-    movedBy: (surface: string) => `${surface} is moved by`,
-    nothing: 'nothing',
-    reversed: 'reversed',
-    isReversed: (surface: string) => `${surface} reversed`,
-    surfaceStands: (surface: string, servo: string, position: number | string) => `${surface}: ${servo} at ${position}`,
-    motorRuns: 'Motor runs',
-    motorStopped: 'Motor stopped',
-    surfaceStill: (surface: string) => `${surface}: not moved`,
-  },
+  preview,
   /** While a job goes on over a bad line. */
   disturbed: (repeats: number, seconds: number) =>
     `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds} s at the latest`,
