@@ -62,11 +62,28 @@ export const edits = {
   /** “DT time 3:00 → 6:00”. */
   change: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
   field: {
-    up: (field: string) => `Step up ${field}`,
-    down: (field: string) => `Step down ${field}`,
     putBack: (field: string) => `Put back ${field}`,
+    signs: { putBack: '↺' },
+  },
+  /** The keys for a finger. */
+  sheet: {
+    title: (field: string) => `Keys for ${field}`,
+    up: (amount: string) => `+${amount}`,
+    down: (amount: string) => `−${amount}`,
+    digits: { colon: ':', point: '.' },
+    erase: 'Delete the last digit',
+    putBack: 'Put back',
     selectRange: 'Select range',
-    signs: { up: '+', down: '−', putBack: '↺' },
+    /** What the focus goes to: in the row, or in the row above or below. */
+    goTo: (name: string) => `Go to ${name}`,
+    before: (name: string) => `‹ ${name}`,
+    after: (name: string) => `${name} ›`,
+    above: (name: string) => `↑ ${name}`,
+    below: (name: string) => `↓ ${name}`,
+    /** Another row. */
+    row: (slot: number, kind: 'start' | 'function' | 'dt') =>
+      kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : String(slot),
+    done: 'Done',
   },
   table: {
     interval: 'Interval',

@@ -9,6 +9,7 @@ import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/gri
 import { fieldLabel, messages, slotLabel } from '../messages/index.js';
 import { programKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import type { Hand } from './hand.js';
 import { IntervalField } from './interval-field.js';
 import { RowModel } from './row-model.js';
 import type { Selection } from './selection.js';
@@ -22,12 +23,14 @@ interface ProgramRowProps {
   readonly slot: number;
   readonly servos: readonly number[];
   readonly selection: Selection;
+  readonly hand: Hand;
   /** The field whose handle is meant in the timeline. */
   readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
 /** One slot of the program: its time, its interval and a position for each servo, and what is to be said about them. */
-export function ProgramRow({ session, bench, follow, identity, slot, servos, selection, marked }: ProgramRowProps) {
+export function ProgramRow(props: ProgramRowProps) {
+  const { session, bench, follow, identity, slot, servos, selection, hand, marked } = props;
   const { editor } = session;
   const { about, program, edits, servoName } = messages.value;
   const [positions, fields] = useMemo(() => {
@@ -67,14 +70,14 @@ export function ProgramRow({ session, bench, follow, identity, slot, servos, sel
           )}
         </th>
         <td {...timeCell} class={`time ${timeCell.class}`}>
-          <TimeCell session={session} selection={selection} identity={identity} slot={slot} />
+          <TimeCell {...{ session, selection, hand, identity, slot }} />
         </td>
         <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
-          {slot > 0 && <IntervalField {...{ editor, selection, slot }} label={edits.table.intervalOf(name)} />}
+          {slot > 0 && <IntervalField {...{ editor, selection, hand, slot }} label={edits.table.intervalOf(name)} />}
         </td>
         {positions.map((field, servo) => (
           <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
-            <ValueField {...{ session, selection, field }} label={fieldLabel(identity, field)} place="table" />
+            <ValueField {...{ session, selection, hand, field }} label={fieldLabel(identity, field)} place="table" />
           </td>
         ))}
       </tr>
@@ -97,12 +100,13 @@ export function ProgramRow({ session, bench, follow, identity, slot, servos, sel
 interface TimeCellProps {
   readonly session: Session;
   readonly selection: Selection;
+  readonly hand: Hand;
   readonly identity: Identity;
   readonly slot: number;
 }
 
 /** Slot 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
-function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
+function TimeCell({ session, selection, hand, identity, slot }: TimeCellProps) {
   const { editor } = session;
   const { program } = messages.value;
   const unlocked = useSignal(false);
@@ -119,7 +123,11 @@ function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
   const reserved = slot === 0 && !isMotorStop;
   return (
     <>
-      <ValueField {...{ session, selection, field, label }} place="table" readOnly={reserved && !unlocked.value} />
+      <ValueField
+        {...{ session, selection, hand, field, label }}
+        place="table"
+        readOnly={reserved && !unlocked.value}
+      />
       {isMotorStop && <span class="cell-name">{program.motorStop}</span>}
       {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
       {reserved && !unlocked.value && (
@@ -129,7 +137,11 @@ function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
           aria-label={program.editReserved}
           onClick={(event) => {
             unlocked.value = true;
-            event.currentTarget.closest('td')?.querySelector('input')?.focus();
+            const input = event.currentTarget.closest('td')?.querySelector('input');
+            if (!input) return;
+            // It gets the focus before it is drawn anew.
+            input.readOnly = false;
+            input.focus();
           }}
         >
           {program.reserved}

@@ -9,6 +9,7 @@ import { messages, obstacleText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
 import { ColumnMenu } from './column-menu.js';
+import { EditSheet, useHand } from './edit-sheet.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
 import { ProgramRow } from './program-row.js';
 import { RangeBar } from './range-bar.js';
@@ -31,6 +32,7 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
   const { editor } = session;
   const { program, edits, servoName } = messages.value;
   const selection = useMemo(() => new Selection(), []);
+  const hand = useHand();
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
   const table = useRef<HTMLTableElement>(null);
@@ -104,7 +106,7 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
         </thead>
         <tbody>
           {slots.map((slot) => (
-            <ProgramRow key={slot} {...{ session, bench, follow, identity, slot, servos, selection, marked }} />
+            <ProgramRow key={slot} {...{ session, bench, follow, identity, slot, servos, selection, hand, marked }} />
           ))}
         </tbody>
       </table>
@@ -125,6 +127,7 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
           </p>
         )}
       </div>
+      <EditSheet {...{ identity, hand }} standing={session.standing} />
       <PasteDialog
         session={session}
         pasting={pasting}
