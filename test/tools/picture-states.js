@@ -151,10 +151,10 @@ export const states = {
     },
   },
   shift: {
-    title: 'Shift in time',
+    title: 'The tools of a row',
     reach: async (page) => {
       await connect(page);
-      await open(page, 'Shift in time');
+      await press(page, 'Tools for Motor stop');
     },
   },
   paste: {

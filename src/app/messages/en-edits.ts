@@ -86,7 +86,10 @@ export const edits = {
     done: 'Done',
   },
   table: {
-    interval: 'Interval',
+    interval: 'After',
+    intervalHint: 'Time after the function before',
+    showIntervals: 'Show intervals',
+    showTimes: 'Show times',
     intervalOf: (slot: string) => `${slot} interval`,
     selected: (count: number) => `${cells(count)} selected`,
     range: {
@@ -101,20 +104,22 @@ export const edits = {
       clipboardEmpty: 'There is no text to paste.',
       clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
     },
-    keys: 'Arrows and Enter go from cell to cell. Alt with up, down or the wheel steps a value. Shift with an arrow selects. Ctrl+D fills down.',
+    keys: 'Arrows and Enter go from cell to cell; left of the times are the tools of a row. Alt with up, down or the wheel steps a value. Shift with an arrow selects. Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,
     reverse: 'Reverse',
     revertColumn: 'Put column back',
+    rowTools: (row: string) => `Tools for ${row}`,
     revertRow: (slot: string) => `Put back ${slot} with its positions`,
   },
   shift: {
-    title: 'Shift in time',
-    from: 'This and all later ones, from',
+    /** What is shifted: a row and what comes after it; DT is the last. */
+    from: (row: string, isLast: boolean) => (isLast ? row : `${row} and all after`),
     by: 'By, in seconds',
     earlier: 'Earlier',
     later: 'Later',
     moveDt: 'Move DT too',
+    moved: (time: string, later: boolean) => `Moved ${time} s ${later ? 'later' : 'earlier'}`,
   },
   pasting: {
     title: 'Paste',

@@ -68,6 +68,9 @@ export const en = {
   memoryName: (memory: number) => `M${memory + 1}`,
   servoName: (servo: number) => `S${servo + 1}`,
   slotName,
+  /** Where there is little room: the number alone. */
+  slotShort: (slot: number, kind: 'start' | 'function' | 'dt') =>
+    kind === 'function' ? String(slot) : slotName(slot, kind),
   /** What stands before a sentence about it. */
   about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
@@ -112,7 +115,12 @@ export const en = {
     memoryOpen: 'It is not known which memory flies next. Make one fly next, or read again.',
     dt: 'DT',
     motorStop: 'Motor stop',
+    /** Where there is little room. */
+    motor: 'Motor',
+    /** The time of the start, from which all others count. */
+    origin: '0',
     idleThrottle: 'Idle throttle',
+    throttle: 'Idle',
     idleThrottleUnit: 'unit unknown',
     reserved: 'reserved',
     editReserved: 'Edit the reserved time',

@@ -27,6 +27,8 @@ export class FieldModel implements EditedValue {
   readonly isChanged: ReadonlySignal<boolean>;
   /** The value that the timer held, where it was another and is known. */
   readonly was: ReadonlySignal<string | null>;
+  /** The same without a unit. */
+  readonly old: ReadonlySignal<string>;
   readonly isUnreadable: ReadonlySignal<boolean>;
   readonly canPutBack: ReadonlySignal<boolean>;
   readonly either: ReadonlySignal<Question['either'] | null>;
@@ -63,6 +65,7 @@ export class FieldModel implements EditedValue {
     this.was = computed(() =>
       identity.value && typeof from.value === 'number' ? wasText(identity.value, field, from.value, isLarge) : null,
     );
+    this.old = computed(() => (typeof from.value === 'number' ? formatValue(field, from.value) : ''));
     this.isUnreadable = computed(() => editor.unreadable.value.has(key));
     this.canPutBack = computed(() => this.isChanged.value || this.isUnreadable.value);
     this.either = computed(() => editor.asked.value.get(key) ?? null);

@@ -2,7 +2,6 @@ import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { EditSheet, useHand } from './edit-sheet.js';
-import { IdleThrottle } from './idle-throttle.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
 
@@ -40,7 +39,6 @@ export function LargeFigures({ session }: { readonly session: Session }) {
           />
         </div>
       )}
-      <IdleThrottle session={session} />
       <EditSheet {...{ identity, hand }} standing={session.standing} />
     </div>
   );

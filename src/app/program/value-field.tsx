@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useMemo, useRef } from 'preact/hooks';
+import { useCallback, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
@@ -10,7 +10,7 @@ import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
-import { WasText } from './was-text.js';
+import { OldValue, WasText } from './was-text.js';
 import './value-field.css';
 
 interface ValueFieldProps {
@@ -23,8 +23,6 @@ interface ValueFieldProps {
   /** Of the table; absent elsewhere. */
   readonly selection?: Selection;
   readonly readOnly?: boolean;
-  /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
-  readonly notesShown?: boolean;
 }
 
 /** More letters than there is room for beside a unit on a phone: such a time has a colon. */
@@ -32,7 +30,7 @@ const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
 export function ValueField(props: ValueFieldProps) {
-  const { session, field, label, place, hand, selection, readOnly = false, notesShown = false } = props;
+  const { session, field, label, place, hand, selection, readOnly = false } = props;
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
@@ -56,6 +54,8 @@ export function ValueField(props: ValueFieldProps) {
     was !== null && id('was'),
     notes && id('notes'),
   ].filter(Boolean);
+  // The same from key to key: what is given it is not drawn again.
+  const putBack = useCallback(() => model.putBack(), [model]);
   const step: OnStep = (direction, options) => {
     if (!readOnly) model.step(direction, options);
   };
@@ -100,7 +100,7 @@ export function ValueField(props: ValueFieldProps) {
         }}
       />
       {unit && (
-        <span class="unit" id={id('unit')}>
+        <span class={`unit ${unit}`} id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}
@@ -118,7 +118,7 @@ export function ValueField(props: ValueFieldProps) {
           }}
         />
       )}
-      {(spoken || was !== null) && (
+      {isLarge && (spoken || was !== null) && (
         <span class="below">
           {spoken && (
             <span class="spoken" id={id('spoken')}>
@@ -132,12 +132,24 @@ export function ValueField(props: ValueFieldProps) {
           )}
         </span>
       )}
+      {!isLarge && was !== null && (
+        <OldValue
+          id={id('was')}
+          standing={session.standing}
+          value={was}
+          figure={model.old.value}
+          // Else a click into the field would be taken for it.
+          label={focused.value ? messages.value.edits.field.putBack(label) : null}
+          onPutBack={putBack}
+        />
+      )}
+      {/* They are seen in the table, under the row. */}
       {notes && (
-        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={id('notes')}>
+        <span class="visually-hidden" id={id('notes')}>
           {notes}
         </span>
       )}
-      {focused.value && !readOnly && !isHeld && <FieldTools label={label} value={model} />}
+      {isLarge && focused.value && !readOnly && !isHeld && <FieldTools label={label} value={model} />}
     </span>
   );
 }
