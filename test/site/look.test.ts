@@ -81,7 +81,7 @@ test('what the link says can be used by everyone', async () => {
   await isWellMade(app, 'known adapters and settings');
   await app.bench((bench) => bench.sleep());
   await app.button('Connect').click();
-  await app.says('No answer yet.');
+  await app.text(/^No answer for /).waitFor();
   await isWellMade(app, 'waiting');
   await app.bench((bench) => bench.press());
   await app.hasRead();

@@ -300,7 +300,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.locator('.notices').getByText('No answer yet.').waitFor();
+      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
     },
   },
   'waiting-help': {
@@ -309,7 +309,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.locator('.notices').getByText('No answer yet.').waitFor();
+      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
       await page.getByText('What to do').click();
     },
   },

@@ -12,6 +12,7 @@ import { connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
 import { backups, recovery } from './en-recovery.js';
 import { settings, theme } from './en-settings.js';
+import { newProgram, start } from './en-start.js';
 import { library, palette, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
@@ -97,14 +98,8 @@ export const en = {
     disconnect: 'Disconnect',
     stop: 'Stop',
   },
-  start: {
-    title: 'Set a Sidus timer',
-    lead: 'Read what the timer holds, change it, write it, and see it verified. Everything stays on this device.',
-    connectHint: 'Plug in the adapter, wake the timer with a short press of its switch, and hold it closer than 20 cm.',
-    simulatedTitle: 'No timer at hand?',
-    simulatedLead: 'Try a simulated timer. It answers as a timer does, at the speed of a real line.',
-    simulated: (name: string) => `Try a simulated ${name} timer`,
-  },
+  start,
+  newProgram,
   program: {
     title: 'Program',
     tableCaption: 'Time and servo positions of each function',

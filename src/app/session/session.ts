@@ -173,7 +173,7 @@ export class Session {
    * chosen.
    */
   async chooseAnother(): Promise<void> {
-    if (this.runner.busy.value) return;
+    if (!['searching', 'waiting'].includes(this.link.state.value.status)) return;
     await this.link.choose();
     await this.#reader.settled();
   }

@@ -11,12 +11,14 @@ function described(name: string): string {
 }
 
 describe('the start', () => {
-  it('offers Connect and the simulated timers, and neither line nor settings', async () => {
+  it('offers Connect, a new program and the simulated timers, and neither line nor settings', async () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
-      'Try a simulated F1Q timer',
-      'Try a simulated F1B timer',
+      'New program…',
+      'F1Q',
+      'F1B',
+      'F1E',
     ]);
     expect(screen.queryByRole('navigation')).toBeNull();
   });
@@ -42,11 +44,11 @@ describe('the start', () => {
     const { timer } = await opened({ plug: { granted: true } });
     timer.core.sleep();
     await press('Connect');
-    expect(screen.getByText('No answer yet.')).toBeTruthy();
+    expect(screen.getByText(/^No answer for \d+ s\./)).toBeTruthy();
     expect(screen.queryByText('The timer did not answer.')).toBeNull();
     timer.core.press();
     await idle();
-    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
     expect(field('DT time').value).toBe('3:00');
   });
 
@@ -55,7 +57,7 @@ describe('the start', () => {
     timer.core.sleep();
     await press('Connect');
     await press('Stop');
-    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
     expect(port.device.opened).toBeNull();
     timer.core.press();
     await press('Choose a port');

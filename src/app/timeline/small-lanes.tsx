@@ -1,0 +1,54 @@
+import type { TimerProgram } from '../../program/index.js';
+import { RUN_OUT, stretchedScale } from './scale.js';
+import './small-lanes.css';
+
+/** The picture is stretched to the room that it gets; these are its own measures. */
+const WIDTH = 520;
+const LANE = 100;
+/** Between the line of a servo and the edge of its lane. */
+const EDGE = 14;
+const MAX_POSITION = 130;
+/** The least distance of two functions, and the room after DT, as shares of the width. */
+const SPACING = { minGap: 0.05, runOut: 0.06 };
+
+/**
+ * A program to be recognised by: a lane for each servo, how long the motor runs, DT. It says nothing to who does not
+ * see it: its figures stand beside it.
+ */
+export function SmallLanes({ program }: { readonly program: TimerProgram }) {
+  const { identity, times, positions } = program;
+  const dt = times[identity.functions] ?? 0;
+  const scale = stretchedScale(times.slice(1), SPACING);
+  const x = (time: number): number => round(scale.place(time) * WIDTH);
+  const end = x(dt + RUN_OUT);
+  const motor = identity.timerClass === 'Q' ? (times[0] ?? 0) : 0;
+  const height = LANE * positions.length;
+  return (
+    <div class="small-lanes">
+      <svg viewBox={`0 0 ${WIDTH} ${height}`} preserveAspectRatio="none" aria-hidden="true">
+        {positions.map((row, servo) => {
+          const y = (position: number): number =>
+            round(LANE * (servo + 1) - EDGE - ((LANE - 2 * EDGE) * Math.min(MAX_POSITION, position)) / MAX_POSITION);
+          // A function that comes before the one above it is drawn where that ends.
+          let last = 0;
+          const path = row.map((position, slot) => {
+            last = slot === 0 ? 0 : Math.max(last, x(times[slot] ?? 0));
+            return `${slot === 0 ? 'M' : 'H'}${last}${slot === 0 ? ' ' : 'V'}${y(position)}`;
+          });
+          return (
+            <g key={servo}>
+              {servo > 0 && <path class="small-lane" d={`M0 ${servo * LANE}H${WIDTH}`} />}
+              <path class={`small-line servo-${(servo % 6) + 1}`} d={`${path.join('')}H${Math.max(end, last)}`} />
+            </g>
+          );
+        })}
+        {motor > 0 && <path class="small-motor" d={`M0 ${height - 3}H${x(motor)}`} />}
+        <path class="small-dt" d={`M${x(dt)} 0V${height}`} />
+      </svg>
+    </div>
+  );
+}
+
+function round(place: number): number {
+  return Math.round(place * 10) / 10;
+}
