@@ -1,17 +1,16 @@
 import { useEffect } from 'preact/hooks';
 import { BenchPanel } from './bench/bench-panel.js';
 import { commandsOf } from './commands.js';
-import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { LibraryView } from './library/library-view.js';
 import { LinePanel } from './line/line-panel.js';
 import { LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
+import { MemoriesPage } from './memories/memories-page.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import { EraseDialog } from './settings/erase-dialog.js';
 import { Header } from './shell/header.js';
-import { MemoriesView } from './shell/memories-view.js';
 import { Palette } from './shell/palette.js';
 import { ProgramView } from './shell/program-view.js';
 import { SettingsView } from './shell/settings-view.js';
@@ -25,7 +24,7 @@ import './app.css';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, keeping, aside, update, portHolder, line, installation } = models;
+  const { preferences, keeping, aside, update, portHolder, line } = models;
   const { name, views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -38,9 +37,11 @@ export function App({ models }: { readonly models: AppModels }) {
       hasProgram ? (
         <ProgramView {...{ session, write, memories, bench, follow, preferences }} />
       ) : (
-        <StartScreen {...{ session, installation, platform }} />
+        <StartScreen session={session} platform={platform} />
       ),
-    memories: () => <MemoriesView {...{ session, memories, follow }} />,
+    memories: () => (
+      <MemoriesPage {...{ session, memories }} following={follow.on.value} onProgram={() => views.show('program')} />
+    ),
     bench: () => (
       <>
         <h1>{words.names.bench}</h1>
@@ -53,10 +54,7 @@ export function App({ models }: { readonly models: AppModels }) {
   };
   return (
     <>
-      <Header
-        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }}
-        staged={isStart && hasStage(session)}
-      />
+      <Header {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }} />
       {!isStart && <ViewLinks views={views} />}
       <ViewFrame views={views} busy={session.runner.busy.value}>
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />

@@ -43,7 +43,7 @@ function programCommands({ session, write, preferences, bench }: AppModels): Com
 }
 
 function timerCommands({ session, memories, leaving }: AppModels): Command[] {
-  const { palette, header, program, look, memories: words, memoryName } = messages.value;
+  const { palette, header, program, look, memories: words, overview, memoryName } = messages.value;
   const { editor, runner, link, connection, engaged, nextFlight } = session;
   const baseline = editor.baseline.value;
   const current = baseline?.memory ?? null;
@@ -63,7 +63,7 @@ function timerCommands({ session, memories, leaving }: AppModels): Command[] {
   );
   return [
     { name: program.read, run: () => void session.read() },
-    ...(current === null ? [] : [{ name: words.backUp, run: () => void memories.jobs.open({ kind: 'back-up' }) }]),
+    ...(current === null ? [] : [{ name: overview.readAll, run: () => void memories.jobs.open({ kind: 'back-up' }) }]),
     ...others.flatMap((memory) => [
       { name: look.look(memoryName(memory)), run: () => void memories.look(memory) },
       { name: look.fly(memoryName(memory)), run: () => void memories.fly(memory) },

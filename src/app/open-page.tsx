@@ -37,8 +37,7 @@ export function openPage(root: HTMLElement): AppModels | null {
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
   });
-  const { session, views, follow, update, keeping, theme, installation } = models;
-  installation.follow(window);
+  const { session, views, follow, update, keeping, theme } = models;
   tried(() => theme.follow(document, doors.dark));
   tried(() => views.follow(window));
   render(<App models={models} />, root);
@@ -69,8 +68,7 @@ export function openPage(root: HTMLElement): AppModels | null {
   onWake(() => session.link.recheck());
   const onMissing = (): void => keeping.lack('offline');
   try {
-    const { isKept: onKept } = installation;
-    registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onKept, onMissing });
+    registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onMissing });
   } catch {
     onMissing();
   }

@@ -7,14 +7,9 @@ let page: AppBench;
 
 /** The whole screen, as the page starts. */
 export async function opened(options: BenchOptions = {}): Promise<AppBench> {
-  return drawn(await appBench(options));
-}
-
-/** The whole screen of a page. */
-export async function drawn(bench: AppBench): Promise<AppBench> {
+  const bench = await appBench(options);
   render(<App models={bench.models} />);
   page = bench;
-  await idle(0);
   return bench;
 }
 
@@ -33,7 +28,9 @@ export async function goTo(view: View): Promise<void> {
 }
 
 export async function press(name: string | RegExp): Promise<void> {
-  if (/^(Copy M\d to|Back up all)/.test(String(name))) await goTo('memories');
+  if (/^(Copy M\d to|Read and keep all)/.test(String(name))) await goTo('memories');
+  const [, from] = /^Copy (M\d) to/.exec(String(name)) ?? [];
+  if (from) act(() => void fireEvent.click(button(`Copy to…: ${from}`)));
   fireEvent.click(button(name));
   await idle();
 }

@@ -86,12 +86,14 @@ test('all memories are backed up, one is copied to another, and the backup is re
   const before = await memories();
   const job = (name: string) => app.page.getByRole('dialog', { name });
 
-  await app.button('Back up all…').click();
-  await job('Back up all memories').getByRole('button', { name: 'Back up' }).click();
-  await job('Back up all memories').getByText('4 memories were read and kept.').waitFor();
+  await app.goTo('Memories');
+  await app.button('Read and keep all…').click();
+  await job('Read and keep all memories').getByRole('button', { name: 'Read and keep' }).click();
+  await job('Read and keep all memories').getByText('4 memories were read and kept.').waitFor();
   await app.button('Close').click();
   expect(await memories(), 'nothing is changed').toEqual(before);
 
+  await app.button('Copy to…: M1').click();
   await app.button('Copy M1 to M3…').click();
   const copy = job('Copy a memory');
   expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'not before the tick').toBe(true);

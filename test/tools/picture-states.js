@@ -151,10 +151,10 @@ export const states = {
     },
   },
   shift: {
-    title: 'The tools of a row',
+    title: 'Shift in time',
     reach: async (page) => {
       await connect(page);
-      await press(page, 'Tools for Motor stop');
+      await open(page, 'Shift in time');
     },
   },
   paste: {
@@ -215,14 +215,7 @@ export const states = {
     title: 'Flight preview',
     reach: async (page) => {
       await connect(page);
-      await page.locator('.preview').scrollIntoViewIfNeeded();
-    },
-  },
-  servos: {
-    title: 'What the servos move',
-    reach: async (page) => {
-      await connect(page);
-      await press(page, 'Name the servos…');
+      await open(page, 'Flight preview');
     },
   },
   bench: {
@@ -249,12 +242,12 @@ export const states = {
     },
   },
   memories: {
-    title: 'Memories side by side',
+    title: 'All memories',
     reach: async (page) => {
       await connect(page);
-      await open(page, 'Memories side by side');
-      await press(page, 'Read all…');
-      await page.getByRole('dialog').getByRole('button', { name: 'Back up' }).click();
+      await page.getByRole('link', { name: 'Memories' }).click();
+      await press(page, 'Read and keep all…');
+      await page.getByRole('dialog').getByRole('button', { name: 'Read and keep' }).click();
       await page.getByText('were read and kept').waitFor();
       await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
       await settled(page);
@@ -300,7 +293,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
+      await page.locator('.notices').getByText('No answer yet.').waitFor();
     },
   },
   'waiting-help': {
@@ -309,7 +302,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
+      await page.locator('.notices').getByText('No answer yet.').waitFor();
       await page.getByText('What to do').click();
     },
   },

@@ -5,6 +5,12 @@ import type { Session } from '../session/session.js';
 import { MemoryJobs } from './memory-jobs.js';
 import { MemoryRoundTrip } from './memory-round-trip.js';
 
+/** Two memories side by side, counted from 0. */
+export interface Compared {
+  readonly first: number;
+  readonly second: number;
+}
+
 /**
  * The memories of the timer at hand: which one is looked at, and which one flies next. Only when the pilot asks for it.
  */
@@ -17,17 +23,22 @@ export class Memories {
     const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
     return this.#picked.value === current ? null : this.#picked.value;
   });
+  /** Two memories that are compared, by what was last read of them; null: none. */
+  readonly compared: ReadonlySignal<Compared | null>;
   readonly #picked = signal<number | null>(null, { name: 'picked' });
+  readonly #compared = signal<Compared | null>(null, { name: 'compared' });
   readonly #session: Session;
   readonly #roundTrip: MemoryRoundTrip;
 
   constructor(session: Session) {
     this.#session = session;
     this.#roundTrip = new MemoryRoundTrip(session);
+    this.compared = this.#compared;
     this.jobs = new MemoryJobs(session, this.#roundTrip);
     session.connection.subscribe(() => {
       // The next timer may be another one.
       this.#picked.value = null;
+      this.#compared.value = null;
     });
   }
 
@@ -36,9 +47,19 @@ export class Memories {
     this.#picked.value = memory;
   }
 
-  /** Reads a memory and makes the one current again that was. */
+  /** Puts two memories side by side; null: no longer. */
+  compare(compared: Compared | null): void {
+    this.#compared.value = compared;
+  }
+
+  /** Reads a memory, makes the one current again that was, and shows what was read. */
   async look(memory: number): Promise<void> {
     this.#picked.value = memory;
+    await this.readOnce(memory);
+  }
+
+  /** Reads a memory and makes the one current again that was. */
+  async readOnce(memory: number): Promise<void> {
     const work = async (connection: TimerConnection, options: JobOptions): Promise<void> => {
       await this.#roundTrip.read(connection, { ...options, memories: [memory] });
     };

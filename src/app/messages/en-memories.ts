@@ -46,15 +46,13 @@ export const look = {
 
 /** Jobs over several memories, and what was kept of them. */
 export const memories = {
-  title: 'All memories',
-  backUp: 'Back up all…',
   copyTo: (from: string) => `Copy ${from} to`,
   copy: (from: string, to: string) => `Copy ${from} to ${to}…`,
-  edited: 'Edits that have not been written are not copied.',
+  edited: 'Changes that have not been written are not copied.',
   restoreAll: 'Restore all…',
   plans: {
     'back-up': {
-      title: 'Back up all memories',
+      title: 'Read and keep all memories',
       lead: 'Each memory is selected in turn and read. At the end the memory that flies next now will fly next again.',
     },
     copy: {
@@ -68,7 +66,7 @@ export const memories = {
         `This writes into ${names} what was backed up on ${time}. What is there now is backed up first. At the end the memory that flies next now will fly next again.`,
     },
   },
-  start: { 'back-up': 'Back up', copy: 'Copy', restore: 'Restore' },
+  start: { 'back-up': 'Read and keep', copy: 'Copy', restore: 'Restore' },
   stage: (stage: string, memory: string) => `${stage} ${memory}`,
   saved: (count: number) => `${plural(count, 'memory was', 'memories were')} read and kept.`,
   /** “M3: DT 3:00 min → 4:00 min · Motor stop 10.0 s, stays”. */
@@ -96,17 +94,25 @@ export const memories = {
 
 /** All memories of a timer at a glance. */
 export const overview = {
-  title: 'Memories side by side',
-  empty: 'Read all memories to see them here side by side.',
-  readAll: 'Read all…',
-  dt: (time: string) => `DT ${time}`,
+  title: 'Memories',
+  readAll: 'Read and keep all…',
+  open: 'Open',
+  fly: 'Make it fly next',
+  copyTo: 'Copy to…',
+  notCopy: 'Do not copy',
+  compareWith: (memory: string) => `Compare with ${memory}`,
+  /** A button of a card, for who does not see the card. */
+  of: (button: string, memory: string) => `${button}: ${memory}`,
+  figure: (label: string, value: string) => `${label} ${value}`,
   readAt: (time: string) => `read ${time}`,
+  notRead: 'Not read yet.',
   or: ' or ',
   notCertain: 'Not certain: a write into it was cut off. Shown as it was before that write.',
-  edited: 'as the timer holds it, without your edits',
+  edited: 'Shown as the timer holds it, without your changes.',
+  all: 'All memories',
+  compared: (first: string, second: string) => `${first} and ${second} compared`,
   from: 'Memory',
   to: 'compared with',
-  compared: 'Comparison',
   picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
   same: 'They hold the same.',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')}.`,

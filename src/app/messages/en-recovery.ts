@@ -36,8 +36,8 @@ export const backups = {
   reasons: { write: 'before a write', memories: 'all memories' },
   entry: (timer: string, memory: string) => `${timer}, ${memory}`,
   set: (timer: string, count: number) => `${timer}, ${plural(count, 'memory', 'memories')}`,
-  show: 'Show as edits',
-  showOf: (memory: string) => `Show ${memory} as edits`,
+  show: 'Load into the table',
+  showOf: (memory: string) => `Load ${memory} into the table`,
   remove: 'Delete',
   origin: (time: string, reason: string, simulated: boolean) =>
     simulated ? `${time} · ${reason} · simulated` : `${time} · ${reason}`,

@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { EditSheet, useHand } from './edit-sheet.js';
+import { IdleThrottle } from './idle-throttle.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
 
@@ -10,7 +10,6 @@ export function LargeFigures({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor } = session;
   const identity = editor.identity.value;
-  const hand = useHand();
   const isShort = useComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short')).value;
   if (!identity) return null;
   return (
@@ -24,22 +23,15 @@ export function LargeFigures({ session }: { readonly session: Session }) {
           field={{ kind: 'time', slot: identity.functions }}
           label={program.dt}
           place="large"
-          hand={hand}
         />
       </div>
       {identity.timerClass === 'Q' && (
         <div class="figure">
           <span class="figure-name">{program.motorStop}</span>
-          <ValueField
-            session={session}
-            field={{ kind: 'time', slot: 0 }}
-            label={program.motorStop}
-            place="large"
-            hand={hand}
-          />
+          <ValueField session={session} field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
         </div>
       )}
-      <EditSheet {...{ identity, hand }} standing={session.standing} />
+      <IdleThrottle session={session} />
     </div>
   );
 }

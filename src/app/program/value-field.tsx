@@ -1,16 +1,16 @@
 import { useSignal } from '@preact/signals';
-import { useCallback, useMemo, useRef } from 'preact/hooks';
+import { useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
+import { stepValue } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { FieldModel, type FieldPlace } from './field-model.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
-import type { Hand } from './hand.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
-import { OldValue, WasText } from './was-text.js';
+import { WasText } from './was-text.js';
 import './value-field.css';
 
 interface ValueFieldProps {
@@ -19,10 +19,11 @@ interface ValueFieldProps {
   readonly label: string;
   /** It keeps the ids of fields for one value apart. In the table the arrows alone go to other cells. */
   readonly place: FieldPlace;
-  readonly hand: Hand;
   /** Of the table; absent elsewhere. */
   readonly selection?: Selection;
   readonly readOnly?: boolean;
+  /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
+  readonly notesShown?: boolean;
 }
 
 /** More letters than there is room for beside a unit on a phone: such a time has a colon. */
@@ -30,7 +31,7 @@ const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
 export function ValueField(props: ValueFieldProps) {
-  const { session, field, label, place, hand, selection, readOnly = false } = props;
+  const { session, field, label, place, selection, readOnly = false, notesShown = false } = props;
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
@@ -45,8 +46,6 @@ export function ValueField(props: ValueFieldProps) {
   const { value: notes } = model.notes;
   const isChanged = model.isChanged.value;
   const isWrong = model.isWrong.value;
-  // The sheet says and does what else stands at the field.
-  const isHeld = focused.value && hand.isTouch.value;
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
@@ -54,10 +53,10 @@ export function ValueField(props: ValueFieldProps) {
     was !== null && id('was'),
     notes && id('notes'),
   ].filter(Boolean);
-  // The same from key to key: what is given it is not drawn again.
-  const putBack = useCallback(() => model.putBack(), [model]);
+  const revert = (): void => editor.revert(field);
   const step: OnStep = (direction, options) => {
-    if (!readOnly) model.step(direction, options);
+    const working = editor.working.value;
+    if (working && !readOnly) editor.apply(stepValue(working, field, direction, options));
   };
   useWheel(input, step);
   useSwipe(input, step);
@@ -67,7 +66,7 @@ export function ValueField(props: ValueFieldProps) {
         ref={input}
         type="text"
         data-field={key}
-        inputMode={hand.isTouch.value ? 'none' : field.kind === 'time' ? 'decimal' : 'numeric'}
+        inputMode={field.kind === 'time' ? 'decimal' : 'numeric'}
         autocomplete="off"
         spellcheck={false}
         aria-label={label}
@@ -76,15 +75,13 @@ export function ValueField(props: ValueFieldProps) {
         readOnly={readOnly}
         class={text.length > LONG ? 'long' : ''}
         value={text}
-        onFocus={({ currentTarget }) => {
+        onFocus={(event) => {
           focused.value = true;
-          currentTarget.select();
-          if (!currentTarget.readOnly) hand.hold({ input: currentTarget, label, value: model, selection });
+          event.currentTarget.select();
         }}
         onInput={(event) => editor.type(field, event.currentTarget.value)}
-        onBlur={({ currentTarget }) => {
+        onBlur={() => {
           focused.value = false;
-          hand.release(currentTarget);
           editor.leave(field);
         }}
         onKeyDown={(event) => {
@@ -94,22 +91,23 @@ export function ValueField(props: ValueFieldProps) {
             else editor.escape(field);
           }
           if (event.key !== 'Enter' && (event.key !== 'Tab' || event.shiftKey || either)) return;
+          editor.leave(field);
           // It asks first what was meant; the answers are the next thing that Tab comes to.
-          if (!model.finish()) event.preventDefault();
+          if (editor.asked.value.has(key)) event.preventDefault();
           if (isLarge && event.key === 'Enter') event.currentTarget.select();
         }}
       />
       {unit && (
-        <span class={`unit ${unit}`} id={id('unit')}>
+        <span class="unit" id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}
-      {either && !isHeld && (
+      {either && (
         <TimeQuestion
           label={label}
           either={either}
           onAnswer={(value, byKey) => {
-            model.answer(value);
+            editor.answer(field, value);
             if (byKey) input.current?.focus();
           }}
           onEscape={() => {
@@ -118,7 +116,7 @@ export function ValueField(props: ValueFieldProps) {
           }}
         />
       )}
-      {isLarge && (spoken || was !== null) && (
+      {(spoken || was !== null) && (
         <span class="below">
           {spoken && (
             <span class="spoken" id={id('spoken')}>
@@ -132,24 +130,18 @@ export function ValueField(props: ValueFieldProps) {
           )}
         </span>
       )}
-      {!isLarge && was !== null && (
-        <OldValue
-          id={id('was')}
-          standing={session.standing}
-          value={was}
-          figure={model.old.value}
-          // Else a click into the field would be taken for it.
-          label={focused.value ? messages.value.edits.field.putBack(label) : null}
-          onPutBack={putBack}
-        />
-      )}
-      {/* They are seen in the table, under the row. */}
       {notes && (
-        <span class="visually-hidden" id={id('notes')}>
+        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={id('notes')}>
           {notes}
         </span>
       )}
-      {isLarge && focused.value && !readOnly && !isHeld && <FieldTools label={label} value={model} />}
+      {focused.value && !readOnly && (
+        <FieldTools
+          {...{ label, selection }}
+          onStep={step}
+          onRevert={isChanged || model.isUnreadable.value ? revert : undefined}
+        />
+      )}
     </span>
   );
 }

@@ -30,24 +30,18 @@ interface HeaderProps {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly platform: Platform;
-  /** The way to a timer is told large, in the place of the program. */
-  readonly staged: boolean;
 }
 
 /** What stays in sight in every view: the status, what is not certain, what goes on, and what there is to say. */
-export function Header({ session, memories, leaving, follow, preferences, staged, ...notices }: HeaderProps) {
+export function Header({ session, memories, leaving, follow, preferences, ...notices }: HeaderProps) {
   const top = useRef<HTMLElement>(null);
   useHeight(top, '--top');
   return (
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences }} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
-      {!staged && (
-        <>
-          <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />
-          <JobProgress runner={session.runner} />
-        </>
-      )}
+      <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />
+      <JobProgress runner={session.runner} />
       <NoticeBar session={session} {...notices} />
     </header>
   );

@@ -70,7 +70,7 @@ export class MemoryStore implements Storage {
 /** The locks of a browser with one tab. */
 const ALONE: Locks = { request: async (_, __, work) => work({}) };
 
-export interface BenchOptions extends TimerOptions, Partial<Pick<ModelOptions, 'erasers' | 'reload' | 'platform'>> {
+export interface BenchOptions extends TimerOptions, Pick<ModelOptions, 'erasers' | 'reload'> {
   /** Default: a new one. The same one again stands for a reload. */
   readonly store?: MemoryStore;
   /** Whether this browser has Web Serial. Default true. */
@@ -92,7 +92,6 @@ export async function appBench({
   started = true,
   erasers,
   reload,
-  platform = platformOf({ userAgent: '' }),
   ...timer
 }: BenchOptions = {}) {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
@@ -107,7 +106,7 @@ export async function appBench({
     tab: tab ?? new TabNumber(ALONE, { load: () => null, save: () => {} }),
     plugSimulated: (timerClass) => new Adapter(new MockSerial(), { identity: { timerClass } }).port,
     plugRecording,
-    platform,
+    platform: platformOf({ userAgent: '' }),
     channel: channel ?? null,
     erasers,
     reload,

@@ -40,7 +40,7 @@ describe('what is known to differ can be forgotten', () => {
 
   it('while the adapter is not plugged in', async () => {
     const bench = await opened({ store: kept() });
-    await about();
+    about();
     await press(/^Forget what is known to differ: F1Q/);
     expect(quirksKept(bench)).toEqual({});
   });
@@ -49,7 +49,7 @@ describe('what is known to differ can be forgotten', () => {
     const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
-    await about();
+    about();
     await press(/^Forget what is known to differ: F1Q/);
     expect(quirksKept(bench)).toEqual({});
     bench.timer.core.press();
@@ -67,7 +67,7 @@ describe('what is known to differ can be forgotten', () => {
     expect(screen.queryByRole('table', { name: /^Time and servo/ })).toBeNull();
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
     mute = false;
-    await about();
+    about();
     await press('Forget what is known to differ');
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
     expect(bench.editor.baseline.value?.times).toEqual(core.content.times);
@@ -77,7 +77,7 @@ describe('what is known to differ can be forgotten', () => {
   it('of another kind of timer while one is connected, which is not read again', async () => {
     const bench = await connected({ store: kept({ 'timer/B/411/8/2': { servoFirst: true } }), info: FTDI });
     bench.timer.core.answered.length = 0;
-    await about();
+    about();
     await press('Forget what is known to differ: F1B, firmware 411 at FTDI adapter');
     expect(quirksKept(bench)).toEqual({ [KIND]: {} });
     expect(bench.timer.core.answered).toEqual([]);
@@ -85,7 +85,6 @@ describe('what is known to differ can be forgotten', () => {
 
   it('and is not there before an adapter is known', async () => {
     await opened({ info: FTDI });
-    await goTo('settings');
     expect(screen.queryByText('About this timer')).toBeNull();
   });
 });
@@ -115,6 +114,7 @@ describe('what is no timer', () => {
     const bench = await opened({ info: FTDI, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
+    expect(screen.queryByRole('button', { name: 'Choose another port' })).toBeNull();
     bench.port.device.write(new TextEncoder().encode('$GPGGA,0927,N\r\n$GPRMC,0928,A\r\n'));
     await idle(3000);
     expect(screen.getByText('Something else talks on this port.')).toBeTruthy();

@@ -1,0 +1,64 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import { BackupsPanel } from './backups-panel.js';
+import type { Memories } from './memories.js';
+import { MemoryCards } from './memory-cards.js';
+import { MemoryComparison } from './memory-comparison.js';
+import './memories-page.css';
+
+interface MemoriesPageProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  /** The servos follow what is edited: a backup that is loaded would be stored at once. */
+  readonly following: boolean;
+  /** The program is to be shown: of the memory that was picked last, or with what was loaded into it. */
+  readonly onProgram: () => void;
+}
+
+/** All memories of the timer at a glance, or two of them side by side; and what was kept of timers. */
+export function MemoriesPage({ session, memories, following, onProgram }: MemoriesPageProps) {
+  const { overview: words, memories: all, views } = messages.value;
+  const compared = memories.compared.value;
+  const place = useRef<HTMLDivElement>(null);
+  const left = useRef<number | null>(null);
+  useEffect(() => {
+    if (compared) left.current = compared.first;
+    else if (left.current !== null) {
+      // Back where one came from.
+      place.current?.querySelector<HTMLElement>(`[data-compare='${left.current}']`)?.focus();
+      left.current = null;
+    }
+  }, [compared]);
+  const baseline = session.editor.baseline.value;
+  if (baseline && compared) {
+    return <MemoryComparison session={session} memories={memories} compared={compared} />;
+  }
+  return (
+    <div class="memories-page" ref={place}>
+      <div class="memories-head">
+        <h1>{words.title}</h1>
+        {baseline && baseline.memory !== null && (
+          <button
+            type="button"
+            disabled={!session.runner.ready.value}
+            onClick={() => memories.jobs.open({ kind: 'back-up' })}
+          >
+            {words.readAll}
+          </button>
+        )}
+      </div>
+      {baseline ? (
+        <MemoryCards session={session} memories={memories} onProgram={onProgram} />
+      ) : (
+        <p class="hint">{views.noTimer.memories}</p>
+      )}
+      {baseline && session.editor.dirty.value && (
+        <p class="hint">
+          {words.edited} {all.edited}
+        </p>
+      )}
+      <BackupsPanel session={session} memories={memories} following={following} onLoad={onProgram} />
+    </div>
+  );
+}

@@ -1,0 +1,217 @@
+import { useSignal } from '@preact/signals';
+import { useEffect, useId, useRef } from 'preact/hooks';
+import type { TimerProgram } from '../../program/index.js';
+import { clockText, figureText, messages } from '../messages/index.js';
+import { keyFields, keyName } from '../messages/key-figures.js';
+import { type Known, possibleValues } from '../session/known.js';
+import type { Session } from '../session/session.js';
+import { SmallLanes } from '../timeline/small-lanes.js';
+import { PlaneIcon } from '../ui/plane-icon.js';
+import type { Memories } from './memories.js';
+import { Picks } from './memory-picks.js';
+import './memory-cards.css';
+
+interface MemoryCardsProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  /** The program is to be shown: of the memory that was picked last. */
+  readonly onProgram: () => void;
+}
+
+/** A card for each memory: what was last read of it, which one flies next, and what can be done with it. */
+export function MemoryCards({ session, memories, onProgram }: MemoryCardsProps) {
+  const baseline = session.editor.baseline.value;
+  if (!baseline) return null;
+  const current = session.nextFlight.open.value ? null : baseline.memory;
+  return (
+    <ul class="memory-cards">
+      {Array.from({ length: baseline.identity.memories }, (_, memory) => (
+        <Card
+          key={memory}
+          {...{ session, memories, memory, current, onProgram }}
+          count={baseline.identity.memories}
+          known={session.knowledge.of(memory)}
+        />
+      ))}
+    </ul>
+  );
+}
+
+interface CardProps extends MemoryCardsProps {
+  readonly memory: number;
+  /** The memory that is current in the timer; null when that is not known. */
+  readonly current: number | null;
+  /** How many memories the timer has. */
+  readonly count: number;
+  readonly known: Known;
+}
+
+function Card({ session, memories, memory, current, count, known, onProgram }: CardProps) {
+  const { overview: words, nextFlight, memoryName } = messages.value;
+  const title = useId();
+  const isCurrent = memory === current;
+  const isConnected = session.connection.value !== null;
+  const program = lastRead(known);
+  return (
+    <li>
+      <article class={`memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
+        <header>
+          <h2 id={title}>{memoryName(memory)}</h2>
+          {isCurrent && isConnected && (
+            <span class="badge">
+              <PlaneIcon /> {nextFlight.badge}
+            </span>
+          )}
+          {program && <Figures known={known} program={program} />}
+        </header>
+        {known.state === 'uncertain' ? (
+          <p class="bad-text">{words.notCertain}</p>
+        ) : (
+          <p class="hint">{known.state === 'read' ? words.readAt(clockText(known.at)) : words.notRead}</p>
+        )}
+        {program ? <SmallLanes program={program} /> : <Unread {...{ session, memories, memory, current }} />}
+        <Actions {...{ session, memories, memory, current, count, onProgram }} isRead={program !== null} />
+      </article>
+    </li>
+  );
+}
+
+/** What a memory held when it was last read whole. */
+export function lastRead(known: Known): TimerProgram | null {
+  if (known.state === 'unread') return null;
+  return known.state === 'read' ? known.program : known.before;
+}
+
+/** “DT 3:00 min · motor stop 10.0 s”; both where a write that was cut off leaves two. */
+function Figures({ known, program: { identity } }: { readonly known: Known; readonly program: TimerProgram }) {
+  const { overview: words } = messages.value;
+  return (
+    <p class="card-figures">
+      {keyFields(identity).map((field) => {
+        const values = possibleValues(known, field).map((value) => figureText(identity, field, value));
+        return (
+          <span key={keyName(identity, field)}>
+            {words.figure(keyName(identity, field) ?? '', values.join(words.or))}
+          </span>
+        );
+      })}
+    </p>
+  );
+}
+
+interface UnreadProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly memory: number;
+  readonly current: number | null;
+}
+
+/** In the place of the picture of a memory that nobody has read: the way to it and back. */
+function Unread({ session, memories, memory, current }: UnreadProps) {
+  const { look, memoryName } = messages.value;
+  const isBusy = !session.runner.ready.value;
+  const name = memoryName(memory);
+  return (
+    <div class="card-unread">
+      {/* Not disabled: it would lose the focus while the timer is asked. */}
+      <button
+        type="button"
+        aria-disabled={isBusy || current === null}
+        onClick={() => void (!isBusy && current !== null && memories.readOnce(memory))}
+      >
+        {look.look(name)}
+      </button>
+      <p class="hint">{current === null ? look.noWayBack : look.hint(name, memoryName(current))}</p>
+    </div>
+  );
+}
+
+interface ActionsProps extends Omit<CardProps, 'known'> {
+  readonly isRead: boolean;
+}
+
+function Actions({ session, memories, memory, current, count, isRead, onProgram }: ActionsProps) {
+  const { overview: words, memories: all, memoryName } = messages.value;
+  const copying = useSignal(false);
+  const ready = session.runner.ready.value;
+  const name = memoryName(memory);
+  // Which card it is of, for who does not see it.
+  const label = (text: string): string => words.of(text, name);
+  const others = Array.from({ length: count }, (_, other) => other).filter((other) => other !== memory);
+  // With the one that flies next; and that one with the first of the others.
+  const against = memory === current || current === null ? others[0] : current;
+  const isCopying = copying.value;
+  const box = useRef<HTMLDivElement>(null);
+  const drawn = useRef(isCopying);
+  useEffect(() => {
+    if (drawn.current === isCopying) return;
+    drawn.current = isCopying;
+    // The button that had the focus has gone.
+    box.current?.querySelector<HTMLElement>(isCopying ? '.picks button' : '.copy-to')?.focus();
+  }, [isCopying]);
+  return (
+    <div class="card-actions" ref={box}>
+      {isCopying ? (
+        <>
+          <Picks
+            label={all.copyTo(name)}
+            picks={others}
+            disabled={!ready}
+            nameOf={(to) => all.copy(name, memoryName(to))}
+            onPick={(to) => void memories.jobs.open({ kind: 'copy', from: memory, to })}
+          />
+          <button type="button" class="quiet" onClick={() => (copying.value = false)}>
+            {words.notCopy}
+          </button>
+        </>
+      ) : (
+        <>
+          {(isRead || memory === current) && (
+            <button
+              type="button"
+              aria-label={label(words.open)}
+              onClick={() => {
+                memories.show(memory);
+                onProgram();
+              }}
+            >
+              {words.open}
+            </button>
+          )}
+          {memory !== current && (
+            <button
+              type="button"
+              aria-label={label(words.fly)}
+              aria-disabled={!ready}
+              onClick={() => void (ready && memories.fly(memory))}
+            >
+              {words.fly}
+            </button>
+          )}
+          {isRead && against !== undefined && (
+            <button
+              type="button"
+              class="quiet"
+              data-compare={memory}
+              aria-label={label(words.compareWith(memoryName(against)))}
+              onClick={() => memories.compare({ first: memory, second: against })}
+            >
+              {words.compareWith(memoryName(against))}
+            </button>
+          )}
+          {others.length > 0 && (
+            <button
+              type="button"
+              class="quiet copy-to"
+              aria-label={label(words.copyTo)}
+              disabled={!ready || current === null}
+              onClick={() => (copying.value = true)}
+            >
+              {words.copyTo}
+            </button>
+          )}
+        </>
+      )}
+    </div>
+  );
+}

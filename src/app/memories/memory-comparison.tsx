@@ -1,0 +1,121 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { differences } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import { Timeline } from '../timeline/timeline.js';
+import { ValueTable } from '../write/value-table.js';
+import type { Compared, Memories } from './memories.js';
+import { lastRead } from './memory-cards.js';
+import './memory-comparison.css';
+
+interface MemoryComparisonProps {
+  readonly session: Session;
+  readonly memories: Memories;
+  readonly compared: Compared;
+}
+
+/** Two memories: what differs, in figures and over time, and the one into the other. */
+export function MemoryComparison({ session, memories, compared }: MemoryComparisonProps) {
+  const { overview: words, memories: all, look, memoryName } = messages.value;
+  const { first, second } = compared;
+  const heading = useRef<HTMLHeadingElement>(null);
+  useEffect(() => heading.current?.focus({ preventScroll: true }), []);
+  const count = session.editor.baseline.value?.identity.memories ?? 0;
+  const ready = session.runner.ready.value && !session.nextFlight.open.value;
+  const names = [memoryName(first), memoryName(second)] as const;
+  const [left, right] = [first, second].map((memory) => lastRead(session.knowledge.of(memory)));
+  const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
+  const changes = left && right ? differences(left, right) : [];
+  return (
+    <section class="comparison" aria-labelledby="comparison-title">
+      <div class="comparison-head">
+        <button type="button" class="quiet" onClick={() => memories.compare(null)}>
+          <svg class="icon" width="20" height="20" aria-hidden="true">
+            <path d="M12 4L6 10L12 16" />
+          </svg>
+          {words.all}
+        </button>
+        <h1 id="comparison-title" ref={heading} tabIndex={-1}>
+          {words.compared(...names)}
+        </h1>
+      </div>
+      <div class="comparison-choice">
+        <Choice
+          label={words.from}
+          {...{ count, chosen: first, other: second }}
+          onChoose={(memory) => memories.compare({ first: memory, second })}
+        />
+        <Choice
+          label={words.to}
+          {...{ count, chosen: second, other: first }}
+          onChoose={(memory) => memories.compare({ first, second: memory })}
+        />
+        <div class="buttons">
+          {[
+            { from: first, to: second },
+            { from: second, to: first },
+          ].map((copy) => (
+            <button
+              type="button"
+              key={copy.from}
+              disabled={!ready}
+              onClick={() => void memories.jobs.open({ kind: 'copy', ...copy })}
+            >
+              {all.copy(memoryName(copy.from), memoryName(copy.to))}
+            </button>
+          ))}
+        </div>
+      </div>
+      {unread.map((memory) => (
+        <div class="comparison-unread" key={memory}>
+          <p>{look.notRead(memoryName(memory))}</p>
+          <button type="button" disabled={!ready} onClick={() => void memories.readOnce(memory)}>
+            {look.look(memoryName(memory))}
+          </button>
+        </div>
+      ))}
+      {left && right && (
+        <div class="comparison-stage">
+          <div class="comparison-values">
+            <p role="status">
+              <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
+            </p>
+            {changes.length > 0 && (
+              <ValueTable
+                identity={left.identity}
+                names={names}
+                rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+              />
+            )}
+          </div>
+          <Timeline program={left} overlay={{ program: right, name: names[1] }} title={words.picture(...names)} />
+        </div>
+      )}
+    </section>
+  );
+}
+
+interface ChoiceProps {
+  readonly label: string;
+  readonly count: number;
+  readonly chosen: number;
+  /** It cannot be compared with itself. */
+  readonly other: number;
+  readonly onChoose: (memory: number) => void;
+}
+
+function Choice({ label, count, chosen, other, onChoose }: ChoiceProps) {
+  const { memoryName } = messages.value;
+  return (
+    <label>
+      {label}
+      <select value={String(chosen)} onChange={(event) => onChoose(Number(event.currentTarget.value))}>
+        {Array.from({ length: count }, (_, memory) => (
+          <option key={memory} value={String(memory)} disabled={memory === other}>
+            {memoryName(memory)}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}

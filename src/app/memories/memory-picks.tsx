@@ -1,0 +1,33 @@
+import { messages } from '../messages/index.js';
+import './memory-picks.css';
+
+interface PicksProps {
+  readonly label: string;
+  readonly picks: readonly number[];
+  readonly disabled: boolean;
+  readonly nameOf: (memory: number) => string;
+  readonly onPick: (memory: number) => void;
+}
+
+/** One of several memories, in one row. */
+export function Picks({ label, picks, disabled, nameOf, onPick }: PicksProps) {
+  const { memoryName } = messages.value;
+  return (
+    <div class="picks">
+      <span>{label}</span>
+      <div class="segments">
+        {picks.map((memory) => (
+          <button
+            type="button"
+            key={memory}
+            aria-label={nameOf(memory)}
+            disabled={disabled}
+            onClick={() => onPick(memory)}
+          >
+            {memoryName(memory)}
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,178 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { clockText } from '../../../src/app/messages/index.js';
+import type { TimerProgram } from '../../../src/program/index.js';
+import { type AppBench, type BenchOptions, idle } from '../bench/bench.js';
+import { button, connected, goTo, opened, press } from '../screen.js';
+
+async function atMemories(options: BenchOptions = {}): Promise<AppBench> {
+  const app = await connected(options);
+  await goTo('memories');
+  return app;
+}
+
+/** With all memories read and kept. */
+async function read(): Promise<AppBench> {
+  const app = await atMemories();
+  await press('Read and keep all…');
+  fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Read and keep' }));
+  await idle();
+  fireEvent.click(within(screen.getByRole('dialog')).getByRole('button', { name: 'Close' }));
+  await idle();
+  return app;
+}
+
+const card = (memory: string): HTMLElement => screen.getByRole('article', { name: memory });
+
+/** What a card says above its picture. */
+function said(memory: string): (string | undefined)[] {
+  return [...card(memory).querySelectorAll('.badge, .card-figures span, .hint, .bad-text')].map(({ textContent }) =>
+    textContent?.trim(),
+  );
+}
+
+/** The buttons of a card, by what is read aloud. */
+function buttons(memory: string): (string | null)[] {
+  return within(card(memory))
+    .getAllByRole('button')
+    .map((each) => each.getAttribute('aria-label') ?? each.textContent);
+}
+
+describe('the memories', () => {
+  it('are cards: what was read of each, and what can be done with it', async () => {
+    await read();
+    const now = `read ${clockText(Date.now())}`;
+    expect(said('M1')).toEqual(['flies next', 'DT 3:00 min', 'motor stop 10.0 s', now]);
+    expect(said('M2')).toEqual(['DT 3:30 min', 'motor stop 10.0 s', now]);
+    expect(document.querySelectorAll('.memory-card .small-lanes')).toHaveLength(4);
+    expect(buttons('M1')).toEqual(['Open: M1', 'Compare with M2: M1', 'Copy to…: M1']);
+    expect(buttons('M3')).toEqual(['Open: M3', 'Make it fly next: M3', 'Compare with M1: M3', 'Copy to…: M3']);
+  });
+
+  it('that nobody has read say so, and are read with one click, which goes back and leaves the program as it was', async () => {
+    const { timer, memories } = await atMemories();
+    expect(said('M3')[0]).toBe('Not read yet.');
+    expect(buttons('M3')).toEqual(['Look at M3', 'Make it fly next: M3', 'Copy to…: M3']);
+    const look = button('Look at M3');
+    look.focus();
+    await press('Look at M3');
+    expect(said('M3')[0]).toBe('DT 4:00 min');
+    expect([timer.core.memory, memories.looking.value]).toEqual([0, null]);
+  });
+
+  it('are made to fly next there', async () => {
+    const { timer } = await read();
+    await press('Make it fly next: M3');
+    expect(timer.core.memory).toBe(2);
+    expect([said('M1')[0], said('M3')[0]]).toEqual(['DT 3:00 min', 'flies next']);
+    expect(buttons('M3')).not.toContain('Make it fly next: M3');
+  });
+
+  it('are opened in the program: the current one to be edited, another to be looked at', async () => {
+    const { models, memories } = await read();
+    await press('Open: M3');
+    expect([models.views.shown.value, memories.looking.value]).toEqual(['program', 2]);
+    expect(screen.getByRole('heading', { name: /^M3, read/ })).toBeTruthy();
+    await goTo('memories');
+    await press('Open: M1');
+    expect([models.views.shown.value, memories.looking.value]).toEqual(['program', null]);
+    expect(screen.getByRole('textbox', { name: 'DT time' })).toBeTruthy();
+  });
+
+  it('are not certain since a write into one was cut off: both values stand there', async () => {
+    const { session } = await read();
+    const before = { ...(session.editor.baseline.value as TimerProgram), memory: 2 };
+    const times = before.times.map((time, slot) => (slot === 10 ? 36_000 : time));
+    await session.knowledge.cut(before, { ...before, times });
+    await idle(0);
+    expect(said('M3')).toEqual([
+      'DT 3:00 min or 6:00 min',
+      'motor stop 10.0 s',
+      'Not certain: a write into it was cut off. Shown as it was before that write.',
+    ]);
+  });
+
+  it('cannot be looked at where the timer does not say which is current, but made to fly next', async () => {
+    const { timer } = await atMemories({ quirks: { memoryReplyEmpty: true } });
+    expect(button('Look at M2').getAttribute('aria-disabled')).toBe('true');
+    await press('Look at M2');
+    expect(timer.core.answered.filter(({ name }) => name === 'SETMEMORY')).toEqual([]);
+    await press('Make it fly next: M2');
+    expect(timer.core.memory).toBe(1);
+  });
+
+  it('stay as they were read last, and are forgotten when a timer is connected: it may be another', async () => {
+    const { session } = await read();
+    await press('Disconnect');
+    expect([session.knowledge.of(2).state, session.standing.value.sure]).toEqual(['read', 'once']);
+    expect(said('M3')).toContain('DT 4:00 min');
+    await press('Connect');
+    expect(session.knowledge.of(2).state).toBe('unread');
+  });
+
+  it('are not there before a timer was read', async () => {
+    await opened();
+    await goTo('memories');
+    expect(screen.queryByRole('article')).toBeNull();
+    expect(screen.getByRole('heading', { name: 'Backups' })).toBeTruthy();
+  });
+});
+
+describe('Copy to', () => {
+  it('asks where to, and gives the focus back when it is not meant', async () => {
+    await read();
+    await press('Copy to…: M2');
+    expect(document.activeElement?.getAttribute('aria-label')).toBe('Copy M2 to M1…');
+    fireEvent.click(within(card('M2')).getByRole('button', { name: 'Do not copy' }));
+    await idle(0);
+    expect(document.activeElement).toBe(button('Copy to…: M2'));
+  });
+});
+
+describe('two memories', () => {
+  const cells = () =>
+    [...document.querySelectorAll('.comparison .difference tbody td')].map((each) => each.textContent);
+  const choose = async (name: string, memory: number): Promise<void> => {
+    fireEvent.change(screen.getByRole('combobox', { name }), { target: { value: String(memory) } });
+    await idle();
+  };
+
+  it('are compared in place of the cards, and the way back leads where one came from', async () => {
+    await read();
+    await press('Compare with M1: M3');
+    expect(document.activeElement).toBe(screen.getByRole('heading', { name: 'M3 and M1 compared' }));
+    expect(screen.getByText('1 value differs.')).toBeTruthy();
+    expect(cells()).toEqual(['4:00 min', '3:00 min']);
+    expect(screen.getByRole('region', { name: 'Timeline of M3 and M1' })).toBeTruthy();
+    expect(screen.queryByRole('article')).toBeNull();
+    await goTo('bench');
+    await goTo('memories');
+    expect(screen.getByRole('heading', { name: 'M3 and M1 compared' }), 'another view ends it not').toBeTruthy();
+    await press('All memories');
+    expect(document.activeElement).toBe(button('Compare with M1: M3'));
+  });
+
+  it('are chosen freely, and copied from any to any', async () => {
+    const { timer } = await read();
+    await press('Compare with M1: M2');
+    await choose('compared with', 3);
+    expect(cells()).toEqual(['3:30 min', '4:30 min']);
+    fireEvent.click(button('Copy M2 to M4…'));
+    await idle();
+    const dialog = within(screen.getByRole('dialog'));
+    fireEvent.click(dialog.getByRole('checkbox'));
+    await idle(0);
+    fireEvent.click(dialog.getByRole('button', { name: 'Copy' }));
+    await idle();
+    expect(timer.core.memories[3]?.times).toEqual(timer.core.memories[1]?.times);
+    expect(screen.getByText('They hold the same.')).toBeTruthy();
+  });
+
+  it('are read there where one has not been', async () => {
+    await atMemories();
+    await press('Compare with M2: M1');
+    expect(screen.getByText('M2 has not been read')).toBeTruthy();
+    await press('Look at M2');
+    expect(cells()).toEqual(['3:00 min', '3:30 min']);
+  });
+});
