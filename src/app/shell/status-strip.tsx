@@ -39,6 +39,8 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
   const panel = useId();
   const box = useRef<HTMLDivElement>(null);
   const identity = session.editor.identity.value;
+  // What is typed while another memory is asked for would go into the one that is left.
+  const leavesMemory = useComputed(() => session.runner.job.value?.kind === 'select');
   const isOpen = open.value && identity !== null;
   const close = useCallback((): void => {
     open.value = false;
@@ -80,7 +82,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
             aria-controls={panel}
             onClick={() => (open.value = !open.value)}
           >
-            {isNarrow && <MemoryNow session={session} />}
+            {(isNarrow || memories.looking.value !== null) && <MemoryNow session={session} />}
             <Figures session={session} identity={identity} />
           </button>
         )}
@@ -88,10 +90,10 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
         {(!isNarrow || !identity) && actions}
       </div>
       {isOpen && (
-        <section class="strip-panel" id={panel} aria-label={strip.panel}>
+        <section class="strip-panel" id={panel} aria-label={strip.panel} inert={leavesMemory.value}>
           {isNarrow && choice}
           <LargeFigures session={session} />
-          <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
+          {isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
           {isNarrow && actions}
           <button type="button" class="strip-close" onClick={close}>
             {strip.close}
@@ -141,22 +143,26 @@ interface FigureProps {
 
 /** One figure. It is red when it is a short DT, and when it is not known what the timer holds. */
 function Figure({ session, identity, field }: FigureProps) {
+  const { program } = messages.value;
   const { editor } = session;
   const key = fieldKey(field);
   const text = useComputed(() => {
     const value = editor.working.value && valueAt(editor.working.value, field);
     return value === null ? '' : figureText(identity, field, value);
   }).value;
-  const look = useComputed(() => {
+  const isShort = useComputed(() => {
     const isDt = field.kind === 'time' && field.slot === identity.functions;
-    const isShort = isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
-    if (isShort || session.standing.value.sure === 'not') return 'bad';
+    return isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
+  }).value;
+  const look = useComputed(() => {
+    if (session.standing.value.sure === 'not') return 'bad';
     return editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key) ? 'changed' : '';
   }).value;
   const [figure, unit] = text.split(' ');
   return (
-    <span class={`strip-figure ${look}`}>
-      <small>{keyName(identity, field)}</small> <b>{figure}</b> <small class="strip-unit">{unit}</small>
+    <span class={`strip-figure ${isShort ? 'bad' : look}`}>
+      <small>{isShort ? program.shortDt : keyName(identity, field)}</small> <b>{figure}</b>{' '}
+      <small class="strip-unit">{unit}</small>
     </span>
   );
 }

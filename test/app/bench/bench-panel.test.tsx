@@ -1,4 +1,4 @@
-import { fireEvent, render, screen, within } from '@testing-library/preact';
+import { act, fireEvent, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { View } from '../../../src/app/shell/views.js';
@@ -8,15 +8,13 @@ import { type AppBench, appBench, type BenchOptions, idle } from './bench.js';
 let app: AppBench;
 
 /** The bench has a view of its own; what is said beside the program stands in the other. */
-async function show(view: View): Promise<void> {
-  app.models.views.show(view);
-  await idle(0);
+function show(view: View): void {
+  act(() => app.models.views.show(view));
 }
 
 /** A button, in whichever of the two views it stands. */
 async function press(name: string | RegExp): Promise<void> {
-  if (!screen.queryByRole('button', { name }))
-    await show(app.models.views.shown.value === 'bench' ? 'program' : 'bench');
+  if (!screen.queryByRole('button', { name })) show(app.models.views.shown.value === 'bench' ? 'program' : 'bench');
   fireEvent.click(screen.getByRole('button', { name }));
   await idle();
 }
@@ -26,7 +24,7 @@ async function opened(options: BenchOptions = {}): Promise<AppBench> {
   app = await appBench(options);
   render(<App models={app.models} />);
   await press('Connect');
-  await show('bench');
+  show('bench');
   fireEvent.click(within(panel()).getByRole('checkbox', { name: /propeller is off/ }));
   await idle(0);
   app.timer.core.answered.length = 0;
@@ -46,7 +44,7 @@ function unlocks({ timer }: AppBench): number {
 }
 
 async function type(name: string, text: string): Promise<void> {
-  await show('program');
+  show('program');
   const input = screen.getByRole<HTMLInputElement>('textbox', { name });
   fireEvent.focus(input);
   fireEvent.input(input, { target: { value: text } });
@@ -55,13 +53,16 @@ async function type(name: string, text: string): Promise<void> {
 }
 
 async function flip(): Promise<void> {
-  await show('bench');
+  show('bench');
   fireEvent.click(screen.getByRole('switch', { name: 'Servos follow the positions' }));
   await idle();
 }
 
-const isOn = () =>
-  screen.getByRole('switch', { name: 'Servos follow the positions' }).getAttribute('aria-checked') === 'true';
+function isOn(): boolean {
+  show('bench');
+  const it = screen.getByRole('switch', { name: 'Servos follow the positions' });
+  return it.getAttribute('aria-checked') === 'true';
+}
 
 describe('the bench', () => {
   it('moves the servos to a function, says so, and steps to the next and the previous one', async () => {
@@ -162,9 +163,15 @@ describe('hold to unlock', () => {
 });
 
 describe('servos that follow', () => {
-  const row = (name: string): HTMLElement => screen.getByRole('row', { name: new RegExp(`^${name}`) });
+  const row = (name: string): HTMLElement => {
+    show('program');
+    return screen.getByRole('row', { name: new RegExp(`^${name}`) });
+  };
   const isMarked = (name: string): boolean => within(row(name)).queryByText('servos here') !== null;
-  const note = (): string => document.querySelector('.actions')?.textContent ?? '';
+  const note = (): string => {
+    show('program');
+    return [...document.querySelectorAll('.actions, .changes')].map(({ textContent }) => textContent).join(' ');
+  };
   const positions = ({ timer }: AppBench): [stored: number | undefined, servo: number | undefined] => [
     timer.core.content.positions[1]?.[4],
     timer.core.servos[1],

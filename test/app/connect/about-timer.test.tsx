@@ -40,7 +40,7 @@ describe('what is known to differ can be forgotten', () => {
 
   it('while the adapter is not plugged in', async () => {
     const bench = await opened({ store: kept() });
-    about();
+    await about();
     await press(/^Forget what is known to differ: F1Q/);
     expect(quirksKept(bench)).toEqual({});
   });
@@ -49,7 +49,7 @@ describe('what is known to differ can be forgotten', () => {
     const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
-    about();
+    await about();
     await press(/^Forget what is known to differ: F1Q/);
     expect(quirksKept(bench)).toEqual({});
     bench.timer.core.press();
@@ -67,7 +67,7 @@ describe('what is known to differ can be forgotten', () => {
     expect(screen.queryByRole('table', { name: /^Time and servo/ })).toBeNull();
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
     mute = false;
-    about();
+    await about();
     await press('Forget what is known to differ');
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
     expect(bench.editor.baseline.value?.times).toEqual(core.content.times);
@@ -77,7 +77,7 @@ describe('what is known to differ can be forgotten', () => {
   it('of another kind of timer while one is connected, which is not read again', async () => {
     const bench = await connected({ store: kept({ 'timer/B/411/8/2': { servoFirst: true } }), info: FTDI });
     bench.timer.core.answered.length = 0;
-    about();
+    await about();
     await press('Forget what is known to differ: F1B, firmware 411 at FTDI adapter');
     expect(quirksKept(bench)).toEqual({ [KIND]: {} });
     expect(bench.timer.core.answered).toEqual([]);

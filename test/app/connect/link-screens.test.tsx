@@ -193,6 +193,7 @@ describe('about the timer', () => {
     await idle();
     expect(session.connection.value?.client.quirksAssumed).toEqual({ bigEndianTimes: true });
     expect(box.checked).toBe(true);
+    await goTo('program');
     expect(field('DT time').value).not.toBe('3:00');
   });
 });
@@ -221,7 +222,7 @@ describe('the write dialog', () => {
     await press('Write…');
     await tickSafety();
     timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && fireEvent.click(button('Stop'));
-    await press(/^Write 1/);
+    await press(/^Write 1 change/);
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(screen.getByText('Nothing was written.').closest('.notice')?.className).toBe('notice');
   });
@@ -242,7 +243,7 @@ describe('what an interrupted job left behind', () => {
     await press('Write…');
     await tickSafety();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
-    await press(/^Write 2/);
+    await press(/^Write 2 changes/);
     timer.core.onAnswer = undefined;
     await press('Close');
     timer.core.press();
@@ -254,7 +255,7 @@ describe('what an interrupted job left behind', () => {
     expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
     await press('Finish it…');
     await tickSafety();
-    await press(/^Write 1/);
+    await press(/^Write 1 change/);
     expect(timer.core.content.positions[0]?.[2]).toBe(7);
     await press('Close');
     expect(screen.queryByRole('region', { name: 'An earlier write was interrupted' })).toBeNull();
@@ -267,7 +268,7 @@ describe('what an interrupted job left behind', () => {
     await press('Write…');
     await tickSafety();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
-    await press(/^Write 1/);
+    await press(/^Write 1 change/);
     const { textContent } = screen.getByRole('alert');
     expect(textContent).toContain('It comes back by itself. If the adapter was unplugged, plug it in again.');
     expect(textContent).not.toContain('click Connect');

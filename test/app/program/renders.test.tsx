@@ -35,7 +35,7 @@ it.each([
   ['a position', 'Function 4, S2', '7', '75', { ValueField: 1 }],
   ['a time', 'Function 4 time', '12.3', '12.4', { ValueField: 1, IntervalField: 2 }],
   ['a time with nothing behind its point', 'Function 4 time', '12', '12.', { ValueField: 1 }],
-  ['DT', 'DT', '4:0', '4:01', { ValueField: 2, IntervalField: 1, DtPresets: 1 }],
+  ['DT', 'DT', '4:0', '4:01', { ValueField: 2, IntervalField: 1, DtPresets: 1, Figure: 1 }],
   ['a text that is no value', 'Function 4, S2', '7x', '7xy', { ValueField: 1 }],
   [
     'the first letter that is none',

@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import { parseTime } from '../../../src/app/editing/units.js';
 import { type AppBench, appBench, type BenchOptions, idle, MemoryStore } from '../bench/bench.js';
-import { fly } from '../screen.js';
+import { button, field, fly } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -17,12 +17,8 @@ async function connected(options: BenchOptions = {}): Promise<AppBench> {
 }
 
 async function press(name: string | RegExp): Promise<void> {
-  fireEvent.click(screen.getByRole('button', { name }));
+  fireEvent.click(button(name));
   await idle();
-}
-
-function field(name: string): HTMLInputElement {
-  return screen.getByRole<HTMLInputElement>('textbox', { name });
 }
 
 async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
