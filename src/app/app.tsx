@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { BenchPanel } from './bench/bench-panel.js';
 import { commandsOf } from './commands.js';
+import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { LibraryView } from './library/library-view.js';
 import { LinePanel } from './line/line-panel.js';
@@ -24,7 +25,7 @@ import './app.css';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, keeping, aside, update, portHolder, line } = models;
+  const { preferences, keeping, aside, update, portHolder, line, installation } = models;
   const { name, views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -37,7 +38,7 @@ export function App({ models }: { readonly models: AppModels }) {
       hasProgram ? (
         <ProgramView {...{ session, write, memories, bench, follow, preferences }} />
       ) : (
-        <StartScreen session={session} platform={platform} />
+        <StartScreen {...{ session, installation, platform }} />
       ),
     memories: () => (
       <MemoriesPage {...{ session, memories }} following={follow.on.value} onProgram={() => views.show('program')} />
@@ -54,7 +55,10 @@ export function App({ models }: { readonly models: AppModels }) {
   };
   return (
     <>
-      <Header {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }} />
+      <Header
+        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }}
+        staged={isStart && hasStage(session)}
+      />
       {!isStart && <ViewLinks views={views} />}
       <ViewFrame views={views} busy={session.runner.busy.value}>
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />

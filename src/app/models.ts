@@ -3,6 +3,7 @@ import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
 import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
+import { Installation } from './connect/installation.js';
 import { FrameForm } from './line/frame-form.js';
 import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
@@ -39,6 +40,7 @@ export interface AppModels {
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
+  readonly installation: Installation;
   /** What the pilot sits at: it chooses sentences, nothing else. */
   readonly platform: Platform;
 }
@@ -90,6 +92,7 @@ export function createModels({
     finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),
     portHolder: new PortHolder(session, channel),
+    installation: new Installation(),
     platform,
   };
 }

@@ -37,7 +37,8 @@ export function openPage(root: HTMLElement): AppModels | null {
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
   });
-  const { session, views, follow, update, keeping, theme } = models;
+  const { session, views, follow, update, keeping, theme, installation } = models;
+  installation.follow(window);
   tried(() => theme.follow(document, doors.dark));
   tried(() => views.follow(window));
   render(<App models={models} />, root);
@@ -68,7 +69,8 @@ export function openPage(root: HTMLElement): AppModels | null {
   onWake(() => session.link.recheck());
   const onMissing = (): void => keeping.lack('offline');
   try {
-    registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onMissing });
+    const { isKept: onKept } = installation;
+    registerOffline({ onUpdateReady: update.offer, whenFree: update.whenFree, onKept, onMissing });
   } catch {
     onMissing();
   }

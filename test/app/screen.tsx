@@ -7,9 +7,14 @@ let page: AppBench;
 
 /** The whole screen, as the page starts. */
 export async function opened(options: BenchOptions = {}): Promise<AppBench> {
-  const bench = await appBench(options);
+  return drawn(await appBench(options));
+}
+
+/** The whole screen of a page. */
+export async function drawn(bench: AppBench): Promise<AppBench> {
   render(<App models={bench.models} />);
   page = bench;
+  await idle(0);
   return bench;
 }
 

@@ -198,7 +198,7 @@ describe('hold to unlock', () => {
     await expect.poll(() => rig.timer.core.motorLocked).toBe(false);
     await release(pilot);
     await pilot.sees(en.bench.unlockMaybe);
-    await pilot.sees(en.link.waiting.title);
+    await pilot.sees(en.link.stages.silent);
     rig.uncover();
     await pilot.isConnected();
     await pilot.sees(en.bench.unlockMaybe);

@@ -100,7 +100,7 @@ describe('what was typed is kept', () => {
     await app.type('Function 2, S1', '7');
     await app.kept();
     const other = await app.sibling();
-    await other.page.getByRole('heading', { name: 'Set a Sidus timer' }).waitFor();
+    await other.page.getByRole('heading', { name: 'Set your Sidus timer' }).waitFor();
     // The browser cannot clear it away before it is done, and until then it seems to be open.
     await app.page.evaluate(() => {
       setTimeout(() => {

@@ -32,15 +32,17 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
     }
   }
 
-  await keys.enter(/^Shift in time$/);
-  await keys.tabTo(/^This and all later ones, from/);
-  await keys.type('Function 4');
-  await keys.tabTo(/^By, in seconds$/);
-  await keys.press('Control+a');
+  // Left of its time are the tools of a row. What is typed there takes the place of what stands there.
+  await keys.tabTo(/^Function 4 time$/);
+  await keys.press('ArrowLeft');
+  await keys.press('Enter');
+  await expect.poll(() => keys.focused()).toMatch(/^By, in seconds/);
   await keys.type('1.5');
   await trail.note();
-  await keys.enter(/^Later$/);
+  await keys.press('Enter');
   await trail.note();
+  await keys.press('Escape');
+  await expect.poll(() => keys.focused()).toBe('Tools for Function 4');
 
   await trail.goBack(() => keys.press('Control+z'));
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();

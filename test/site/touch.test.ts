@@ -41,14 +41,11 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
 
   // A tap beside the fields puts the step keys away, which lie over what follows.
   await app.page.getByRole('heading', { name: 'Checks' }).tap();
-  await app.text('Shift in time').tap();
-  // The list of choices is the browser's own.
-  await app.page.getByRole('combobox', { name: 'This and all later ones, from' }).selectOption('Function 4');
-  await app.page.getByRole('textbox', { name: 'By, in seconds' }).tap();
-  for (let i = 0; i < 4; i++) await app.page.keyboard.press('Backspace');
-  await app.page.keyboard.type('1.5');
+  await app.button('Tools for Function 4').tap();
+  await app.page.getByRole('textbox', { name: 'By, in seconds' }).fill('1.5');
   await tap('Later');
   await trail.note();
+  await app.button('Done').tap();
 
   await trail.goBack(() => app.undo.tap());
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();

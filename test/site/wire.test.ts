@@ -60,7 +60,7 @@ describe('through a serial port', () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.sleep());
     await app.button('Connect').click();
-    await app.says('No answer yet.');
+    await app.text(/^No answer for /).waitFor();
     await app.bench((bench) => bench.press());
     await app.hasRead();
   });
@@ -69,7 +69,7 @@ describe('through a serial port', () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.sleepAt('GETSWVER'));
     await app.button('Connect').click();
-    await app.says('No answer yet.');
+    await app.text(/^No answer for /).waitFor();
     await app.bench((bench) => bench.press());
     await app.hasRead();
   });

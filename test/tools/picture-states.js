@@ -151,10 +151,10 @@ export const states = {
     },
   },
   shift: {
-    title: 'Shift in time',
+    title: 'The tools of a row',
     reach: async (page) => {
       await connect(page);
-      await open(page, 'Shift in time');
+      await press(page, 'Tools for Motor stop');
     },
   },
   paste: {
@@ -215,7 +215,14 @@ export const states = {
     title: 'Flight preview',
     reach: async (page) => {
       await connect(page);
-      await open(page, 'Flight preview');
+      await page.locator('.preview').scrollIntoViewIfNeeded();
+    },
+  },
+  servos: {
+    title: 'What the servos move',
+    reach: async (page) => {
+      await connect(page);
+      await press(page, 'Name the servos…');
     },
   },
   bench: {
@@ -293,7 +300,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.locator('.notices').getByText('No answer yet.').waitFor();
+      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
     },
   },
   'waiting-help': {
@@ -302,7 +309,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.sleep());
       await press(page, 'Connect');
-      await page.locator('.notices').getByText('No answer yet.').waitFor();
+      await page.getByText(/^No answer for 1[0-9] s/).waitFor();
       await page.getByText('What to do').click();
     },
   },

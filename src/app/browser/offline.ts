@@ -11,12 +11,14 @@ export interface OfflineOptions {
    * this one, and only then is the page loaded again, also when another tab has taken it.
    */
   readonly whenFree: (callback: () => void) => void;
+  /** All of this version is kept for use without a network. */
+  readonly onKept: () => void;
   /** The browser does not keep the page for use without a network. */
   readonly onMissing: () => void;
 }
 
 /** Keeps the page for use without a network, and offers its new versions. Does nothing in development. */
-export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineOptions): void {
+export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: OfflineOptions): void {
   if (!import.meta.env.PROD) return;
   const serviceWorker = service('serviceWorker');
   if (!serviceWorker) {
@@ -26,8 +28,11 @@ export function registerOffline({ onUpdateReady, whenFree, onMissing }: OfflineO
 
   // The first worker of all takes charge of a page that is as new as itself; every other brings a newer page.
   let replacing = serviceWorker.controller !== null;
+  // Whoever answers for the page has all of it.
+  if (replacing) onKept();
   serviceWorker.addEventListener('controllerchange', () => {
     if (replacing) whenFree(() => location.reload());
+    else onKept();
     replacing = true;
   });
 

@@ -1,56 +1,119 @@
 import type { Platform } from '../browser/platform.js';
-import { messages } from '../messages/index.js';
+import { clockText, messages, timerName } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
 import type { Session } from '../session/session.js';
+import { SmallLanes } from '../timeline/small-lanes.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { AboutTimer } from './about-timer.js';
 import { ConnectButtons } from './connect-buttons.js';
 import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
-import { PortList, SerialSettingsForm } from './port-list.js';
+import { EXAMPLE } from './example-program.js';
+import type { Installation } from './installation.js';
+import { hasStage, LinkStage } from './link-stage.js';
+import { KeptBackups, KeptPrograms, Simulated } from './start-cards.js';
+import { StepList, Tick } from './step-list.js';
 import './start-screen.css';
 
 interface StartScreenProps {
   readonly session: Session;
+  readonly installation: Installation;
   readonly platform: Platform;
+  /** The address of the page. */
+  readonly address?: string;
 }
 
-/** Before anything was read: Connect, or try a simulated timer. */
-export function StartScreen({ session, platform }: StartScreenProps) {
-  const { start, classNames } = messages.value;
+/** Before anything was read: Connect with its three steps, what this device keeps, and what can be done without. */
+export function StartScreen({ session, installation, platform, address = location.href }: StartScreenProps) {
+  const { start } = messages.value;
   const { unavailable } = session.link;
+  if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
   return (
     <div class="start-screen">
-      <h1>{start.title}</h1>
-      <p class="lead">{start.lead}</p>
-      {unavailable ? (
-        <div class="notice bad">
-          <NoticeText said={connectionSaid(unavailable, platform)} />
-          <ConnectionHelp code={unavailable} platform={platform} info={null} />
+      <OnThisDevice installation={installation} />
+      <div class="hero">
+        <div class="hero-main">
+          <h1>{start.title}</h1>
+          <p class="lead">{start.lead}</p>
+          {unavailable ? (
+            <div class="notice bad">
+              <NoticeText said={connectionSaid(unavailable, platform)} />
+              <ConnectionHelp code={unavailable} platform={platform} info={null} />
+            </div>
+          ) : (
+            <>
+              <div class="buttons">
+                <ConnectButtons session={session} large />
+              </div>
+              <BrowserWays platform={platform} address={address} />
+              <StepList steps={STEPS.map((key) => ({ key, text: start.steps[key] }))} />
+            </>
+          )}
         </div>
-      ) : (
-        <div class="start-connect">
-          <ConnectButtons session={session} large />
-          <p class="hint">{start.connectHint}</p>
-        </div>
-      )}
-      {!unavailable && <PortList session={session} />}
-      {!unavailable && <SerialSettingsForm link={session.link} />}
-      <AboutTimer session={session} />
-      <section class="start-simulated">
-        <h2>{start.simulatedTitle}</h2>
-        <p>{start.simulatedLead}</p>
-        <div class="buttons">
-          {(['Q', 'B', 'E'] as const).map((timerClass) => (
-            <button
-              type="button"
-              key={timerClass}
-              disabled={session.engaged.value}
-              onClick={() => void session.trySimulated(timerClass)}
-            >
-              {start.simulated(classNames[timerClass] ?? timerClass)}
-            </button>
-          ))}
-        </div>
-      </section>
+        <KeptPicture session={session} />
+      </div>
+      <div class="start-cards">
+        <KeptPrograms session={session} />
+        <Simulated session={session} />
+        <KeptBackups backups={session.backups} />
+      </div>
     </div>
+  );
+}
+
+const STEPS = ['adapter', 'wake', 'near'] as const;
+
+/** What a browser does in another way than a pilot expects who knows the others. */
+function BrowserWays({ platform, address }: Pick<StartScreenProps, 'platform'> & { readonly address: string }) {
+  const { firefox } = messages.value.start;
+  if (platform.browser !== 'firefox') return null;
+  return (
+    <p class="hint">
+      {new URL(address).protocol === 'https:' && firefox.addOn} {firefox.port}
+    </p>
+  );
+}
+
+/** Whether the page works without a network, how it is installed, and the way to its settings. */
+function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) {
+  const { start } = messages.value;
+  const install = installation.install.value;
+  return (
+    <p class="on-device">
+      {installation.ready.value && (
+        <span class="ready-offline">
+          <Tick /> {start.readyOffline}
+        </span>
+      )}
+      {install && (
+        <button type="button" onClick={install}>
+          {start.install}
+        </button>
+      )}
+      <a href="#settings">{start.settings}</a>
+    </p>
+  );
+}
+
+/** The program that this device has kept last, or an example: drawn with its figures. */
+function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
+  const { start, program: words, memoryName } = messages.value;
+  const kept = session.backups.list.value.find(({ simulated }) => !simulated);
+  const program = kept?.program ?? EXAMPLE;
+  const [dt, motor] = keyFigures(program);
+  const memory = program.memory === null ? '' : `, ${memoryName(program.memory)}`;
+  return (
+    <figure class="kept-picture">
+      <figcaption>
+        <strong>{kept ? `${timerName(program.identity)}${memory}` : start.picture.example}</strong>
+        <span>{kept ? start.picture.kept(clockText(kept.savedAt)) : start.picture.notKept}</span>
+      </figcaption>
+      <div class="kept-lanes">
+        <SmallLanes program={program} />
+        <span class="kept-cursor" />
+      </div>
+      <p>
+        <span>{motor && `${words.motorStop} ${motor.text}`}</span>
+        <span>{dt && `${words.dt} ${dt.text}`}</span>
+      </p>
+    </figure>
   );
 }

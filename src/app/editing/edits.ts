@@ -1,5 +1,5 @@
 import { fieldKey, manualRange, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { MAX_POSITION } from '../../protocol/index.js';
+import { type Identity, MAX_POSITION } from '../../protocol/index.js';
 import {
   type CellValue,
   checked,
@@ -106,6 +106,11 @@ export function stepValue(
   return { name: { code: 'step', params: { field: key } }, group: groupOf('step', key), values };
 }
 
+/** One step of a value: of a time what the manual gives for it, else a hundredth of a second. */
+export function stepSize(identity: Identity, field: ProgramField): number {
+  return (field.kind === 'time' && manualRange(identity, field.slot)?.step) || 1;
+}
+
 /** @returns nothing when there is no step to take. */
 function nextStep(
   program: TimerProgram,
@@ -115,7 +120,7 @@ function nextStep(
 ): FieldValue[] {
   const before = valueAt(program, field);
   if (before === null) return [];
-  const step = (field.kind === 'time' && manualRange(program.identity, field.slot)?.step) || 1;
+  const step = stepSize(program.identity, field);
   const last = Math.floor(MAX_VALUE[field.kind] / step);
   const steps = (direction > 0 ? Math.floor : Math.ceil)(before / step) + direction * (tenfold ? 10 : 1);
   const value = Math.min(Math.max(steps, 0), last) * step;

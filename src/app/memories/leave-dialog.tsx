@@ -52,17 +52,17 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         </strong>
       </p>
       <div class="buttons">
+        <button type="button" class="quiet" onClick={() => leaving.stay()}>
+          {words.leaving.stay}
+        </button>
+        <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
+          {words.leaving.disconnect}
+        </button>
         {canGoBack && (
           <button type="button" class="primary" onClick={() => void leaving.backAndDisconnect()}>
             {words.leaving.back(originalName)}
           </button>
         )}
-        <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
-          {words.leaving.disconnect}
-        </button>
-        <button type="button" class="quiet" onClick={() => leaving.stay()}>
-          {words.leaving.stay}
-        </button>
       </div>
     </>
   );

@@ -65,11 +65,11 @@ function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
       {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
       <div class="buttons">
+        <button type="button" class="quiet" onClick={() => jobs.dismiss()}>
+          {write.cancel}
+        </button>
         <button type="button" class="primary" disabled={!ready} onClick={() => void jobs.start()}>
           {words.start[plan.kind]}
-        </button>
-        <button type="button" onClick={() => jobs.dismiss()}>
-          {write.cancel}
         </button>
       </div>
     </>

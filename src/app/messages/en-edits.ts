@@ -62,14 +62,34 @@ export const edits = {
   /** “DT time 3:00 → 6:00”. */
   change: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
   field: {
-    up: (field: string) => `Step up ${field}`,
-    down: (field: string) => `Step down ${field}`,
     putBack: (field: string) => `Put back ${field}`,
+    signs: { putBack: '↺' },
+  },
+  /** The keys for a finger. */
+  sheet: {
+    title: (field: string) => `Keys for ${field}`,
+    up: (amount: string) => `+${amount}`,
+    down: (amount: string) => `−${amount}`,
+    digits: { colon: ':', point: '.' },
+    erase: 'Delete the last digit',
+    putBack: 'Put back',
     selectRange: 'Select range',
-    signs: { up: '+', down: '−', putBack: '↺' },
+    /** What the focus goes to: in the row, or in the row above or below. */
+    goTo: (name: string) => `Go to ${name}`,
+    before: (name: string) => `‹ ${name}`,
+    after: (name: string) => `${name} ›`,
+    above: (name: string) => `↑ ${name}`,
+    below: (name: string) => `↓ ${name}`,
+    /** Another row. */
+    row: (slot: number, kind: 'start' | 'function' | 'dt') =>
+      kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : String(slot),
+    done: 'Done',
   },
   table: {
-    interval: 'Interval',
+    interval: 'After',
+    intervalHint: 'Time after the function before',
+    showIntervals: 'Show intervals',
+    showTimes: 'Show times',
     intervalOf: (slot: string) => `${slot} interval`,
     selected: (count: number) => `${cells(count)} selected`,
     range: {
@@ -84,20 +104,22 @@ export const edits = {
       clipboardEmpty: 'There is no text to paste.',
       clipboardClosed: 'The browser does not let this page see what was copied. Tap the first field and paste there.',
     },
-    keys: 'Arrows and Enter go from cell to cell. Alt with up, down or the wheel steps a value. Shift with an arrow selects. Ctrl+D fills down.',
+    keys: 'Arrows and Enter go from cell to cell; left of the times are the tools of a row. Alt with up, down or the wheel steps a value. Shift with an arrow selects. Ctrl+D fills down.',
     tools: (servo: string) => `Tools for ${servo}`,
     copyTo: (servo: string) => `Copy to ${servo}`,
     reverse: 'Reverse',
     revertColumn: 'Put column back',
+    rowTools: (row: string) => `Tools for ${row}`,
     revertRow: (slot: string) => `Put back ${slot} with its positions`,
   },
   shift: {
-    title: 'Shift in time',
-    from: 'This and all later ones, from',
+    /** What is shifted: a row and what comes after it; DT is the last. */
+    from: (row: string, isLast: boolean) => (isLast ? row : `${row} and all after`),
     by: 'By, in seconds',
     earlier: 'Earlier',
     later: 'Later',
     moveDt: 'Move DT too',
+    moved: (time: string, later: boolean) => `Moved ${time} s ${later ? 'later' : 'earlier'}`,
   },
   pasting: {
     title: 'Paste',

@@ -72,8 +72,7 @@ const steps = {
   battery:
     'Is the battery of the timer charged and plugged in? When its battery is empty, a timer stands at its DT position.',
   'other-port': 'Click Choose a port: the timer may be on another adapter.',
-  'other-port-waiting':
-    'The timer may be on another adapter. Click Stop, then Choose a port, and choose the other one.',
+  'other-port-waiting': 'The timer may be on another adapter. Click Choose another port.',
   rate: 'Let this page find the rate, or choose the rate of your adapter. 9600 baud is the most likely.',
   'rate-waiting':
     'If you have set a rate under Serial settings, it may be wrong for your adapter. Click Stop, then Usual settings: the page then finds the rate by itself.',

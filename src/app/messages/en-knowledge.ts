@@ -49,6 +49,11 @@ export const knowledge = {
     once: (value: string) => `last read ${value}`,
     not: (value: string) => `last read ${value}`,
   },
+  /** The same in a cell, where there is room for a figure alone. */
+  old: {
+    now: (value: string) => value,
+    not: (value: string) => `${value}?`,
+  },
   /** For who hears it. */
   notCertain: ', not certain now',
   /** What is compared with. */

@@ -16,19 +16,40 @@ export const link = {
   portNames,
   portNumbers: (vendor: string, product: string) => `${vendor}:${product}`,
   lastRate: (rate: number) => `last at ${rate} baud`,
-  opening: 'Opening the port',
-  closing: 'Closing the port',
-  choosing: 'Choose the port of the timer',
-  searching: (rate: number) => `Asking at ${rate} baud`,
+  /** What has the stage until a timer answers: what is under way, and what to do. */
+  stages: {
+    choosing: {
+      title: 'Choose the adapter of the timer',
+      advice: 'The browser shows the ports that it has found.',
+    },
+    opening: { title: 'Opening the port', advice: '' },
+    looking: (rate: number) => ({ title: 'Looking for the timer', advice: `Asking at ${rate} baud.` }),
+    reading: { title: 'Reading the timer', advice: 'Hold it as it is.' },
+    closing: { title: 'Closing the port', advice: '' },
+    /** While it is asked: changes with each second. */
+    noAnswer: (seconds: number) => `No answer for ${seconds} s.`,
+    silent: 'This page keeps asking and goes on by itself.',
+    open: 'The adapter is open',
+    /** `now`: the one to take, large. `text`: as one of the list. */
+    steps: {
+      switch: {
+        now: 'Press the switch of the timer briefly',
+        text: 'Wake the timer: press its switch briefly',
+      },
+      near: {
+        now: 'Hold the head closer than 20 cm',
+        text: 'Hold the infra-red head closer than 20 cm, out of the sun',
+      },
+      other: {
+        now: 'Is the timer on another adapter?',
+        text: 'Another adapter?',
+      },
+    },
+  },
   refused: {
     title: 'The port does not open yet.',
     advice:
       'This page tries again for 15 seconds. Another program may have the port. On Linux, ModemManager often holds a new adapter for a moment.',
-  },
-  waiting: {
-    title: 'No answer yet.',
-    advice:
-      'Press the switch of the timer briefly and hold it closer than 20 cm. This page keeps asking and goes on as soon as the timer answers.',
   },
   /** Something comes, and it is no timer's. */
   heard: {
@@ -58,7 +79,6 @@ export const link = {
     title: 'The connection to the adapter was lost.',
     advice: 'This page tries again by itself. What you typed is kept.',
   },
-  asked: (count: number) => `asked ${count} ${count === 1 ? 'time' : 'times'}`,
   status: {
     off: 'Not connected',
     choosing: 'Choose a port',

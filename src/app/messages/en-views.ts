@@ -32,6 +32,8 @@ export const strip = {
   asInTimer: '✓',
   notCertain: 'not certain',
   asRead: 'as last read',
+  /** Of a program that was made here, and is in no timer. */
+  made: 'new',
   changes: (count: number) => plural(count, 'change', 'changes'),
 };
 

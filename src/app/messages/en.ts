@@ -9,8 +9,10 @@ import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
+import { preview } from './en-preview.js';
 import { backups, recovery } from './en-recovery.js';
 import { settings, theme } from './en-settings.js';
+import { newProgram, start } from './en-start.js';
 import { library, palette, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
@@ -67,6 +69,9 @@ export const en = {
   memoryName: (memory: number) => `M${memory + 1}`,
   servoName: (servo: number) => `S${servo + 1}`,
   slotName,
+  /** Where there is little room: the number alone. */
+  slotShort: (slot: number, kind: 'start' | 'function' | 'dt') =>
+    kind === 'function' ? String(slot) : slotName(slot, kind),
   /** What stands before a sentence about it. */
   about: (name: string) => `${name}:`,
   seconds: (time: string) => (time.includes(':') ? time : `${time} s`),
@@ -93,14 +98,8 @@ export const en = {
     disconnect: 'Disconnect',
     stop: 'Stop',
   },
-  start: {
-    title: 'Set a Sidus timer',
-    lead: 'Read what the timer holds, change it, write it, and see it verified. Everything stays on this device.',
-    connectHint: 'Plug in the adapter, wake the timer with a short press of its switch, and hold it closer than 20 cm.',
-    simulatedTitle: 'No timer at hand?',
-    simulatedLead: 'Try a simulated timer. It answers as a timer does, at the speed of a real line.',
-    simulated: (name: string) => `Try a simulated ${name} timer`,
-  },
+  start,
+  newProgram,
   program: {
     title: 'Program',
     tableCaption: 'Time and servo positions of each function',
@@ -111,7 +110,12 @@ export const en = {
     memoryOpen: 'It is not known which memory flies next. Make one fly next, or read again.',
     dt: 'DT',
     motorStop: 'Motor stop',
+    /** Where there is little room. */
+    motor: 'Motor',
+    /** The time of the start, from which all others count. */
+    origin: '0',
     idleThrottle: 'Idle throttle',
+    throttle: 'Idle',
     idleThrottleUnit: 'unit unknown',
     reserved: 'reserved',
     editReserved: 'Edit the reserved time',
@@ -295,32 +299,7 @@ export const en = {
       `${next} comes before ${slot}. It is not known what the timer does in the shaded part. The dotted lines go back in the order of the functions.`,
     more: (count: number) => `And ${count} more.`,
   },
-  preview: {
-    title: 'Flight preview',
-    honest: 'A preview of the program, not of the timer: angles are not to scale.',
-    play: 'Play',
-    pause: 'Pause',
-    back: 'Previous event',
-    forward: 'Next event',
-    speed: 'Speed',
-    times: (speed: number) => `${speed}×`,
-    time: 'Time of the flight',
-    sound: 'Ticks',
-    launch: 'Launch',
-    at: (what: string, time: string) => `${what} at ${time}`,
-    sideView: 'Side view',
-    topView: 'Top view',
-    surfaces: { rudder: 'Rudder', tailplane: 'Tailplane', wing: 'Wing' },
-    assign: 'What the servos move',
-    movedBy: (surface: string) => `${surface} is moved by`,
-    nothing: 'nothing',
-    reversed: 'reversed',
-    isReversed: (surface: string) => `${surface} reversed`,
-    surfaceStands: (surface: string, servo: string, position: number | string) => `${surface}: ${servo} at ${position}`,
-    motorRuns: 'Motor runs',
-    motorStopped: 'Motor stopped',
-    surfaceStill: (surface: string) => `${surface}: not moved`,
-  },
+  preview,
   /** While a job goes on over a bad line. */
   disturbed: (repeats: number, seconds: number) =>
     `Line disturbed: ${plural(repeats, 'request', 'requests')} repeated, ends in ${seconds} s at the latest`,

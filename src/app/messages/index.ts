@@ -48,6 +48,11 @@ export function fieldLabel(identity: Identity, field: ProgramField): string {
   return field.slot === 0 && identity.timerClass === 'Q' ? program.motorStopTime : program.timeOf(slot);
 }
 
+/** What a servo moves, by the name that the pilot gave it or by that of its duty. */
+export function dutyName({ duty, name }: { duty: keyof Messages['preview']['duties']; name: string }): string {
+  return name || messages.value.preview.duties[duty];
+}
+
 /** A time as it is said: “2 min 30 s”, “20 s”, “2.3 s”; one before launch with a minus. */
 export function spokenTime(hundredths: number): string {
   const { minutes, seconds } = spokenParts(Math.abs(hundredths));

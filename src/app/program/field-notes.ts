@@ -9,6 +9,10 @@ export interface FieldNote {
   readonly text: string;
 }
 
+export function isSameNote(a: FieldNote, b: FieldNote): boolean {
+  return a.text === b.text && a.severity === b.severity && fieldKey(a.field) === fieldKey(b.field);
+}
+
 /** What is to be said about one field: that its text is not a value, else what the check found. */
 export function notesFor(editor: Editor, field: ProgramField): FieldNote[] {
   const key = fieldKey(field);

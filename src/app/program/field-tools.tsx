@@ -2,7 +2,7 @@ import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { StepOptions } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
-import type { Selection } from './selection.js';
+import type { EditedValue } from './hand.js';
 import './field-tools.css';
 
 export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
@@ -46,42 +46,18 @@ export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): 
 
 interface FieldToolsProps {
   readonly label: string;
-  readonly onStep: OnStep;
-  /** Absent when there is nothing to put back. */
-  readonly onRevert?: (() => void) | undefined;
-  /** Of the table that the field stands in; absent elsewhere. */
-  readonly selection?: Selection | undefined;
+  readonly value: EditedValue;
 }
 
-/**
- * At the field that has the focus: back to what the timer holds, and for a thumb, which has no arrows and no wheel, a
- * step down and a step up; in the table also a way to select. The focus stays, until more is to be selected: then the
- * keyboard makes room for it.
- */
-export function FieldTools({ label, onStep, onRevert, selection }: FieldToolsProps) {
-  const { down, up, putBack, selectRange, signs } = messages.value.edits.field;
-  const pick = (picked: Selection): void => {
-    picked.pick();
-    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
-  };
+/** At the field that has the focus, which stays there: back to what the timer holds. */
+export function FieldTools({ label, value }: FieldToolsProps) {
+  const { putBack, signs } = messages.value.edits.field;
+  if (!value.canPutBack.value) return null;
   return (
     <span class="field-tools" onPointerDown={(event) => event.preventDefault()}>
-      <button type="button" class="step" tabIndex={-1} aria-label={down(label)} onClick={() => onStep(-1)}>
-        {signs.down}
+      <button type="button" tabIndex={-1} aria-label={putBack(label)} onClick={() => value.putBack()}>
+        {signs.putBack}
       </button>
-      <button type="button" class="step" tabIndex={-1} aria-label={up(label)} onClick={() => onStep(1)}>
-        {signs.up}
-      </button>
-      {onRevert && (
-        <button type="button" tabIndex={-1} aria-label={putBack(label)} onClick={onRevert}>
-          {signs.putBack}
-        </button>
-      )}
-      {selection && (
-        <button type="button" class="select-range" tabIndex={-1} onClick={() => pick(selection)}>
-          {selectRange}
-        </button>
-      )}
     </span>
   );
 }

@@ -1,7 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
-import { IdleThrottle } from './idle-throttle.js';
+import { EditSheet, useHand } from './edit-sheet.js';
 import { ValueField } from './value-field.js';
 import './large-figures.css';
 
@@ -10,6 +10,7 @@ export function LargeFigures({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor } = session;
   const identity = editor.identity.value;
+  const hand = useHand();
   const isShort = useComputed(() => editor.findings.value.some(({ code }) => code === 'dt-short')).value;
   if (!identity) return null;
   return (
@@ -23,15 +24,22 @@ export function LargeFigures({ session }: { readonly session: Session }) {
           field={{ kind: 'time', slot: identity.functions }}
           label={program.dt}
           place="large"
+          hand={hand}
         />
       </div>
       {identity.timerClass === 'Q' && (
         <div class="figure">
           <span class="figure-name">{program.motorStop}</span>
-          <ValueField session={session} field={{ kind: 'time', slot: 0 }} label={program.motorStop} place="large" />
+          <ValueField
+            session={session}
+            field={{ kind: 'time', slot: 0 }}
+            label={program.motorStop}
+            place="large"
+            hand={hand}
+          />
         </div>
       )}
-      <IdleThrottle session={session} />
+      <EditSheet {...{ identity, hand }} standing={session.standing} />
     </div>
   );
 }

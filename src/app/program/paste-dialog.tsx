@@ -102,11 +102,11 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
         </div>
       )}
       <div class="buttons">
+        <button type="button" class="quiet" onClick={close}>
+          {words.cancel}
+        </button>
         <button type="button" class="primary" disabled={preview.values.length === 0} onClick={apply}>
           {problems.length > 0 ? words.applyRest : words.apply}
-        </button>
-        <button type="button" onClick={close}>
-          {words.cancel}
         </button>
       </div>
     </>

@@ -8,7 +8,6 @@ import { messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import { TimeQuestion } from './time-question.js';
 import './presets.css';
-import './tool-fields.css';
 
 interface DtPresetsProps {
   readonly editor: Editor;
@@ -27,7 +26,10 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
   return (
     <div class="presets">
       <fieldset class="chips">
-        <legend class="visually-hidden">{words.title}</legend>
+        <legend>
+          <span aria-hidden="true">{messages.value.program.dt}</span>
+          <span class="visually-hidden">{words.title}</span>
+        </legend>
         {preferences.presets.value.map((value) =>
           changing.value ? (
             <button
@@ -109,7 +111,7 @@ function PresetSettings({ editor, preferences }: Omit<DtPresetsProps, 'slot'>) {
   };
   return (
     <form
-      class="tool-fields"
+      class="preset-settings"
       onSubmit={(event) => {
         event.preventDefault();
         // Enter in the field of the limit: it has taken that, and no preset is asked for.

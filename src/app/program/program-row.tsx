@@ -1,6 +1,6 @@
-import { type ReadonlySignal, useComputed, useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
-import { fieldKey, type ProgramField, slotKind } from '../../program/index.js';
+import { type ProgramField, slotKind } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
@@ -9,100 +9,84 @@ import { FIRST_SERVO_COLUMN, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/gri
 import { fieldLabel, messages, slotLabel } from '../messages/index.js';
 import { programKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
+import type { Hand } from './hand.js';
 import { IntervalField } from './interval-field.js';
-import { RowModel } from './row-model.js';
-import type { Selection } from './selection.js';
+import { RowMenu } from './row-menu.js';
+import { cellProps, RowModel, type RowSources } from './row-model.js';
+import { RowNotes } from './row-notes.js';
+import type { RowTools } from './row-tools.js';
 import { ValueField } from './value-field.js';
 
-interface ProgramRowProps {
+export interface ProgramRowProps extends Pick<RowSources, 'selection' | 'marked'> {
   readonly session: Session;
   readonly bench: Bench;
   readonly follow: Follow;
+  readonly tools: RowTools;
   readonly identity: Identity;
   readonly slot: number;
   readonly servos: readonly number[];
-  readonly selection: Selection;
-  /** The field whose handle is meant in the timeline. */
-  readonly marked: ReadonlySignal<ProgramField | null>;
+  readonly hand: Hand;
 }
 
 /** One slot of the program: its time, its interval and a position for each servo, and what is to be said about them. */
-export function ProgramRow({ session, bench, follow, identity, slot, servos, selection, marked }: ProgramRowProps) {
+export function ProgramRow(props: ProgramRowProps) {
+  const { session, bench, follow, tools, identity, slot, servos, selection, hand, marked } = props;
   const { editor } = session;
-  const { about, program, edits, servoName } = messages.value;
+  const { edits, slotShort } = messages.value;
+  // The motor stop of a Q has a row of its own.
+  const hasTime = slot > 0 || identity.timerClass !== 'Q';
   const [positions, fields] = useMemo(() => {
     const positions = servos.map((servo): ProgramField => ({ kind: 'position', servo, slot }));
-    return [positions, [{ kind: 'time', slot }, ...positions]] as const;
-  }, [servos, slot]);
+    return [positions, hasTime ? [{ kind: 'time', slot } as const, ...positions] : positions];
+  }, [servos, slot, hasTime]);
   const row = useMemo(
     () => new RowModel({ editor, selection, marked }, slot, fields),
     [editor, selection, marked, slot, fields],
   );
-  const { value: notes } = row.notes;
-  const { value: changed } = row.isChanged;
-  const { value: markedAt } = row.markedAt;
-  const [left, right] = [row.selectedFrom.value, row.selectedTo.value];
   const name = slotLabel(identity, slot);
-  const cell = (at: number, label: string) => {
-    const isSelected = at >= left && at <= right;
-    const classes = `${isSelected ? 'selected' : ''} ${at === markedAt ? 'marked' : ''}`;
-    return { 'data-cell': at, 'data-name': label, class: classes.trim() };
+  const revert = {
+    label: edits.table.revertRow(name),
+    act: () => editor.revertFields({ code: 'revert-row', params: { slot } }, fields),
   };
-  const timeCell = cell(TIME_COLUMN, program.time);
+  const width = servos.length + FIRST_SERVO_COLUMN + 1;
   return (
     <>
       <tr class={slotKind(identity, slot)} data-slot={slot}>
-        <th scope="row">
-          {name}
+        <th scope="row" data-short={slotShort(slot, slotKind(identity, slot))}>
+          <span class="row-name">{name}</span>
           <ServosHere bench={bench} follow={follow} slot={slot} />
-          {changed && (
-            <button
-              type="button"
-              class="put-back"
-              tabIndex={-1}
-              title={edits.table.revertRow(name)}
-              aria-label={edits.table.revertRow(name)}
-              onClick={() => editor.revertFields({ code: 'revert-row', params: { slot } }, fields)}
-            />
-          )}
+          <RowMenu
+            {...{ tools, identity, slot, name }}
+            shifts={slot > 0}
+            revert={row.isChanged.value ? revert : null}
+          />
         </th>
-        <td {...timeCell} class={`time ${timeCell.class}`}>
-          <TimeCell session={session} selection={selection} identity={identity} slot={slot} />
-        </td>
-        <td {...cell(INTERVAL_COLUMN, edits.table.interval)}>
-          {slot > 0 && <IntervalField {...{ editor, selection, slot }} label={edits.table.intervalOf(name)} />}
+        {hasTime ? (
+          <td {...cellProps(row, TIME_COLUMN, 'time')}>
+            <TimeCell {...{ session, selection, hand, identity, slot }} />
+          </td>
+        ) : (
+          <td class="time origin">{messages.value.program.origin}</td>
+        )}
+        <td {...cellProps(row, INTERVAL_COLUMN, 'interval')}>
+          {slot > 0 && <IntervalField {...{ editor, selection, hand, slot }} label={edits.table.intervalOf(name)} />}
         </td>
         {positions.map((field, servo) => (
-          <td key={fieldLabel(identity, field)} {...cell(FIRST_SERVO_COLUMN + servo, servoName(servo))}>
-            <ValueField {...{ session, selection, field }} label={fieldLabel(identity, field)} place="table" />
+          <td key={fieldLabel(identity, field)} {...cellProps(row, FIRST_SERVO_COLUMN + servo)}>
+            <ValueField {...{ session, selection, hand, field }} label={fieldLabel(identity, field)} place="table" />
           </td>
         ))}
       </tr>
-      {notes.length > 0 && (
-        <tr class="row-notes">
-          <td colSpan={servos.length + 3}>
-            {notes.map(({ field, severity, text }) => (
-              <p key={`${fieldKey(field)} ${text}`} class={severity}>
-                <strong>{about(fieldLabel(identity, field))}</strong> {text}
-              </p>
-            ))}
-          </td>
-        </tr>
-      )}
-      <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={servos.length + 3} />
+      <RowNotes identity={identity} notes={row.notes.value} width={width} />
+      <ServosOffer bench={bench} follow={follow} identity={identity} slot={slot} width={width} />
     </>
   );
 }
 
-interface TimeCellProps {
-  readonly session: Session;
-  readonly selection: Selection;
-  readonly identity: Identity;
-  readonly slot: number;
-}
+interface TimeCellProps extends Pick<ProgramRowProps, 'session' | 'selection' | 'hand' | 'identity' | 'slot'> {}
 
-/** Slot 0 is the motor stop on Q. On B and E it is reserved: shown, and edited only on purpose. */
-function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
+/** The time of slot 0 is reserved on B and E: shown, and edited only on purpose. */
+function TimeCell({ session, selection, hand, identity, slot }: TimeCellProps) {
   const { editor } = session;
   const { program } = messages.value;
   const unlocked = useSignal(false);
@@ -115,12 +99,14 @@ function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
   }, [unlocked, shown]);
   const field: ProgramField = { kind: 'time', slot };
   const label = fieldLabel(identity, field);
-  const isMotorStop = slot === 0 && identity.timerClass === 'Q';
-  const reserved = slot === 0 && !isMotorStop;
+  const reserved = slot === 0;
   return (
     <>
-      <ValueField {...{ session, selection, field, label }} place="table" readOnly={reserved && !unlocked.value} />
-      {isMotorStop && <span class="cell-name">{program.motorStop}</span>}
+      <ValueField
+        {...{ session, selection, hand, field, label }}
+        place="table"
+        readOnly={reserved && !unlocked.value}
+      />
       {reserved && unlocked.value && <span class="cell-name">{program.reserved}</span>}
       {reserved && !unlocked.value && (
         <button
@@ -129,7 +115,11 @@ function TimeCell({ session, selection, identity, slot }: TimeCellProps) {
           aria-label={program.editReserved}
           onClick={(event) => {
             unlocked.value = true;
-            event.currentTarget.closest('td')?.querySelector('input')?.focus();
+            const input = event.currentTarget.closest('td')?.querySelector('input');
+            if (!input) return;
+            // It gets the focus before it is drawn anew.
+            input.readOnly = false;
+            input.focus();
           }}
         >
           {program.reserved}

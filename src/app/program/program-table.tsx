@@ -1,38 +1,45 @@
-import { type ReadonlySignal, useSignal } from '@preact/signals';
+import { useSignal } from '@preact/signals';
+import { Fragment } from 'preact';
 import { useMemo, useRef } from 'preact/hooks';
-import type { ProgramField } from '../../program/index.js';
 import { slotCount } from '../../protocol/index.js';
-import type { Bench } from '../bench/bench.js';
-import type { Follow } from '../bench/follow.js';
 import { fillDown } from '../editing/edits.js';
 import { messages, obstacleText } from '../messages/index.js';
-import type { Session } from '../session/session.js';
 import { useHeight } from '../ui/use-height.js';
-import { ColumnMenu } from './column-menu.js';
+import { EditSheet, useHand } from './edit-sheet.js';
+import { MotorPlace } from './motor-place.js';
+import { MotorRowBefore, ThrottleRow } from './own-rows.js';
 import { PasteDialog, type Pasting } from './paste-dialog.js';
-import { ProgramRow } from './program-row.js';
+import { ProgramRow, type ProgramRowProps } from './program-row.js';
 import { RangeBar } from './range-bar.js';
+import { RowTools } from './row-tools.js';
 import { useSelectRange } from './select-range.js';
 import { Selection } from './selection.js';
 import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
+import { TableHead } from './table-head.js';
 import './program-table.css';
 
-interface ProgramTableProps {
-  readonly session: Session;
-  readonly bench: Bench;
-  readonly follow: Follow;
-  /** The field whose handle is meant in the timeline: a signal, so that only its row is drawn again. */
-  readonly marked: ReadonlySignal<ProgramField | null>;
+interface ProgramTableProps extends Pick<ProgramRowProps, 'session' | 'bench' | 'follow' | 'marked'> {
+  /** Those of the rows, where they are opened from elsewhere too. Default: its own. */
+  readonly tools?: RowTools;
 }
 
+/** More rows or columns than these are looked at in a part, with the heads in sight. */
+const MOST_SLOTS = 12;
+const MOST_SERVOS = 4;
+
 /** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
-export function ProgramTable({ session, bench, follow, marked }: ProgramTableProps) {
+export function ProgramTable({ session, bench, follow, marked, tools: given }: ProgramTableProps) {
   const { editor } = session;
-  const { program, edits, servoName } = messages.value;
+  const { program, edits } = messages.value;
   const selection = useMemo(() => new Selection(), []);
+  const hand = useHand();
+  const place = useMemo(() => new MotorPlace(editor), [editor]);
+  const tools = useMemo(() => given ?? new RowTools(editor), [given, editor]);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
+  /** Whether intervals are shown where there is no room for the times beside them. */
+  const intervals = useSignal(false);
   const table = useRef<HTMLTableElement>(null);
   const foot = useRef<HTMLDivElement>(null);
   useHeight(foot, '--range');
@@ -65,7 +72,11 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
     selection,
     fillDown: fill,
     toBar: () => foot.current?.querySelector('button')?.focus(),
-    onFocus: () => say(null),
+    onFocus: (cell) => {
+      say(null);
+      if (cell) place.hold();
+      else place.keep();
+    },
   });
   /** Whoever came to the buttons by keys goes back to the cell; a thumb does not want its keyboard. */
   const done = (): void => {
@@ -77,37 +88,49 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
   };
   if (!identity) return null;
   const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
+  const isLarge = slots.length > MOST_SLOTS || servos.length > MOST_SERVOS;
+  const shared = { session, tools, identity, servos, selection, hand, marked };
+  const hasMotor = identity.timerClass === 'Q';
+  const classes = ['program-table', selection.picking.value && 'picking', intervals.value && 'by-intervals'];
   return (
-    <div class="table-box">
-      <table
-        ref={table}
-        class={selection.picking.value ? 'program-table picking' : 'program-table'}
-        aria-describedby="table-keys"
-        {...listeners}
-        onCopy={copy}
-        onCut={cut}
-        onPaste={paste}
-      >
-        <caption class="visually-hidden">{program.tableCaption}</caption>
-        <thead>
-          <tr>
-            <th scope="col">{program.slot}</th>
-            <th scope="col">{program.time}</th>
-            <th scope="col">{edits.table.interval}</th>
-            {servos.map((servo) => (
-              <th scope="col" key={servo} aria-label={servoName(servo)}>
-                {servoName(servo)}
-                <ColumnMenu editor={editor} identity={identity} servo={servo} />
-              </th>
+    <div
+      class={`table-box ${hasMotor ? 'with-motor' : ''} ${isLarge ? 'large' : ''}`}
+      style={{ '--rows': slots.length, '--servos': servos.length }}
+    >
+      <div class="table-scroller">
+        <table
+          ref={table}
+          class={classes.filter(Boolean).join(' ')}
+          aria-describedby="table-keys"
+          {...listeners}
+          onFocusOut={({ target, relatedTarget, currentTarget }) => {
+            const stays = relatedTarget instanceof Node && currentTarget.contains(relatedTarget);
+            // A window that is left comes back with its focus.
+            if (!stays && target !== document.activeElement) place.release();
+          }}
+          onCopy={copy}
+          onCut={cut}
+          onPaste={paste}
+        >
+          <caption class="visually-hidden">{program.tableCaption}</caption>
+          <TableHead
+            {...{ editor, identity, servos }}
+            onSwitch={() => {
+              intervals.value = !intervals.value;
+            }}
+          />
+          <tbody>
+            {slots.map((slot) => (
+              <Fragment key={slot}>
+                <MotorRowBefore {...shared} place={place} slot={slot} />
+                <ProgramRow {...shared} {...{ bench, follow, slot }} />
+              </Fragment>
             ))}
-          </tr>
-        </thead>
-        <tbody>
-          {slots.map((slot) => (
-            <ProgramRow key={slot} {...{ session, bench, follow, identity, slot, servos, selection, marked }} />
-          ))}
-        </tbody>
-      </table>
+            <MotorRowBefore {...shared} place={place} slot={slots.length} />
+            <ThrottleRow {...{ session, identity, servos, hand }} />
+          </tbody>
+        </table>
+      </div>
       <p class="hint keys-hint" id="table-keys">
         {edits.table.keys}
       </p>
@@ -125,6 +148,7 @@ export function ProgramTable({ session, bench, follow, marked }: ProgramTablePro
           </p>
         )}
       </div>
+      <EditSheet {...{ identity, hand }} standing={session.standing} />
       <PasteDialog
         session={session}
         pasting={pasting}

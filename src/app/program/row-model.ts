@@ -3,12 +3,13 @@ import { fieldKey, type ProgramField } from '../../program/index.js';
 import { computedList } from '../editing/computed-list.js';
 import type { Editor } from '../editing/editor.js';
 import { cellFor } from '../editing/grid.js';
-import { type FieldNote, notesFor } from './field-notes.js';
+import { type FieldNote, isSameNote, notesFor } from './field-notes.js';
 import type { Selection } from './selection.js';
 
-interface RowSources {
+export interface RowSources {
   readonly editor: Editor;
   readonly selection: Selection;
+  /** The field whose handle is meant in the timeline. */
   readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
@@ -36,12 +37,20 @@ export class RowModel {
     this.selectedFrom = computed(() => selected.value?.left ?? Number.POSITIVE_INFINITY);
     this.selectedTo = computed(() => selected.value?.right ?? Number.NEGATIVE_INFINITY);
     this.markedAt = computed(() => {
-      const cell = marked.value && cellFor(marked.value);
-      return cell?.row === slot ? cell.column : null;
+      const isMine = marked.value && keys.includes(fieldKey(marked.value));
+      return isMine ? (cellFor(marked.value)?.column ?? null) : null;
     });
   }
 }
 
-function isSameNote(a: FieldNote, b: FieldNote): boolean {
-  return a.text === b.text && a.severity === b.severity && fieldKey(a.field) === fieldKey(b.field);
+/** What a cell of a row carries: its place in the grid, and whether it is selected, or meant in the timeline. */
+export function cellProps(
+  { selectedFrom, selectedTo, markedAt }: RowModel,
+  column: number,
+  name = '',
+): { readonly 'data-cell': number; readonly class: string } {
+  const isSelected = column >= selectedFrom.value && column <= selectedTo.value;
+  const isMarked = column === markedAt.value;
+  const classes = [name, isSelected && 'selected', isMarked && 'marked'].filter(Boolean);
+  return { 'data-cell': column, class: classes.join(' ') };
 }

@@ -1,5 +1,6 @@
 import type { TargetedDragEvent, TargetedFocusEvent, TargetedMouseEvent, TargetedPointerEvent } from 'preact';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
+import type { GridCell } from '../editing/grid.js';
 import { cellOf, cellUnder, isSameCell } from './table-cells.js';
 import { onTableKey, type TableKeys } from './table-keys.js';
 
@@ -14,8 +15,8 @@ export interface RangeListeners {
 }
 
 interface RangeUser extends TableKeys {
-  /** Is called when the focus comes to anything in the table. */
-  readonly onFocus: () => void;
+  /** Is called when the focus comes to anything in the table; null where that is no cell. */
+  readonly onFocus: (cell: GridCell | null) => void;
 }
 
 /**
@@ -62,8 +63,8 @@ function selectRange(user: () => RangeUser): { readonly listeners: RangeListener
     onKeyDown: (event) => onTableKey(event, user()),
     onFocusIn: ({ target }) => {
       const { selection, onFocus } = user();
-      onFocus();
       const cell = cellOf(target);
+      onFocus(cell);
       if (!cell) return;
       if (selection.picking.value) {
         // It came in some other way, as by a long press or from a screen reader.

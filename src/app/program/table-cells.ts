@@ -19,6 +19,8 @@ export function cellAt(table: Element, { row, column }: GridCell): Element | nul
 export function cellUnder(table: Element, { clientX, clientY }: PointerEvent): GridCell | null {
   for (const element of document.elementsFromPoint(clientX, clientY)) {
     if (!table.contains(element)) return null;
+    // The motor stop is the time of the start, wherever its row stands: no range goes over it to there.
+    if (element.closest('.motor-stop')) return null;
     if (element.matches('td[data-cell]')) return cellOf(element);
   }
   return null;

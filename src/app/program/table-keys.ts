@@ -1,5 +1,5 @@
 import type { Editor } from '../editing/editor.js';
-import { type GridCell, gridColumns } from '../editing/grid.js';
+import { gridColumns } from '../editing/grid.js';
 import type { Selection } from './selection.js';
 import { cellAt, cellOf } from './table-cells.js';
 
@@ -11,6 +11,9 @@ export interface TableKeys {
   /** Moves the focus to what can be done to a range. */
   readonly toBar: () => void;
 }
+
+/** The column of the tools of the rows, left of the times. */
+const OPENERS = -1;
 
 const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {
   ArrowUp: [-1, 0],
@@ -25,8 +28,13 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
  */
 export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   const { target } = event;
-  const cell = cellOf(target);
-  if (event.defaultPrevented || event.altKey || !cell || !(target instanceof HTMLInputElement)) return;
+  if (event.defaultPrevented || event.altKey) return;
+  const direction = DIRECTIONS[event.key];
+  if (target instanceof Element && target.matches('.row-opener')) {
+    if (direction) moveFocus(event, target, direction);
+    return;
+  }
+  if (!cellOf(target) || !(target instanceof HTMLInputElement)) return;
   if (event.ctrlKey || event.metaKey) {
     if (event.key.toLowerCase() !== 'd' || event.shiftKey) return;
     event.preventDefault();
@@ -44,13 +52,12 @@ export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
     return;
   }
   if (event.key === 'Enter') {
-    moveFocus(event, target, cell, [event.shiftKey ? -1 : 1, 0]);
+    moveFocus(event, target, [event.shiftKey ? -1 : 1, 0]);
     return;
   }
-  const direction = DIRECTIONS[event.key];
   if (!direction || (direction[1] !== 0 && !leavesText(target, direction[1]))) return;
   if (event.shiftKey) extend(event, target, keys, direction);
-  else moveFocus(event, target, cell, direction);
+  else moveFocus(event, target, direction);
 }
 
 /** Whether an arrow to the side has nothing left to do in the text. */
@@ -85,24 +92,31 @@ function extend(
   requestAnimationFrame(() => requestAnimationFrame(toSight));
 }
 
-/** To the next cell that way which can be edited; at the edge the focus stays. */
-function moveFocus(
-  event: KeyboardEvent,
-  from: HTMLInputElement,
-  cell: GridCell,
-  [down, right]: readonly [number, number],
-): void {
-  const table = from.closest('table');
-  let { row, column } = cell;
+/**
+ * To the next cell that way which can be edited, as they stand on the screen: left of the times are the tools of the
+ * rows, and what is not shown is passed over. At the edge the focus stays.
+ */
+function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly [number, number]): void {
+  let row = from.closest('tr');
+  let column = Number(from.closest('td')?.getAttribute('data-cell') ?? OPENERS);
+  const columns = row?.closest('table')?.querySelectorAll('thead th').length ?? 0;
   for (;;) {
-    row += down;
+    if (down !== 0) row = rowBeside(row, down);
     column += right;
-    const found = table && cellAt(table, { row, column });
-    if (!found) return;
-    const input = found.querySelector('input');
-    if (!input) continue;
+    if (!row || column < OPENERS || column >= columns) return;
+    const found = row.querySelector<HTMLElement>(
+      column === OPENERS ? '.row-opener' : `td[data-cell="${column}"] input`,
+    );
+    found?.focus();
+    if (!found || document.activeElement !== found) continue;
     event.preventDefault();
-    input.focus();
     return;
   }
+}
+
+/** The next row of the program that way. */
+function rowBeside(row: Element | null, down: number): HTMLTableRowElement | null {
+  const next = down > 0 ? row?.nextElementSibling : row?.previousElementSibling;
+  if (!(next instanceof HTMLTableRowElement)) return null;
+  return next.hasAttribute('data-slot') ? next : rowBeside(next, down);
 }

@@ -1,16 +1,14 @@
 import { computed, useSignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
-import { dateText, messages } from '../messages/index.js';
-import { kindKey } from '../session/record-keys.js';
+import { dateText, dutyName, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
 import type { OnEdit } from '../timeline/drag.js';
 import { useLate } from '../timeline/hooks.js';
-import { FlightPreview } from '../timeline/preview/flight-preview.js';
-import { KeptLinkages } from '../timeline/preview/linkages.js';
 import { Player } from '../timeline/preview/player.js';
 import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';
+import { PreviewPanel } from './preview-panel.js';
 import './timeline-panel.css';
 
 /** What lies behind the program: what the timer holds, nothing, or a backup by its key. */
@@ -30,11 +28,9 @@ interface TimelinePanelProps {
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
 export function TimelinePanel({ session, selected, onSelect, onPoint }: TimelinePanelProps) {
-  const { preview } = messages.value;
-  const { editor } = session;
+  const { editor, servoUses } = session;
   const player = useMemo(() => new Player(), []);
   const behind = useSignal(HELD);
-  const open = useSignal(false);
   // All that the picture is made of comes a frame late: it is drawn once, after the field that was typed into.
   const shown = useMemo(
     () =>
@@ -48,11 +44,14 @@ export function TimelinePanel({ session, selected, onSelect, onPoint }: Timeline
   const [late, catchUp] = useLate(shown);
   const { program, held, sure } = late.program?.identity === editor.identity.value ? late : shown.peek();
   const overlay = useOverlay(session, program, behind.value, held, sure);
+  const named = servoUses.named.value;
+  const names = useMemo(() => named?.map(dutyName), [named]);
   if (!program) return null;
   return (
     <div class="timeline-panel">
       <PlayedTimeline
-        {...{ program, player, selected, onSelect, onPoint, overlay }}
+        {...{ program, player, selected, onSelect, onPoint, overlay, names }}
+        onAsk={(time) => player.ask(time)}
         now={() => editor.working.peek() ?? program}
         onEdit={(edit, phase) => {
           // A movement that leads back is no step.
@@ -74,24 +73,14 @@ export function TimelinePanel({ session, selected, onSelect, onPoint }: Timeline
           />
         }
       />
-      <details
-        class="flight"
-        onToggle={(event) => {
-          open.value = event.currentTarget.open;
-        }}
-      >
-        <summary>{preview.title}</summary>
-        {open.value && <KeptPreview session={session} program={program} player={player} />}
-      </details>
+      <PreviewPanel {...{ session, program, player, selected }} />
     </div>
   );
 }
 
 /** Drawn at each frame of a flight, so that nothing around it has to be. */
 function PlayedTimeline({ player, ...props }: TimelineProps & { readonly player: Player; readonly onEdit: OnEdit }) {
-  const time = player.time.value;
-  const isUnderWay = time > 0 || player.playing.value;
-  return <Timeline {...props} cursor={isUnderWay ? time : null} />;
+  return <Timeline {...props} cursor={player.cursor.value} />;
 }
 
 /** The second program and its name. @param held what the timer holds, where it differs. */
@@ -142,18 +131,4 @@ function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWit
       </select>
     </label>
   );
-}
-
-interface KeptPreviewProps {
-  readonly session: Session;
-  readonly program: TimerProgram;
-  readonly player: Player;
-}
-
-/** The preview, with what the servos move as the pilot has said for timers of this kind. */
-function KeptPreview({ session, program, player }: KeptPreviewProps) {
-  const { identity } = program;
-  const kind = kindKey(identity, session.simulated.value);
-  const linkages = useMemo(() => new KeptLinkages(kind, identity.servos), [kind, identity.servos]);
-  return <FlightPreview program={program} player={player} linkages={linkages.value.value} onLinkages={linkages.set} />;
 }

@@ -1,16 +1,16 @@
 import { useSignal } from '@preact/signals';
-import { useMemo, useRef } from 'preact/hooks';
+import { useCallback, useMemo, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
-import { stepValue } from '../editing/edits.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { FieldModel, type FieldPlace } from './field-model.js';
 import { FieldTools, type OnStep, stepByKey, useWheel } from './field-tools.js';
+import type { Hand } from './hand.js';
 import { refuseDrag } from './refuse-drag.js';
 import type { Selection } from './selection.js';
 import { TimeQuestion } from './time-question.js';
 import { useSwipe } from './use-swipe.js';
-import { WasText } from './was-text.js';
+import { OldValue, WasText } from './was-text.js';
 import './value-field.css';
 
 interface ValueFieldProps {
@@ -19,11 +19,10 @@ interface ValueFieldProps {
   readonly label: string;
   /** It keeps the ids of fields for one value apart. In the table the arrows alone go to other cells. */
   readonly place: FieldPlace;
+  readonly hand: Hand;
   /** Of the table; absent elsewhere. */
   readonly selection?: Selection;
   readonly readOnly?: boolean;
-  /** Shows what is to be said about the value under it; else that is left to whoever reads aloud, and to the table. */
-  readonly notesShown?: boolean;
 }
 
 /** More letters than there is room for beside a unit on a phone: such a time has a colon. */
@@ -31,7 +30,7 @@ const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
 export function ValueField(props: ValueFieldProps) {
-  const { session, field, label, place, selection, readOnly = false, notesShown = false } = props;
+  const { session, field, label, place, hand, selection, readOnly = false } = props;
   const { editor } = session;
   const input = useRef<HTMLInputElement>(null);
   const focused = useSignal(false);
@@ -46,6 +45,8 @@ export function ValueField(props: ValueFieldProps) {
   const { value: notes } = model.notes;
   const isChanged = model.isChanged.value;
   const isWrong = model.isWrong.value;
+  // The sheet says and does what else stands at the field.
+  const isHeld = focused.value && hand.isTouch.value;
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
@@ -53,10 +54,10 @@ export function ValueField(props: ValueFieldProps) {
     was !== null && id('was'),
     notes && id('notes'),
   ].filter(Boolean);
-  const revert = (): void => editor.revert(field);
+  // The same from key to key: what is given it is not drawn again.
+  const putBack = useCallback(() => model.putBack(), [model]);
   const step: OnStep = (direction, options) => {
-    const working = editor.working.value;
-    if (working && !readOnly) editor.apply(stepValue(working, field, direction, options));
+    if (!readOnly) model.step(direction, options);
   };
   useWheel(input, step);
   useSwipe(input, step);
@@ -66,7 +67,7 @@ export function ValueField(props: ValueFieldProps) {
         ref={input}
         type="text"
         data-field={key}
-        inputMode={field.kind === 'time' ? 'decimal' : 'numeric'}
+        inputMode={hand.isTouch.value ? 'none' : field.kind === 'time' ? 'decimal' : 'numeric'}
         autocomplete="off"
         spellcheck={false}
         aria-label={label}
@@ -75,13 +76,15 @@ export function ValueField(props: ValueFieldProps) {
         readOnly={readOnly}
         class={text.length > LONG ? 'long' : ''}
         value={text}
-        onFocus={(event) => {
+        onFocus={({ currentTarget }) => {
           focused.value = true;
-          event.currentTarget.select();
+          currentTarget.select();
+          if (!currentTarget.readOnly) hand.hold({ input: currentTarget, label, value: model, selection });
         }}
         onInput={(event) => editor.type(field, event.currentTarget.value)}
-        onBlur={() => {
+        onBlur={({ currentTarget }) => {
           focused.value = false;
+          hand.release(currentTarget);
           editor.leave(field);
         }}
         onKeyDown={(event) => {
@@ -91,23 +94,22 @@ export function ValueField(props: ValueFieldProps) {
             else editor.escape(field);
           }
           if (event.key !== 'Enter' && (event.key !== 'Tab' || event.shiftKey || either)) return;
-          editor.leave(field);
           // It asks first what was meant; the answers are the next thing that Tab comes to.
-          if (editor.asked.value.has(key)) event.preventDefault();
+          if (!model.finish()) event.preventDefault();
           if (isLarge && event.key === 'Enter') event.currentTarget.select();
         }}
       />
       {unit && (
-        <span class="unit" id={id('unit')}>
+        <span class={`unit ${unit}`} id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}
-      {either && (
+      {either && !isHeld && (
         <TimeQuestion
           label={label}
           either={either}
           onAnswer={(value, byKey) => {
-            editor.answer(field, value);
+            model.answer(value);
             if (byKey) input.current?.focus();
           }}
           onEscape={() => {
@@ -116,7 +118,7 @@ export function ValueField(props: ValueFieldProps) {
           }}
         />
       )}
-      {(spoken || was !== null) && (
+      {isLarge && (spoken || was !== null) && (
         <span class="below">
           {spoken && (
             <span class="spoken" id={id('spoken')}>
@@ -130,18 +132,24 @@ export function ValueField(props: ValueFieldProps) {
           )}
         </span>
       )}
+      {!isLarge && was !== null && (
+        <OldValue
+          id={id('was')}
+          standing={session.standing}
+          value={was}
+          figure={model.old.value}
+          // Else a click into the field would be taken for it.
+          label={focused.value ? messages.value.edits.field.putBack(label) : null}
+          onPutBack={putBack}
+        />
+      )}
+      {/* They are seen in the table, under the row. */}
       {notes && (
-        <span class={notesShown ? 'notes bad-text' : 'visually-hidden'} id={id('notes')}>
+        <span class="visually-hidden" id={id('notes')}>
           {notes}
         </span>
       )}
-      {focused.value && !readOnly && (
-        <FieldTools
-          {...{ label, selection }}
-          onStep={step}
-          onRevert={isChanged || model.isUnreadable.value ? revert : undefined}
-        />
-      )}
+      {isLarge && focused.value && !readOnly && !isHeld && <FieldTools label={label} value={model} />}
     </span>
   );
 }

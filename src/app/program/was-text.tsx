@@ -1,6 +1,7 @@
 import type { ReadonlySignal } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { Standing } from '../session/standing.js';
+import './was-text.css';
 
 interface WasTextProps {
   readonly standing: ReadonlySignal<Standing>;
@@ -15,6 +16,51 @@ export function WasText({ standing, value }: WasTextProps) {
     <>
       {marks[sure](value)}
       {sure === 'not' && <span class="visually-hidden">{notCertain}</span>}
+    </>
+  );
+}
+
+interface OldValueProps extends WasTextProps {
+  readonly id: string;
+  /** The value without its unit, which stands in the head. */
+  readonly figure: string;
+  /** What a click on it does; null where it is only shown. */
+  readonly label: string | null;
+  readonly onPutBack: () => void;
+}
+
+/**
+ * The same in a cell, beside the new value: the figure alone, struck through. What the timer may hold is not, for it
+ * may be in force.
+ */
+export function OldValue({ id, standing, value, figure, label, onPutBack }: OldValueProps) {
+  const { old } = messages.value.knowledge;
+  const { sure } = standing.value;
+  const shown = sure === 'not' ? <span>{old.not(figure)}</span> : <s>{old.now(figure)}</s>;
+  return (
+    <>
+      <span class="visually-hidden" id={id}>
+        <WasText standing={standing} value={value} />
+      </span>
+      {label !== null ? (
+        <button
+          type="button"
+          class="old-value"
+          tabIndex={-1}
+          aria-label={label}
+          title={label}
+          // The focus stays in the field.
+          onPointerDown={(event) => event.preventDefault()}
+          onMouseDown={(event) => event.preventDefault()}
+          onClick={onPutBack}
+        >
+          {shown}
+        </button>
+      ) : (
+        <span class="old-value" aria-hidden="true">
+          {shown}
+        </span>
+      )}
     </>
   );
 }

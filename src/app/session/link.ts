@@ -14,6 +14,7 @@ import {
 } from '../../serial/index.js';
 import { type Keeper, type PortRecord, within } from '../storage/index.js';
 import { kindKey } from './record-keys.js';
+import { WaitClock } from './wait-clock.js';
 
 /**
  * So long a browser has to say which ports are plugged in, in milliseconds: a click that asks for a port does not count
@@ -54,6 +55,8 @@ export class Link {
   );
   /** A timer that does not answer, or its adapter, is waited for: until it is there, or the pilot stops it. */
   readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
+  /** Whole seconds since a timer was asked first that has not answered; 0 while none is asked. */
+  readonly waited: ReadonlySignal<number> = new WaitClock(this.#state).seconds;
   /** The ports that the pilot has allowed before and that are plugged in. */
   readonly ports: ReadonlySignal<readonly KnownPort[]> = this.#ports;
   /** What the pilot has set by hand; null: each port as it was used last. */

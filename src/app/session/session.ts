@@ -25,9 +25,10 @@ import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import { Notices } from './notices.js';
 import { Reader } from './reader.js';
-import { workKey } from './record-keys.js';
+import { kindKey, workKey } from './record-keys.js';
 import { Safety } from './safety.js';
 import { ServoMoves } from './servo-moves.js';
+import { ServoUses } from './servo-uses.js';
 import { SetAside } from './set-aside.js';
 import { type Standing, standingOf } from './standing.js';
 import { UnfinishedRecords } from './unfinished.js';
@@ -64,6 +65,8 @@ export class Session {
   readonly notices: Notices;
   readonly safety = new Safety();
   readonly servoMoves: ServoMoves;
+  /** What the servos of the model move, by the pilot's word. */
+  readonly servoUses: ServoUses;
   /** Which memory flies next, and whether it is the one of the time of connect. */
   readonly nextFlight = new NextFlight();
   /** It is open how this timer writes its times: the pilot has to choose before they are written. */
@@ -110,6 +113,12 @@ export class Session {
     this.keptWork = new KeptWork(this, drafts, (draft) => reader.showDraft(draft));
     this.keptPrograms = new KeptPrograms(drafts);
     this.engaged = computed(() => runner.busy.value || link.waiting.value);
+    this.servoUses = new ServoUses(
+      computed(() => {
+        const shown = editor.identity.value;
+        return shown && { kind: kindKey(shown, reader.simulated.value), servos: shown.servos };
+      }),
+    );
   }
 
   /**
@@ -164,7 +173,7 @@ export class Session {
    * chosen.
    */
   async chooseAnother(): Promise<void> {
-    if (this.runner.busy.value) return;
+    if (!['searching', 'waiting'].includes(this.link.state.value.status)) return;
     await this.link.choose();
     await this.#reader.settled();
   }

@@ -59,11 +59,11 @@ function Review({ erase, counts, uncertain }: ReviewProps) {
         </div>
       )}
       <div class="buttons">
+        <button type="button" class="quiet" onClick={() => erase.dismiss()}>
+          {write.cancel}
+        </button>
         <button type="button" onClick={() => void erase.start()}>
           {words.start}
-        </button>
-        <button type="button" onClick={() => erase.dismiss()}>
-          {write.cancel}
         </button>
       </div>
     </>

@@ -30,18 +30,24 @@ interface HeaderProps {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly platform: Platform;
+  /** The way to a timer is told large, in the place of the program. */
+  readonly staged: boolean;
 }
 
 /** What stays in sight in every view: the status, what is not certain, what goes on, and what there is to say. */
-export function Header({ session, memories, leaving, follow, preferences, ...notices }: HeaderProps) {
+export function Header({ session, memories, leaving, follow, preferences, staged, ...notices }: HeaderProps) {
   const top = useRef<HTMLElement>(null);
   useHeight(top, '--top');
   return (
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences }} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
-      <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />
-      <JobProgress runner={session.runner} />
+      {!staged && (
+        <>
+          <LinkNotice session={session} platform={notices.platform} onStop={() => void leaving.disconnect()} />
+          <JobProgress runner={session.runner} />
+        </>
+      )}
       <NoticeBar session={session} {...notices} />
     </header>
   );

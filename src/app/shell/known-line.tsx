@@ -33,7 +33,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
     open: strip.notCertain,
     differs: strip.shortChanges(tried + count + unfinished),
     known: strip.asInTimer,
-    once: strip.asRead,
+    once: editor.madeAt.value === null ? strip.asRead : strip.made,
   }[state];
   return (
     <p class={`changes ${state}`} role="status">

@@ -8,10 +8,8 @@ import type { Memories } from '../memories/memories.js';
 import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
 import { messages, timerName } from '../messages/index.js';
 import { ChecksPanel } from '../program/checks-panel.js';
-import { IdleThrottle } from '../program/idle-throttle.js';
 import { DtPresets } from '../program/presets.js';
 import { ProgramTable } from '../program/program-table.js';
-import { ShiftTool } from '../program/shift-tool.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
@@ -65,15 +63,9 @@ export function ProgramView({ session, write, memories, bench, follow, preferenc
       <div class="program-main" onFocusCapture={(event) => select(fieldAt(event.target, identity) ?? selected.peek())}>
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
-            {!isNarrow && (
-              <div class="program-tools">
-                <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
-                <IdleThrottle session={session} />
-              </div>
-            )}
+            {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
             <ProgramTable session={session} bench={bench} follow={follow} marked={marked} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
-            <ShiftTool editor={session.editor} />
           </div>
         ) : (
           <MemoryLook session={session} memories={memories} memory={looking} />

@@ -72,14 +72,14 @@ interface ClosingButtonsProps {
 export function ClosingButtons({ onClose, again = null }: ClosingButtonsProps) {
   return (
     <div class="buttons">
+      <button type="button" class={again ? 'quiet' : 'primary'} onClick={onClose}>
+        {messages.value.write.close}
+      </button>
       {again && (
         <button type="button" class="primary" disabled={again.disabled} onClick={again.onClick}>
           {again.label}
         </button>
       )}
-      <button type="button" class={again ? '' : 'primary'} onClick={onClose}>
-        {messages.value.write.close}
-      </button>
     </div>
   );
 }

@@ -66,7 +66,8 @@ function KeyFigures({ shown: { baseline, goal } }: { shown: Shown }) {
         const [from, to] = [valueAt(baseline, field), valueAt(goal, field)];
         return (
           <span key={fieldKey(field)}>
-            {keyName(goal.identity, field)} <strong>{figure(goal.identity, field, to)}</strong>{' '}
+            <span class="key-name">{keyName(goal.identity, field)}</span>{' '}
+            <strong>{figure(goal.identity, field, to)}</strong>{' '}
             <small>{from === to ? words.asItIs : words.insteadOf(figure(goal.identity, field, from))}</small>
           </span>
         );
@@ -134,11 +135,11 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
       {changes.some(({ field }) => field.kind === 'position') && <MoveServosCheck servoMoves={session.servoMoves} />}
       <SafetyCheck safety={session.safety} />
       <div class="buttons">
+        <button type="button" class="quiet" onClick={() => write.dismiss()}>
+          {words.cancel}
+        </button>
         <button type="button" class="primary" disabled={!write.ready.value} onClick={() => void write.start()}>
           {words.start(changes.length)}
-        </button>
-        <button type="button" onClick={() => write.dismiss()}>
-          {words.cancel}
         </button>
       </div>
     </>

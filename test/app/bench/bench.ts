@@ -70,7 +70,7 @@ export class MemoryStore implements Storage {
 /** The locks of a browser with one tab. */
 const ALONE: Locks = { request: async (_, __, work) => work({}) };
 
-export interface BenchOptions extends TimerOptions, Pick<ModelOptions, 'erasers' | 'reload'> {
+export interface BenchOptions extends TimerOptions, Partial<Pick<ModelOptions, 'erasers' | 'reload' | 'platform'>> {
   /** Default: a new one. The same one again stands for a reload. */
   readonly store?: MemoryStore;
   /** Whether this browser has Web Serial. Default true. */
@@ -92,6 +92,7 @@ export async function appBench({
   started = true,
   erasers,
   reload,
+  platform = platformOf({ userAgent: '' }),
   ...timer
 }: BenchOptions = {}) {
   vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'performance'] });
@@ -106,7 +107,7 @@ export async function appBench({
     tab: tab ?? new TabNumber(ALONE, { load: () => null, save: () => {} }),
     plugSimulated: (timerClass) => new Adapter(new MockSerial(), { identity: { timerClass } }).port,
     plugRecording,
-    platform: platformOf({ userAgent: '' }),
+    platform,
     channel: channel ?? null,
     erasers,
     reload,

@@ -1,6 +1,6 @@
 import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { describe, expect, it } from 'vitest';
-import type { LinkState } from '../../../src/serial/index.js';
+import { Adapter } from '../../serial/bench.js';
 import { type AppBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { button, connected, field, goTo, opened, press, type } from '../screen.js';
 
@@ -35,16 +35,19 @@ describe('the adapters that are known', () => {
     await run(before.session.disconnect());
     cleanup();
     await opened({ store, info: FTDI, answersAt: 19_200, plug: { granted: true } });
+    await goTo('settings');
     expect(screen.getByRole('heading', { name: 'Known adapters' })).toBeTruthy();
     const known = screen.getByRole('button', { name: /^Connect to FTDI adapter/ });
     expect(known.textContent).toContain('last at 19200 baud');
     fireEvent.click(known);
     await idle();
+    await goTo('program');
     expect(field('DT time').value).toBe('3:00');
   });
 
   it('are forgotten by a click', async () => {
     await opened({ info: FTDI, plug: { granted: true } });
+    await goTo('settings');
     await press(/^Forget FTDI adapter/);
     expect(screen.queryByRole('button', { name: /^Connect to FTDI/ })).toBeNull();
     expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
@@ -52,6 +55,7 @@ describe('the adapters that are known', () => {
 
   it('are not there before one was allowed', async () => {
     await opened({ info: FTDI });
+    await goTo('settings');
     expect(screen.queryByRole('heading', { name: 'Known adapters' })).toBeNull();
   });
 });
@@ -68,9 +72,9 @@ describe('while a timer or its adapter is waited for', () => {
     await press('Connect');
     const ways = ['Connect', /^Connect to FTDI/, 'Choose a port', /^Try a simulated F1Q/];
     const shown = () => ways.flatMap((name) => screen.queryAllByRole<HTMLButtonElement>('button', { name }));
-    expect(shown().map(({ disabled }) => disabled)).toEqual([true, true, true, true]);
+    expect(shown(), 'no dead button stands about').toEqual([]);
     await press('Stop');
-    expect(shown().every(({ disabled }) => !disabled)).toBe(true);
+    expect([shown()[0]?.textContent, shown().some(({ disabled }) => disabled)]).toEqual(['Connect', false]);
   });
 
   it.each(waits)('Connect begins no second way: the %s comes back on the first', async (_, set) => {
@@ -90,26 +94,70 @@ describe('while a timer or its adapter is waited for', () => {
 });
 
 describe('what to do while no timer answers', () => {
-  const help = (): HTMLDetailsElement | null => document.querySelector('.top details.help');
+  const help = (): HTMLDetailsElement | null => document.querySelector('details.help');
+  const stage = (): string | undefined => screen.queryByRole('heading', { level: 1 })?.textContent ?? undefined;
+  const current = (): string | undefined => document.querySelector('[aria-current="step"]')?.textContent ?? undefined;
 
-  /** Clicks Connect and lets the clock go until the link has come so far. */
-  async function connectUntil({ session }: AppBench, isThere: (state: LinkState) => boolean): Promise<void> {
+  /** Connect was clicked, and the timer sleeps. */
+  async function asleep(): Promise<AppBench> {
+    const bench = await opened({ info: FTDI, plug: { granted: true } });
+    bench.timer.core.sleep();
     fireEvent.click(button('Connect'));
-    for (let i = 0; i < 400 && !isThere(session.link.state.value); i++) await idle(50);
-    expect(session.link.state.value).toSatisfy(isThere);
+    await idle(500);
+    return bench;
   }
 
-  it('is not said while the usual rates are tried', async () => {
-    const bench = await opened({ info: FTDI, plug: { granted: true } });
-    bench.timer.core.sleep();
-    await connectUntil(bench, (state) => state.status === 'searching' && state.step === 2);
+  it('holds the stage and changes with the seconds: look, switch, distance, another adapter', async () => {
+    await asleep();
+    expect([stage(), current()]).toEqual(['Looking for the timer', undefined]);
+    await idle(1700);
+    expect([stage(), current()]).toEqual([
+      'Press the switch of the timer briefly',
+      'Wake the timer: press its switch briefly',
+    ]);
+    expect(screen.getByText(/^No answer for 2 s\./)).toBeTruthy();
     expect(help()).toBeNull();
+    await idle(8000);
+    expect([stage(), current()]).toEqual([
+      'Hold the head closer than 20 cm',
+      'Hold the infra-red head closer than 20 cm, out of the sun',
+    ]);
+    await idle(20_000);
+    expect([stage(), current()]).toEqual(['Is the timer on another adapter?', 'Another adapter?Choose another port']);
+    expect(screen.getByText(/^No answer for 30 s\./)).toBeTruthy();
   });
 
-  it('is said from the third rate on, stays open while it waits, and goes when the timer answers', async () => {
-    const bench = await opened({ info: FTDI, plug: { granted: true } });
-    bench.timer.core.sleep();
-    await connectUntil(bench, (state) => state.status === 'searching' && state.step === 3);
+  it('is where the focus goes, and says its title aloud', async () => {
+    await asleep();
+    expect(document.activeElement).toBe(screen.getByRole('heading', { level: 1 }));
+    expect(within(screen.getByRole('heading', { level: 1 })).getByRole('status')).toBeTruthy();
+  });
+
+  it('offers another port, and asks on at this one until one is chosen', async () => {
+    const bench = await asleep();
+    await idle(2000);
+    const other = new Adapter(bench.serial, { identity: { timerClass: 'B' } });
+    bench.serial.choose(other.port);
+    await press('Choose another port');
+    expect(bench.session.connection.value?.identity.timerClass).toBe('B');
+  });
+
+  it('takes no room of its own where a program is on the screen', async () => {
+    const { timer } = await connected();
+    await press('Disconnect');
+    timer.core.sleep();
+    fireEvent.click(button('Connect'));
+    await idle(12_000);
+    expect(stage()).toMatch(/^Program:/);
+    expect(screen.getByText('Hold the head closer than 20 cm')).toBeTruthy();
+    expect(field('DT time').value).toBe('3:00');
+    await press('Stop');
+    expect(screen.queryByText('Hold the head closer than 20 cm')).toBeNull();
+  });
+
+  it('is told at length from 10 s on, stays open while it waits, and goes when the timer answers', async () => {
+    const bench = await asleep();
+    await idle(10_000);
     const shown = help();
     if (!shown) throw new Error('there is no help');
     expect(within(shown).getAllByRole('listitem', { hidden: true })).toHaveLength(5);
@@ -130,12 +178,14 @@ describe('what to do while no timer answers', () => {
     timer.core.sleep();
     await press('Read again');
     expect([session.link.state.value.status, help() !== null]).toEqual(['waiting', true]);
+    await idle(1000);
   });
 });
 
 describe('the serial settings', () => {
   it('are those of the next port that is opened, until they are put back', async () => {
     const { session, port } = await opened();
+    await goTo('settings');
     expect(['Rate', 'Parity', 'Stop bits', 'DTR', 'RTS'].map((name) => choice(name).value)).toEqual([
       'find',
       'none',
@@ -156,16 +206,16 @@ describe('the serial settings', () => {
       dtr: true,
       rts: false,
     });
+    await goTo('program');
     await press('Connect');
     expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'even', stopBits: 2 });
     await press('Disconnect');
-    await press('Close program');
+    await goTo('settings');
     // By the list of those that are known, too.
     await choose('Parity', 'odd');
     await press(/^Connect to /);
     expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'odd', stopBits: 2 });
     await press('Disconnect');
-    await press('Close program');
     await press('Usual settings');
     expect([choice('Rate').value, choice('Parity').value, session.link.settings.value]).toEqual(['find', 'none', null]);
   });
@@ -222,7 +272,7 @@ describe('the write dialog', () => {
     await press('Write…');
     await tickSafety();
     timer.core.onAnswer = ({ name }) => name === 'GETMEMORY' && fireEvent.click(button('Stop'));
-    await press(/^Write 1 change/);
+    await press('Write 1 change');
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(screen.getByText('Nothing was written.').closest('.notice')?.className).toBe('notice');
   });
@@ -243,7 +293,7 @@ describe('what an interrupted job left behind', () => {
     await press('Write…');
     await tickSafety();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();
-    await press(/^Write 2 changes/);
+    await press('Write 2 changes');
     timer.core.onAnswer = undefined;
     await press('Close');
     timer.core.press();
@@ -255,7 +305,7 @@ describe('what an interrupted job left behind', () => {
     expect(panel.getByText(/The timer holds 1 value of that write; 1 value is still as before\./)).toBeTruthy();
     await press('Finish it…');
     await tickSafety();
-    await press(/^Write 1 change/);
+    await press('Write 1 change');
     expect(timer.core.content.positions[0]?.[2]).toBe(7);
     await press('Close');
     expect(screen.queryByRole('region', { name: 'An earlier write was interrupted' })).toBeNull();
@@ -268,7 +318,7 @@ describe('what an interrupted job left behind', () => {
     await press('Write…');
     await tickSafety();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
-    await press(/^Write 1 change/);
+    await press('Write 1 change');
     const { textContent } = screen.getByRole('alert');
     expect(textContent).toContain('It comes back by itself. If the adapter was unplugged, plug it in again.');
     expect(textContent).not.toContain('click Connect');

@@ -11,13 +11,14 @@ function described(name: string): string {
 }
 
 describe('the start', () => {
-  it('offers Connect and the simulated timers, and neither line nor settings', async () => {
+  it('offers Connect, a new program and the simulated timers, and neither line nor settings', async () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
-      'Try a simulated F1Q timer',
-      'Try a simulated F1B timer',
-      'Try a simulated F1E timer',
+      'New program…',
+      'F1Q',
+      'F1B',
+      'F1E',
     ]);
     expect(screen.queryByRole('navigation')).toBeNull();
   });
@@ -43,11 +44,11 @@ describe('the start', () => {
     const { timer } = await opened({ plug: { granted: true } });
     timer.core.sleep();
     await press('Connect');
-    expect(screen.getByText('No answer yet.')).toBeTruthy();
+    expect(screen.getByText(/^No answer for \d+ s\./)).toBeTruthy();
     expect(screen.queryByText('The timer did not answer.')).toBeNull();
     timer.core.press();
     await idle();
-    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
     expect(field('DT time').value).toBe('3:00');
   });
 
@@ -56,7 +57,7 @@ describe('the start', () => {
     timer.core.sleep();
     await press('Connect');
     await press('Stop');
-    expect(screen.queryByText('No answer yet.')).toBeNull();
+    expect(screen.queryByText(/^No answer for \d+ s\./)).toBeNull();
     expect(port.device.opened).toBeNull();
     timer.core.press();
     await press('Choose a port');
@@ -94,9 +95,12 @@ describe('the table', () => {
     const rows = table()
       .getAllByRole('rowheader')
       .map(({ textContent }) => textContent);
-    expect(rows).toEqual(['Start', ...Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`), 'DT']);
+    const functions = Array.from({ length: 9 }, (_, i) => `Function ${i + 1}`);
+    expect(rows).toEqual(['Start', 'Motor stop', ...functions, 'DT', 'Idle throttle']);
     for (const servo of ['S1', 'S2', 'S3']) {
-      expect(rows.map((row) => field(`${row}, ${servo}`).value)).toEqual(CAPTURED_POSITIONS.map(String));
+      expect(['Start', ...functions, 'DT'].map((row) => field(`${row}, ${servo}`).value)).toEqual(
+        CAPTURED_POSITIONS.map(String),
+      );
     }
     expect(field('Function 1 time').value).toBe('10.50');
     expect(field('DT time').value).toBe('3:00');
@@ -104,12 +108,12 @@ describe('the table', () => {
 
   it('has as many rows and columns as the timer says', async () => {
     await connected({ identity: { timerClass: 'Q', functions: 3, servos: 4, memories: 2 } });
-    expect(table().getAllByRole('rowheader')).toHaveLength(4);
+    expect(table().getAllByRole('rowheader')).toHaveLength(6);
     expect(
       table()
         .getAllByRole('columnheader')
         .map(({ textContent }) => textContent),
-    ).toEqual(['Function', 'Time', 'Interval', 'S1', 'S2', 'S3', 'S4']);
+    ).toEqual(['Function', 'Time s', 'After s', 'S1', 'S2', 'S3', 'S4']);
     expect(screen.getAllByRole('radio', { name: /^M\d/ })).toHaveLength(2);
   });
 
@@ -176,12 +180,11 @@ describe('the table', () => {
     expect(reasons().map(({ textContent }) => textContent)).toEqual(['Function 2, S1:', 'Function 2, S3:']);
   });
 
-  it('says beside the idle throttle why it is refused', async () => {
+  it('says under the idle throttle why it is refused', async () => {
     await connected();
     await type('Idle throttle', '256');
-    const figure = field('Idle throttle').closest('.figure');
-    const seen = [...(figure?.querySelectorAll(':not(.visually-hidden)') ?? [])].map(({ textContent }) => textContent);
-    expect(seen).toContain('The idle throttle must be 0 to 255.');
+    const note = table().getByText('Idle throttle:').parentElement;
+    expect(note?.textContent).toBe('Idle throttle: The idle throttle must be 0 to 255.');
   });
 
   it('puts a field back with Escape', async () => {

@@ -122,6 +122,7 @@ describe('stepping', () => {
 describe('a range for those who have no Shift', () => {
   /** What a finger, and a mouse, does to a cell; the focus goes where it may. */
   const tap = async (name: string): Promise<void> => {
+    fireEvent.pointerDown(field(name), { pointerType: 'touch' });
     if (fireEvent.mouseDown(field(name), { button: 0 })) field(name).focus();
     await idle();
   };

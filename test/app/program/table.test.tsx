@@ -90,11 +90,34 @@ describe('moving', () => {
     expect(document.activeElement).toBe(field('Function 2, S3'));
   });
 
-  it('from the start passes over the interval that it does not have', async () => {
-    await connected();
-    field('Motor stop time').focus();
+  it('from the first time of a start passes over the interval that it does not have', async () => {
+    await connected({ identity: { timerClass: 'B' } });
+    field('Start time').focus();
     await key('ArrowRight');
     expect(document.activeElement).toBe(field('Start, S1'));
+  });
+
+  it('goes by the rows as they stand: over the motor stop in the column of the times alone', async () => {
+    await connected();
+    await enter('Motor stop time', '12.3');
+    field('Function 4 time').focus();
+    await key('ArrowDown');
+    expect(document.activeElement).toBe(field('Motor stop time'));
+    await key('Enter');
+    expect(document.activeElement).toBe(field('Function 5 time'));
+    field('Function 4, S1').focus();
+    await key('ArrowDown');
+    expect(document.activeElement).toBe(field('Function 5, S1'));
+  });
+
+  it('to the left of the times comes to the tools of the rows, and from them back', async () => {
+    await connected();
+    field('Function 3 time').focus();
+    await key('ArrowLeft');
+    expect(document.activeElement).toBe(screen.getByRole('button', { name: 'Tools for Function 3' }));
+    await key('ArrowDown');
+    await key('ArrowRight');
+    expect(document.activeElement).toBe(field('Function 4 time'));
   });
 });
 
@@ -138,14 +161,10 @@ describe('stepping', () => {
     },
   );
 
-  it('and putting back are at the field for a thumb', async () => {
+  it('and putting back is at the field', async () => {
     await connected();
     field('Function 2, S1').focus();
-    await idle();
-    await press('Step up Function 2, S1');
-    await press('Step up Function 2, S1');
-    await press('Step down Function 2, S1');
-    expect(field('Function 2, S1').value).toBe('36');
+    await key('ArrowUp', { altKey: true });
     fireEvent.click(screen.getAllByRole('button', { name: 'Put back Function 2, S1' })[0] as HTMLElement);
     await idle();
     expect(field('Function 2, S1').value).toBe('35');
@@ -454,6 +473,7 @@ describe('many fields at once', () => {
     await enter('Function 2, S1', '7');
     await enter('Function 2 time', 'x');
     await enter('Function 3, S1', '8');
+    await press('Tools for Function 2');
     await press('Put back Function 2 with its positions');
     expect(['Function 2, S1', 'Function 2 time', 'Function 3, S1'].map((name) => field(name).value)).toEqual([
       '35',
@@ -464,9 +484,7 @@ describe('many fields at once', () => {
 
   it('all that is later is shifted, DT only when asked', async () => {
     await connected();
-    fireEvent.change(screen.getByRole('combobox', { name: 'This and all later ones, from' }), {
-      target: { value: '2' },
-    });
+    await press('Tools for Function 2');
     fireEvent.input(field('By, in seconds'), { target: { value: '0,3' } });
     await press('Later');
     expect(['Function 1', 'Function 2', 'Function 9', 'DT'].map((row) => field(`${row} time`).value)).toEqual([
@@ -487,8 +505,7 @@ describe('undo by keys', () => {
   it('works in a field, and not in a text that is no part of the program', async () => {
     await connected();
     await enter('Function 2, S1', '7');
-    const tool = screen.getByText('Shift in time').closest('details') as HTMLDetailsElement;
-    tool.open = true;
+    await press('Tools for Function 2');
     field('By, in seconds').focus();
     await key('z', { ctrlKey: true });
     expect(field('Function 2, S1').value).toBe('7');

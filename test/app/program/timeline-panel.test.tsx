@@ -2,9 +2,8 @@ import { act, fireEvent, render, screen, within } from '@testing-library/preact'
 import { options } from 'preact';
 import { afterEach, describe, expect, it, onTestFinished } from 'vitest';
 import { App } from '../../../src/app/app.js';
+import { formatTime } from '../../../src/app/editing/units.js';
 import { Theme } from '../../../src/app/settings/theme.js';
-import { KeptLinkages } from '../../../src/app/timeline/preview/linkages.js';
-import { usualLinkages } from '../../../src/app/timeline/preview/surfaces.js';
 import type { ProgramField } from '../../../src/program/index.js';
 import { type AppBench, appBench, idle } from '../bench/bench.js';
 
@@ -119,40 +118,42 @@ describe('the timeline', () => {
     expect(behind()).toMatch(/\d{4}/);
   });
 
-  it('plays the flight only when it is unfolded', async () => {
-    await opened();
-    expect(screen.queryByRole('button', { name: 'Play' })).toBeNull();
-    const flight = document.querySelector('details.flight') as HTMLDetailsElement;
-    flight.open = true;
-    fireEvent(flight, new Event('toggle'));
+  it('shows the model under the same cursor: of the cell in hand, of the pointer, of the flight that is gone through', async () => {
+    const app = await opened();
+    const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+    const happened = () => preview.getByText(/^(Launch|.* at .*)$/).textContent;
+    expect(happened()).toBe('Launch');
+    act(() => (handle('Function 6, S1') as SVGElement).focus());
+    await idle(100);
+    const time = formatTime(app.editor.working.value?.times[6] ?? 0);
+    expect(happened()).toBe(`Function 6 at ${time} s`);
+    expect(document.querySelector('.timeline-panel .crosshair')).toBeNull();
+    fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
     await idle(0);
-    expect(screen.getByRole('button', { name: 'Play' })).toBeTruthy();
-    const time = within(flight).getByRole('slider', { name: 'Time of the flight' });
-    fireEvent.input(time, { target: { value: '500' } });
-    await idle(0);
+    expect(happened()).toBe('DT at 3:00');
     expect(document.querySelector('.timeline-panel .crosshair')).toBeTruthy();
   });
-});
 
-describe('what the servos move', () => {
-  it('is kept for timers of one kind', () => {
-    const linkages = new KeptLinkages('timer/Q', 3);
-    linkages.set({ ...usualLinkages(3), rudder: { servo: 2, reversed: true } });
-    expect(new KeptLinkages('timer/Q', 3).value.value.rudder).toEqual({ servo: 2, reversed: true });
-    expect(new KeptLinkages('timer/B', 3).value.value).toEqual(usualLinkages(3));
-  });
-
-  it.each(['', '{', '{"rudder":1}', '{"rudder":{"servo":9,"reversed":false}}', 'null'])(
-    'is as usual where nonsense is kept: %s',
-    (text) => {
-      localStorage.setItem('sidus-timer/linkages/timer/Q', text);
-      expect(new KeptLinkages('timer/Q', 3).value.value).toEqual(usualLinkages(3));
-    },
-  );
-
-  it('is as usual where what is kept speaks of more servos than there are', () => {
-    new KeptLinkages('timer/Q', 3).set({ ...usualLinkages(3), wing: { servo: 2, reversed: false } });
-    expect(new KeptLinkages('timer/Q', 2).value.value).toEqual(usualLinkages(2));
+  it('calls the servos what the pilot calls them', async () => {
+    const app = await opened();
+    const preview = within(screen.getByRole('region', { name: 'Flight preview' }));
+    const lanes = () => screen.getAllByRole('button', { name: /^S\d/ }).map((lane) => lane.getAttribute('aria-label'));
+    expect(preview.getByText(/^A guess, not to scale\./)).toBeTruthy();
+    expect(lanes()).toEqual(['S1', 'S2', 'S3']);
+    fireEvent.click(preview.getByRole('button', { name: 'Name the servos…' }));
+    await idle(0);
+    fireEvent.change(preview.getByRole('combobox', { name: 'S3 moves' }), { target: { value: 'other' } });
+    await idle(0);
+    fireEvent.input(preview.getByRole('textbox', { name: 'Name for what S3 moves' }), { target: { value: ' Flap ' } });
+    fireEvent.submit(document.querySelector('.servo-form') as HTMLFormElement);
+    await idle(0);
+    expect(app.session.servoUses.named.value?.map(({ duty, name }) => [duty, name])).toEqual([
+      ['rudder', ''],
+      ['tailplane', ''],
+      ['other', 'Flap'],
+    ]);
+    expect(lanes()).toEqual(['S1 Rudder', 'S2 Tailplane', 'S3 Flap']);
+    expect(preview.getByText(/^Not to scale\./)).toBeTruthy();
   });
 });
 

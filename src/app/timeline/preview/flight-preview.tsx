@@ -1,120 +1,149 @@
-import { computed, effect, useSignal } from '@preact/signals';
+import { computed, useSignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
 import { formatTime } from '../../editing/units.js';
-import { messages, slotLabel } from '../../messages/index.js';
+import { dutyName, messages, slotLabel } from '../../messages/index.js';
+import type { ServoUse } from '../../session/servo-uses.js';
+import { servoClass } from '../servo-class.js';
 import { endOf, eventsBetween, type FlightEvent, motorStopOf, reachedAt } from './flight.js';
-import { LinkageChoice } from './linkage-choice.js';
-import { ModelSketch } from './model-sketch.js';
+import { ModelSketch, type Turned } from './model-sketch.js';
 import { Player } from './player.js';
 import { PlayerControls } from './player-controls.js';
-import { deflection, type Linkages, SURFACES, type Surface, usualLinkages } from './surfaces.js';
-import { TickSound } from './tick-sound.js';
+import { ServoDialog } from './servo-dialog.js';
+import { guessedUses, isLetGo, movedAtDt, SURFACES, type Surface, servoOf, turnOf } from './surfaces.js';
 import './flight-preview.css';
 
 export interface FlightPreviewProps {
   readonly program: TimerProgram;
   /** What plays it, to be shared with a timeline; one of its own if there is none. */
   readonly player?: Player | undefined;
-  /** Which servo moves what, where that is kept outside; else it is kept as long as this is on the screen. */
-  readonly linkages?: Linkages | undefined;
-  readonly onLinkages?: ((linkages: Linkages) => void) | undefined;
+  /** What each servo moves, by the pilot's word; null where that has to be guessed. */
+  readonly named: readonly ServoUse[] | null;
+  readonly onName: (uses: readonly ServoUse[] | null) => void;
 }
 
 /** The flight as the program has it: what the servos move, when the motor stops, what comes when. */
-export function FlightPreview({ program, player: given, linkages: kept, onLinkages }: FlightPreviewProps) {
+export function FlightPreview({ program, player: given, named, onName }: FlightPreviewProps) {
   const { preview } = messages.value;
   const id = useId();
   const player = useMemo(() => given ?? new Player(), [given]);
-  const own = useSignal<Linkages | null>(null);
-  const linkages = kept ?? own.value ?? usualLinkages(program.identity.servos);
+  const naming = useSignal(false);
+  const guess = useMemo(() => guessedUses(program), [program]);
   useLayoutEffect(() => player.setEnd(endOf(program)), [player, program]);
   useEffect(() => () => player.pause(), [player]);
+  const uses = named ?? guess;
   return (
     <section class="preview" aria-labelledby={id}>
-      <div>
-        <h2 id={id}>{preview.title}</h2>
-        <p class="hint">{preview.honest}</p>
-      </div>
-      <Model program={program} player={player} linkages={linkages} />
-      <div class="preview-now">
-        <Clock player={player} />
-        <Happening program={program} player={player} />
-      </div>
+      <h2 class="visually-hidden" id={id}>
+        {preview.title}
+      </h2>
+      <Flight program={program} player={player} uses={uses}>
+        <p>
+          {named ? preview.honest : preview.guessed}{' '}
+          <button type="button" class="quiet" onClick={() => (naming.value = true)}>
+            {named ? preview.servos : preview.nameServos}
+          </button>
+        </p>
+      </Flight>
       <PlayerControls program={program} player={player} />
-      <div class="preview-foot">
-        <LinkageChoice
-          servos={program.identity.servos}
-          linkages={linkages}
-          onChange={(changed) => {
-            own.value = changed;
-            onLinkages?.(changed);
-          }}
-        />
-        <Sound program={program} player={player} />
-      </div>
+      <ServoDialog
+        open={naming.value}
+        uses={uses}
+        isNamed={named !== null}
+        onSave={(changed) => {
+          naming.value = false;
+          onName(changed);
+        }}
+        onCancel={() => (naming.value = false)}
+      />
     </section>
   );
 }
 
-interface PlayedProps {
+interface ShownProps {
   readonly program: TimerProgram;
   readonly player: Player;
 }
 
-/** The sketch, drawn again when something happens and not at each frame. */
-function Model({ program, player, linkages }: PlayedProps & { readonly linkages: Linkages }) {
+interface FlightProps extends ShownProps {
+  readonly uses: readonly ServoUse[];
+  /** How far the sketch is to be believed. */
+  readonly children: ComponentChildren;
+}
+
+/** The sketch and what it means, drawn again when something happens and not at each frame. */
+function Flight({ program, player, uses, children }: FlightProps) {
   const { preview, servoName } = messages.value;
-  const reached = useMemo(() => computed(() => reachedAt(program, player.time.value).slot), [program, player]);
-  const motor = useMemo(() => computed(() => player.time.value < (motorStopOf(program) ?? 0)), [program, player]);
+  const { identity } = program;
+  const stop = motorStopOf(program);
+  const reached = useMemo(() => computed(() => reachedAt(program, player.shown.value).slot), [program, player]);
+  const motor = useMemo(() => computed(() => player.shown.value < (stop ?? 0)), [player, stop]);
   const slot = reached.value;
-  const deflections = Object.fromEntries(
-    SURFACES.map((surface) => [surface, deflection(program, slot, linkages[surface])]),
-  ) as Record<Surface, number | null>;
+  const isDt = slot === identity.functions;
+  const moved = movedAtDt(program);
+  const turned = Object.fromEntries(
+    SURFACES.map((surface) => {
+      const degrees = turnOf(program, slot, surface, uses);
+      return [surface, degrees === null ? null : { degrees, servo: servoOf(surface, uses) }];
+    }),
+  ) as Record<Surface, Turned | null>;
   return (
     <>
-      <ModelSketch
-        deflections={deflections}
-        linkages={linkages}
-        propeller={program.identity.timerClass !== 'E'}
-        motorRuns={motor.value}
-        turning={player.playing.value}
-      />
-      <ul class="preview-surfaces">
-        {SURFACES.map((surface) => {
-          const { servo } = linkages[surface];
-          const position = servo === null ? undefined : program.positions[servo]?.[slot];
-          const name = preview.surfaces[surface];
-          return (
-            <li key={surface}>
-              {servo === null || position === undefined
-                ? preview.surfaceStill(name)
-                : preview.surfaceStands(name, servoName(servo), position)}
+      <div class="preview-model">
+        <ModelSketch
+          turned={turned}
+          propeller={identity.timerClass !== 'E'}
+          motorRuns={motor.value}
+          turning={player.playing.value}
+          comesDown={isDt && moved.length > 0}
+          letGo={isDt && isLetGo(program, uses)}
+        />
+        {children}
+      </div>
+      <div class="preview-facts">
+        <Clock player={player} />
+        {isDt ? <AtDt moved={moved} /> : <p>{stop === null ? preview.flies : preview.motor[`${motor.value}`]}</p>}
+        <Happening program={program} player={player} />
+        <ul>
+          {uses.map((use, servo) => (
+            <li key={servoName(servo)} class={servoClass(servo)}>
+              <b>{servoName(servo)}</b> {dutyName(use)} <span>{program.positions[servo]?.[slot]}</span>
             </li>
-          );
-        })}
-        {motorStopOf(program) !== null && <li>{motor.value ? preview.motorRuns : preview.motorStopped}</li>}
-      </ul>
+          ))}
+        </ul>
+      </div>
     </>
   );
 }
 
-function Clock({ player }: { readonly player: Player }) {
-  return <strong class="preview-clock">{messages.value.seconds(formatTime(player.time.value))}</strong>;
+/** A DT at which no servo moves brings no model down. */
+function AtDt({ moved }: { readonly moved: readonly number[] }) {
+  const { preview } = messages.value;
+  return moved.length > 0 ? (
+    <p class="preview-dt">{preview.comesDown}</p>
+  ) : (
+    <p class="bad-text">{preview.nothingAtDt}</p>
+  );
 }
 
-/** What came last, said when it comes. */
-function Happening({ program, player }: PlayedProps) {
+function Clock({ player }: { readonly player: Player }) {
+  return <strong class="preview-clock">{messages.value.seconds(formatTime(player.shown.value))}</strong>;
+}
+
+/** What came last. It is said when it comes in a flight that is gone through, and not of what is only looked at. */
+function Happening({ program, player }: ShownProps) {
   const { timeline } = messages.value;
   const text = useMemo(
     () =>
       computed(() => {
-        const time = player.time.value;
+        const time = player.shown.value;
         return reachedAt(program, time).certain ? lastText(program, time) : timeline.notKnown;
       }),
     [program, player, timeline],
   );
-  return <span role="status">{text.value}</span>;
+  const isUnderWay = useMemo(() => computed(() => player.cursor.value !== null), [player]);
+  return <p role={isUnderWay.value ? 'status' : undefined}>{text.value}</p>;
 }
 
 /** What happened last up to a time; all of it, where several things happened at once. */
@@ -129,34 +158,4 @@ function lastText(program: TimerProgram, time: number): string {
 
 function eventName({ identity }: TimerProgram, event: FlightEvent): string {
   return event.kind === 'slot' ? slotLabel(identity, event.slot) : messages.value.program.motorStop;
-}
-
-/** A tick for each thing that happens while it is played, a deeper one for DT; silent until it is switched on. */
-function Sound({ program, player }: PlayedProps) {
-  const on = useSignal(false);
-  const sound = useMemo(() => new TickSound(), []);
-  useEffect(() => () => sound.close(), []);
-  useEffect(() => {
-    let before = player.time.peek();
-    return effect(() => {
-      const time = player.time.value;
-      const events = on.value && player.playing.peek() ? eventsBetween(program, before, time) : [];
-      before = time;
-      if (events.length === 0) return;
-      sound.tick(events.some((event) => event.kind === 'slot' && event.slot === program.identity.functions));
-    });
-  }, [program, player]);
-  return (
-    <label class="timeline-even">
-      <input
-        type="checkbox"
-        checked={on.value}
-        onChange={(event) => {
-          on.value = event.currentTarget.checked;
-          if (on.value) sound.allow();
-        }}
-      />
-      {messages.value.preview.sound}
-    </label>
-  );
 }

@@ -1,129 +1,125 @@
 import type { ComponentChildren } from 'preact';
 import { messages } from '../../messages/index.js';
 import { servoClass } from '../servo-class.js';
-import type { Linkages, Surface } from './surfaces.js';
+import type { Surface } from './surfaces.js';
 import './model-sketch.css';
 
-/**
- * How far a surface turns on the sketch at the end of a servo's way, in degrees. Chosen to be seen; not those of any
- * model.
- */
-const SWING: Readonly<Record<Surface, number>> = { rudder: 30, tailplane: 24, wing: 14 };
+/** How a surface stands: degrees, above 0 its trailing edge is up or to the right, and the servo that turns it. */
+export interface Turned {
+  readonly degrees: number;
+  readonly servo: number;
+}
 
 export interface ModelSketchProps {
-  /** For each surface -1 to 1; null where nothing moves it. */
-  readonly deflections: Readonly<Record<Surface, number | null>>;
-  readonly linkages: Linkages;
+  /** Null where nothing turns it. */
+  readonly turned: Readonly<Record<Surface, Turned | null>>;
   /** Whether the model has a propeller: all but those of class E. */
   readonly propeller: boolean;
   readonly motorRuns: boolean;
   /** Whether the propeller turns now: while it is played. */
   readonly turning: boolean;
+  /** It comes down: DT was reached, and something moved. */
+  readonly comesDown: boolean;
+  /** A servo lets go of the tailplane, without one that turns it. */
+  readonly letGo: boolean;
 }
 
+/** How far a tailplane tips up that was let go, in degrees. */
+const LET_GO = 42;
+
 /**
- * A free-flight model from the side and from above, in plain lines. The surfaces that servos move have the colours of
- * their lines.
+ * A free-flight model from the side, and below it the fuselage from above, one under the other as in a workshop
+ * drawing. The surfaces that servos move have the colours of their lanes.
  */
 export function ModelSketch(props: ModelSketchProps) {
   return (
-    <div class="sketch">
-      <SideView {...props} />
-      <TopView {...props} />
-    </div>
+    <svg class="sketch" viewBox="28 30 276 102" role="img" aria-label={messages.value.preview.sketch}>
+      <g class={props.comesDown ? 'down' : ''}>
+        <FromTheSide {...props} />
+        {props.comesDown && <path class="fall" d="M72 80V97M66 91L72 97L78 91M196 80V97M190 91L196 97L202 91" />}
+      </g>
+      <FromAbove {...props} />
+    </svg>
   );
 }
 
-function SideView(props: ModelSketchProps) {
-  const { sideView } = messages.value.preview;
+function FromTheSide({ turned, propeller, motorRuns, turning, letGo }: ModelSketchProps) {
+  const { rudder, wing } = turned;
+  const tailplane = letGo ? { degrees: LET_GO, servo: null } : turned.tailplane;
   return (
-    <figure>
-      <svg viewBox="24 14 316 96" role="img" aria-label={sideView}>
-        <path class="body" d="M112 60L121 42H137L142 60Z" />
-        <path class="body" d="M304 64C306 51 311 44 318 43H325V65Z" />
-        <path class="body" d="M306 66C310 74 317 79 325 80V67Z" />
-        <path class="body" d="M325 43H328C333 49 335 57 334 65C334 72 332 77 328 80H325Z" />
-        <path class="body" d="M46 66C54 60 78 58.5 104 59L150 61L324 64.4V66.6L150 70.5L104 72.5C78 73 54 72 46 66Z" />
-        <Turned {...props} surface="tailplane" x={281} y={60.5} reach={32}>
-          <path d="M-5 0.3C-3 -2.8 9 -3 25 0.8C11 0.4 3 0.6 -5 0.3Z" />
-        </Turned>
-        <Turned {...props} surface="wing" x={121} y={40} reach={44}>
-          <path d="M-16 1.5C-14 -3.8 2 -5 15 -3C23 -1.8 31 0.5 38 3C24 0.2 -2 -0.6 -16 1.5Z" />
-        </Turned>
-        {props.propeller && <Propeller {...props} x={42} y={66} span={42} />}
-      </svg>
-      <figcaption>{sideView}</figcaption>
-    </figure>
+    <>
+      <path class="body" d="M112 60L121 42H137L142 60Z" />
+      <path class="body" d="M264 64C266 51 271 44 278 43H285V65Z" />
+      <path class="body" d="M266 66C270 74 277 79 285 80V67Z" />
+      <g class={rudder ? servoClass(rudder.servo) : ''}>
+        <path class={rudder ? 'surface' : 'body'} d="M285 43H288C293 49 295 57 294 65C294 72 292 77 288 80H285Z" />
+      </g>
+      <path class="body" d="M46 66C54 60 78 58.5 104 59L150 61L284 64.4V66.6L150 70.5L104 72.5C78 73 54 72 46 66Z" />
+      <Hinged name="tailplane" turned={tailplane} x={241} y={60.5} reach={32}>
+        <path d="M-5 0.3C-3 -2.8 9 -3 25 0.8C11 0.4 3 0.6 -5 0.3Z" />
+      </Hinged>
+      <Hinged name="wing" turned={wing} x={121} y={40} reach={44}>
+        <path d="M-16 1.5C-14 -3.8 2 -5 15 -3C23 -1.8 31 0.5 38 3C24 0.2 -2 -0.6 -16 1.5Z" />
+      </Hinged>
+      {propeller && <Propeller motorRuns={motorRuns} turning={turning} />}
+    </>
   );
 }
 
-function TopView(props: ModelSketchProps) {
-  const { topView } = messages.value.preview;
+/** Wing and tailplane are cut off: what is seen from here is the rudder. */
+function FromAbove({ turned: { rudder, tailplane, wing } }: ModelSketchProps) {
   return (
-    <figure>
-      <svg viewBox="24 2 316 216" role="img" aria-label={topView}>
-        <path
-          class="body"
-          d="M112 110V52L119 14C120 9 123 6 128 6H132C136 6 138 8 139 12L144 52V168L139 208C138 212 136 214 132 214H128C123 214 120 211 119 206L112 168Z"
-        />
-        <path class="seam" d="M112 52H144M112 168H144" />
-        <path
-          class="body"
-          d="M276 110V82C276 77 279 74 284 74H290C295 74 297 77 297 82V138C297 143 295 146 290 146H284C279 146 276 143 276 138Z"
-        />
-        <path
-          class="body"
-          d="M46 110C54 105 78 103.5 104 104L150 106L318 108.6V111.4L150 114L104 116C78 116.5 54 115 46 110Z"
-        />
-        <Turned {...props} surface="rudder" x={317} y={110} reach={22}>
-          <path d="M-8 -1.6C2 -2.4 14 -1.4 20 0C14 1.4 2 2.4 -8 1.6Z" />
-        </Turned>
-        {props.propeller && <Propeller {...props} x={42} y={110} span={42} />}
-      </svg>
-      <figcaption>{topView}</figcaption>
-    </figure>
+    <>
+      <path class="cut" d="M112 103V129M144 103V129M236 105V127M260 105V127" />
+      <path class={wing ? `stub ${servoClass(wing.servo)}` : 'stub'} d="M112 105H144V127H112Z" />
+      <path class={tailplane ? `stub ${servoClass(tailplane.servo)}` : 'stub'} d="M236 107H260V125H236Z" />
+      <path
+        class="body"
+        d="M46 116C54 112.5 78 111.6 104 111.8L150 113L278 114.9V117.1L150 119L104 120.2C78 120.4 54 119.5 46 116Z"
+      />
+      <Hinged name="rudder" turned={rudder} x={276} y={116} reach={24}>
+        <path d="M-8 -1.6C2 -2.4 14 -1.6 22 0C14 1.6 2 2.4 -8 1.6Z" />
+      </Hinged>
+    </>
   );
 }
 
-interface TurnedProps extends ModelSketchProps {
-  readonly surface: Surface;
+interface HingedProps {
+  readonly name: Surface;
+  readonly turned: { readonly degrees: number; readonly servo: number | null } | null;
   /** The hinge. */
   readonly x: number;
   readonly y: number;
-  /** How far behind the hinge the middle of its way is marked. */
+  /** How far behind the hinge the line goes that shows where straight is. */
   readonly reach: number;
   readonly children: ComponentChildren;
 }
 
-function Turned({ deflections, linkages, surface, x, y, reach, children }: TurnedProps) {
-  const turned = deflections[surface];
-  const { servo } = linkages[surface];
-  const moved = turned !== null && servo !== null;
-  const degrees = (turned ?? 0) * SWING[surface];
+function Hinged({ name, turned, x, y, reach, children }: HingedProps) {
+  const { degrees, servo } = turned ?? { degrees: 0, servo: null };
   return (
-    <g transform={`translate(${x} ${y})`} class={moved ? servoClass(servo) : ''}>
-      {moved && <path class="middle" d={`M0 0H${reach + 12}`} />}
-      <g class={moved ? 'surface' : 'body'} data-surface={surface} style={{ transform: `rotate(${degrees}deg)` }}>
+    <g transform={`translate(${x} ${y})`} class={servo === null ? '' : servoClass(servo)}>
+      {turned && <path class="straight" d={`M0 0H${reach}`} />}
+      <g
+        class={turned ? 'surface' : 'body'}
+        data-surface={name}
+        // To the eye a trailing edge goes up; a drawing turns with the clock.
+        style={{ transform: `rotate(${-degrees}deg)` }}
+      >
         {children}
       </g>
     </g>
   );
 }
 
-interface PropellerProps extends ModelSketchProps {
-  readonly x: number;
-  readonly y: number;
-  readonly span: number;
-}
-
 /** Folded along the fuselage; while the motor runs, a disc seen from its edge. */
-function Propeller({ motorRuns, turning, x, y, span }: PropellerProps) {
+function Propeller({ motorRuns, turning }: { readonly motorRuns: boolean; readonly turning: boolean }) {
   return (
-    <g transform={`translate(${x} ${y})`} class="propeller">
+    <g transform="translate(42 66)" class="propeller">
       {motorRuns ? (
         <>
-          <ellipse class="disc" rx="5" ry={span} />
-          <path class={turning ? 'blade turning' : 'blade'} d={`M0 ${-span}V${span}`} />
+          <ellipse class="disc" rx="5" ry="34" />
+          <path class={turning ? 'blade turning' : 'blade'} d="M0 -34V34" />
         </>
       ) : (
         <path class="blade" d="M2 -5C20 -12 36 -13 50 -11M2 5C20 12 36 13 50 11" />

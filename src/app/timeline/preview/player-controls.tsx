@@ -1,11 +1,13 @@
-import { useMemo } from 'preact/hooks';
+import { effect, useSignal } from '@preact/signals';
+import { useEffect, useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
 import { formatTime } from '../../editing/units.js';
 import { messages } from '../../messages/index.js';
 import { stretchedScale } from '../scale.js';
 import { Icon } from '../tools.js';
 import { endOf, eventsBetween, marksOf } from './flight.js';
-import { type Player, SPEEDS } from './player.js';
+import { type Player, SPEEDS, type Speed } from './player.js';
+import { TickSound } from './tick-sound.js';
 import './player-controls.css';
 
 interface PlayerControlsProps {
@@ -13,30 +15,29 @@ interface PlayerControlsProps {
   readonly player: Player;
 }
 
-/** Play and pause, from event to event, how fast, and where. */
+/** Play and pause, from event to event, where, how fast, and whether it ticks. */
 export function PlayerControls({ program, player }: PlayerControlsProps) {
   const { preview } = messages.value;
   const back = (): void => {
     player.pause();
-    player.seek(eventsBetween(program, 0, player.time.peek() - 1).at(-1)?.time ?? 0);
+    player.seek(eventsBetween(program, 0, player.shown.peek() - 1).at(-1)?.time ?? 0);
   };
   const forward = (): void => {
     player.pause();
-    player.seek(eventsBetween(program, player.time.peek(), endOf(program))[0]?.time ?? endOf(program));
+    player.seek(eventsBetween(program, player.shown.peek(), endOf(program))[0]?.time ?? endOf(program));
   };
   return (
     <div class="preview-controls">
+      <PlayButton player={player} />
+      <button type="button" class="chip" aria-label={preview.back} onClick={back}>
+        <Icon path="M5 4V16M16 4L8 10L16 16Z" />
+      </button>
+      <button type="button" class="chip" aria-label={preview.forward} onClick={forward}>
+        <Icon path="M15 4V16M4 4L12 10L4 16Z" />
+      </button>
       <Scrubber program={program} player={player} />
-      <div class="buttons">
-        <button type="button" class="chip" aria-label={preview.back} onClick={back}>
-          <Icon path="M5 4V16M16 4L8 10L16 16Z" />
-        </button>
-        <PlayButton player={player} />
-        <button type="button" class="chip" aria-label={preview.forward} onClick={forward}>
-          <Icon path="M15 4V16M4 4L12 10L4 16Z" />
-        </button>
-      </div>
       <SpeedChoice player={player} />
+      <Ticks program={program} player={player} />
     </div>
   );
 }
@@ -44,7 +45,7 @@ export function PlayerControls({ program, player }: PlayerControlsProps) {
 function PlayButton({ player }: { readonly player: Player }) {
   const { preview } = messages.value;
   return (
-    <button type="button" class="primary preview-play" onClick={() => player.toggle()}>
+    <button type="button" class="primary" onClick={() => player.toggle()}>
       {player.playing.value ? preview.pause : preview.play}
     </button>
   );
@@ -53,23 +54,57 @@ function PlayButton({ player }: { readonly player: Player }) {
 function SpeedChoice({ player }: { readonly player: Player }) {
   const { preview } = messages.value;
   return (
-    <fieldset class="preview-speed">
-      <legend class="visually-hidden">{preview.speed}</legend>
-      <div class="segments">
-        {SPEEDS.map((speed) => (
-          <button
-            type="button"
-            key={speed}
-            aria-pressed={speed === player.speed.value}
-            onClick={() => player.setSpeed(speed)}
-          >
-            {preview.times(speed)}
-          </button>
-        ))}
-      </div>
-    </fieldset>
+    <select
+      aria-label={preview.speed}
+      value={player.speed.value}
+      onChange={(event) => player.setSpeed(speedOf(event.currentTarget.value))}
+    >
+      {SPEEDS.map((speed) => (
+        <option key={speed} value={speed}>
+          {preview.times(speed)}
+        </option>
+      ))}
+    </select>
   );
 }
+
+function speedOf(text: string): Speed {
+  return SPEEDS.find((speed) => String(speed) === text) ?? SPEEDS[0];
+}
+
+/** A tick for each thing that happens while it is played, a deeper one for DT; silent until it is switched on. */
+function Ticks({ program, player }: PlayerControlsProps) {
+  const on = useSignal(false);
+  const sound = useMemo(() => new TickSound(), []);
+  useEffect(() => () => sound.close(), []);
+  useEffect(() => {
+    let before = player.time.peek();
+    return effect(() => {
+      const time = player.time.value;
+      const events = on.value && player.playing.peek() ? eventsBetween(program, before, time) : [];
+      before = time;
+      if (events.length === 0) return;
+      sound.tick(events.some((event) => event.kind === 'slot' && event.slot === program.identity.functions));
+    });
+  }, [program, player]);
+  return (
+    <button
+      type="button"
+      class="chip"
+      aria-label={messages.value.preview.sound}
+      aria-pressed={on.value}
+      onClick={() => {
+        on.value = !on.value;
+        if (on.value) sound.allow();
+      }}
+    >
+      <Icon path={on.value ? SPEAKER + WAVES : SPEAKER} />
+    </button>
+  );
+}
+
+const SPEAKER = 'M3 8H6L10 4V16L6 12H3Z';
+const WAVES = 'M13 7C15 9 15 11 13 13M15 4C19 8 19 12 15 16';
 
 /**
  * The slider has this many places. They are spread over the flight as on the timeline, so that short steps can be
@@ -81,7 +116,7 @@ const MIN_GAP = 0.05;
 function Scrubber({ program, player }: PlayerControlsProps) {
   const { preview, seconds } = messages.value;
   const scale = useMemo(() => stretchedScale(marksOf(program), { minGap: MIN_GAP, runOut: MIN_GAP }), [program]);
-  const time = player.time.value;
+  const time = player.shown.value;
   return (
     <input
       type="range"

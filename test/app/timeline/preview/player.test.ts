@@ -1,8 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Frames, Player, SPEEDS } from '../../../../src/app/timeline/preview/player.js';
-import { deflection, usualLinkages } from '../../../../src/app/timeline/preview/surfaces.js';
-import { programOf } from '../../programs.js';
 
 /** Frames that come when they are told to. */
 class HandFrames implements Frames {
@@ -158,41 +156,47 @@ describe('a player', () => {
   });
 });
 
-describe('a surface', () => {
-  const program = programOf(
-    'Q',
-    [0, 100, 18000],
-    [
-      [0, 65, 130],
-      [255, 131, 13],
-      [1, 2, 3],
-    ],
-  );
-  const by = (servo: number | null, reversed = false) =>
-    [0, 1, 2].map((slot) => deflection(program, slot, { servo, reversed }));
-
-  it('is turned from one end to the other, and the other way round when reversed', () => {
-    expect(by(0)).toEqual([-1, 0, 1]);
-    expect(by(0, true).map((turned) => (turned ?? 0) + 0)).toEqual([1, 0, -1]);
+describe('what is shown', () => {
+  it('is what the pilot has in hand, until the flight is played or gone through', () => {
+    const { frames, player } = bench();
+    const seen = () => [player.shown.value, player.cursor.value];
+    expect(seen()).toEqual([0, null]);
+    player.take(1060);
+    expect(seen()).toEqual([1060, null]);
+    player.seek(400);
+    expect(seen()).toEqual([400, 400]);
+    player.take(2000);
+    expect(seen()).toEqual([2000, null]);
+    player.play();
+    frames.run(2, 100);
+    expect(seen()).toEqual([2010, 2010]);
+    player.take(30);
+    expect(seen(), 'a flight that is played goes on').toEqual([2010, 2010]);
+    player.pause();
+    expect(seen(), 'and stays where it was stopped').toEqual([2010, 2010]);
   });
 
-  it('is not turned further than the end by a position past the last step', () => {
-    expect(by(1)).toEqual([1, 1, -0.8]);
+  it('is what is asked about, for as long as somebody asks', () => {
+    const { player } = bench();
+    player.seek(400);
+    player.ask(120);
+    expect([player.shown.value, player.cursor.value]).toEqual([120, 400]);
+    player.ask(null);
+    expect(player.shown.value).toBe(400);
   });
 
-  it('is not turned by a servo that is not there', () => {
-    expect([by(null), by(7)]).toEqual([
-      [null, null, null],
-      [null, null, null],
-    ]);
+  it('is within the flight, also when that has become shorter', () => {
+    const { player } = bench(18300);
+    player.take(18000);
+    player.setEnd(2300);
+    expect(player.shown.value).toBe(2300);
   });
 
-  it('is moved by S1, S2 and S3, as far as there are', () => {
-    const servos = (count: number) => Object.values(usualLinkages(count)).map(({ servo }) => servo);
-    expect([servos(3), servos(1), servos(5)]).toEqual([
-      [0, 1, 2],
-      [0, null, null],
-      [0, 1, 2],
-    ]);
+  it('is played from what is in hand, and from launch where that is DT: nothing comes after it', () => {
+    const { frames, player } = bench(18300);
+    player.take(18000);
+    player.play();
+    frames.run(2, 100);
+    expect(player.time.value).toBe(10);
   });
 });

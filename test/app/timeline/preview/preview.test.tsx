@@ -1,7 +1,9 @@
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import type { ServoUse } from '../../../../src/app/session/servo-uses.js';
 import { FlightPreview, type FlightPreviewProps } from '../../../../src/app/timeline/preview/flight-preview.js';
 import { Player } from '../../../../src/app/timeline/preview/player.js';
+import { guessedUses } from '../../../../src/app/timeline/preview/surfaces.js';
 import { programOf } from '../../programs.js';
 
 const PROGRAM = programOf(
@@ -26,7 +28,9 @@ function shown(props: Partial<FlightPreviewProps> = {}) {
       };
     },
   });
-  const { unmount } = render(<FlightPreview program={PROGRAM} player={player} {...props} />);
+  const { unmount } = render(
+    <FlightPreview program={PROGRAM} player={player} named={null} onName={() => {}} {...props} />,
+  );
   /** So many frames of 100 ms. */
   const run = (count: number) =>
     act(() => {
@@ -44,15 +48,20 @@ const press = (name: string | RegExp) => act(() => void fireEvent.click(screen.g
 const seek = (player: Player, time: number) => act(() => player.seek(time));
 const said = () => screen.getByRole('status').textContent;
 const clock = () => document.querySelector('.preview-clock')?.textContent;
+const stands = () => [...document.querySelectorAll('.preview li')].map((item) => item.textContent);
 const turned = (surface: string) => document.querySelector<SVGElement>(`[data-surface=${surface}]`)?.style.transform;
 
 afterEach(() => void vi.unstubAllGlobals());
 
 describe('the flight preview', () => {
-  it('says what it is', () => {
-    shown();
+  it('says that it guesses until the pilot has named the servos, and that nothing is to scale', () => {
+    const { unmount } = shown();
     expect(screen.getByRole('region', { name: 'Flight preview' })).toBeTruthy();
-    expect(screen.getByText('A preview of the program, not of the timer: angles are not to scale.')).toBeTruthy();
+    expect(screen.getByText(/^A guess, not to scale\./)).toBeTruthy();
+    unmount();
+    shown({ named: guessedUses(PROGRAM) });
+    expect(screen.getByText(/^Not to scale\./)).toBeTruthy();
+    expect(screen.getByRole('button', { name: 'Servos…' })).toBeTruthy();
   });
 
   it('does not play until it is told to, then pauses and goes on', async () => {
@@ -69,9 +78,10 @@ describe('the flight preview', () => {
   });
 
   it('plays as fast as chosen', async () => {
-    const { run } = shown();
-    await press('10×');
-    expect(screen.getByRole('button', { name: '10×' }).getAttribute('aria-pressed')).toBe('true');
+    const { player, run } = shown();
+    const speed = screen.getByRole<HTMLSelectElement>('combobox', { name: 'Speed' });
+    await act(() => void fireEvent.change(speed, { target: { value: '10' } }));
+    expect(player.speed.value).toBe(10);
     await press('Play');
     await run(11);
     expect(clock()).toBe('10.00 s');
@@ -79,13 +89,14 @@ describe('the flight preview', () => {
 
   it('says what has happened, once when it happens', async () => {
     const { player, run } = shown();
+    expect(screen.queryByRole('status'), 'not of what is only looked at').toBeNull();
+    await press('Play');
     const heard: (string | null)[] = [said()];
     new MutationObserver(() => heard.push(said())).observe(screen.getByRole('status'), {
       childList: true,
       characterData: true,
       subtree: true,
     });
-    await press('Play');
     for (let second = 0; second < 5; second++) await run(10);
     await seek(player, 1000);
     await seek(player, 18100);
@@ -132,59 +143,108 @@ describe('the flight preview', () => {
     expect(player.time.value).toBe(0);
   });
 
-  it('turns each surface as its servo stands', async () => {
+  it('turns each surface as its servo stands, and says where that is', async () => {
     const { player } = shown();
     expect([turned('rudder'), turned('tailplane'), turned('wing')]).toEqual([
       'rotate(0deg)',
       'rotate(0deg)',
-      'rotate(-14deg)',
+      'rotate(0deg)',
     ]);
     await seek(player, 200);
-    expect(turned('rudder')).toBe('rotate(30deg)');
-    expect(screen.getByText('Rudder: S1 at 130')).toBeTruthy();
+    expect(turned('rudder'), 'to the right').toBe('rotate(-28deg)');
+    expect(stands()).toEqual(['S1 Rudder 130', 'S2 Tailplane 65', 'S3 Wing 0']);
+    await seek(player, 400);
+    expect(turned('rudder'), 'to the left').toBe('rotate(28deg)');
+  });
+
+  it('shows what is in hand, and goes by itself only when it is played', async () => {
+    const { player } = shown();
+    await act(() => player.take(600));
+    expect([clock(), screen.getByText('Function 3 at 6.00 s').getAttribute('role')]).toEqual(['6.00 s', null]);
+    await act(() => player.ask(200));
+    expect(clock()).toBe('2.00 s');
+  });
+
+  it('tips the tailplane up at DT, and says that the model comes down', async () => {
+    const { player } = shown();
+    expect(document.querySelector('.fall')).toBeNull();
     await seek(player, 18000);
-    expect(turned('tailplane')).toBe('rotate(24deg)');
+    expect(turned('tailplane')).toBe('rotate(-42deg)');
+    expect(document.querySelector('.fall')).toBeTruthy();
+    expect(screen.getByText('DT: the model comes down')).toBeTruthy();
   });
 
-  it('lets another servo move a surface, nothing, or the other way round', async () => {
-    const kept: unknown[] = [];
-    const { player } = shown({ onLinkages: (linkages) => kept.push(linkages) });
-    await seek(player, 200);
-    const select = screen.getByRole('combobox', { name: 'Tailplane is moved by', hidden: true });
-    await act(() => void fireEvent.change(select, { target: { value: '0' } }));
-    expect(turned('tailplane')).toBe('rotate(24deg)');
-    await act(() => void fireEvent.click(screen.getByRole('checkbox', { name: 'Tailplane reversed', hidden: true })));
-    expect(turned('tailplane')).toBe('rotate(-24deg)');
-    await act(() => void fireEvent.change(select, { target: { value: '' } }));
+  it('tips it up also where a servo only lets it go', async () => {
+    const named = guessedUses(PROGRAM).map((use, servo) =>
+      servo === 1 ? { ...use, duty: 'release' as const } : { ...use, duty: 'none' as const },
+    );
+    const { player } = shown({ named });
     expect(turned('tailplane')).toBe('rotate(0deg)');
-    expect(screen.getByText('Tailplane: not moved')).toBeTruthy();
-    expect(kept).toHaveLength(3);
-    expect(kept.at(-1)).toMatchObject({ tailplane: { servo: null, reversed: true }, rudder: { servo: 0 } });
+    await seek(player, 18000);
+    expect(turned('tailplane')).toBe('rotate(-42deg)');
+    expect(stands()[1]).toBe('S2 Disc or DT line 130');
   });
 
-  it('takes the linkages that are kept outside', () => {
-    const linkage = { servo: 2, reversed: true };
-    shown({ linkages: { rudder: linkage, tailplane: { servo: null, reversed: false }, wing: linkage } });
-    expect([turned('rudder'), turned('wing')]).toEqual(['rotate(30deg)', 'rotate(14deg)']);
+  it('says so where no servo moves at DT', async () => {
+    const { player } = shown({ program: programOf('Q', PROGRAM.times, [[65, 130, 0, 65, 65]]) });
+    await seek(player, 18000);
+    expect(screen.getByText('No servo moves at DT: nothing brings the model down')).toBeTruthy();
+    expect([turned('tailplane'), document.querySelector('.fall')]).toEqual(['rotate(0deg)', null]);
+  });
+
+  it('lets the pilot name the servos, with the way that each uses and its sense', async () => {
+    const said: (readonly ServoUse[] | null)[] = [];
+    shown({ onName: (uses) => said.push(uses) });
+    await press('Name the servos…');
+    const choose = (name: string, value: string) =>
+      act(() => void fireEvent.change(screen.getByRole('combobox', { name }), { target: { value } }));
+    const end = (name: string, value: string) =>
+      act(() => void fireEvent.change(screen.getByRole('spinbutton', { name }), { target: { value } }));
+    await choose('S1 moves', 'tailplane');
+    await end('S1, one end in steps', '95');
+    await end('S1, other end in steps', '20');
+    await choose('S1, what more steps do', 'true');
+    await choose('S2 moves', 'none');
+    expect(screen.queryByRole('spinbutton', { name: 'S2, one end in steps' }), 'it has no ends').toBeNull();
+    await act(() => void fireEvent.submit(document.querySelector('form') as HTMLFormElement));
+    expect(said).toEqual([
+      [
+        { duty: 'tailplane', name: '', low: 20, high: 95, reversed: true },
+        { duty: 'none', name: '', low: 65, high: 130, reversed: false },
+        { duty: 'wing', name: '', low: 0, high: 0, reversed: false },
+      ],
+    ]);
+    expect(document.querySelector('dialog[open]')).toBeNull();
+  });
+
+  it('guesses again when it is told to, and changes nothing when the naming is cancelled', async () => {
+    const said: (readonly ServoUse[] | null)[] = [];
+    shown({ named: guessedUses(PROGRAM), onName: (uses) => said.push(uses) });
+    await press('Servos…');
+    await press('Cancel');
+    expect(said).toEqual([]);
+    await press('Servos…');
+    await press('Guess again');
+    expect(said).toEqual([null]);
   });
 
   it('runs the motor until its stop, and turns the propeller only while it plays', async () => {
     const { player, run } = shown();
     const turning = () => document.querySelectorAll('.turning').length;
-    expect([screen.getByText('Motor runs').tagName, turning()]).toEqual(['LI', 0]);
+    expect([screen.getByText('Climb, motor runs').tagName, turning()]).toEqual(['P', 0]);
     await press('Play');
     await run(2);
-    expect(turning()).toBe(2);
+    expect(turning()).toBe(1);
     await seek(player, 1000);
-    expect([screen.getByText('Motor stopped').tagName, turning()]).toEqual(['LI', 0]);
+    expect([screen.getByText('Glide, motor stopped').tagName, turning()]).toEqual(['P', 0]);
   });
 
   it.each([
-    ['B', 2],
+    ['B', 1],
     ['E', 0],
   ])('on %s knows nothing of a motor', (timerClass, propellers) => {
     shown({ program: { ...PROGRAM, identity: { ...PROGRAM.identity, timerClass } } });
-    expect(screen.queryByText(/^Motor/)).toBeNull();
+    expect(screen.queryByText(/motor/i)).toBeNull();
     expect([document.querySelectorAll('.propeller').length, document.querySelectorAll('.disc').length]).toEqual([
       propellers,
       0,
@@ -234,14 +294,14 @@ describe('the flight preview', () => {
     await press('Play');
     await run(30);
     expect(pitches, 'off by default').toEqual([]);
-    await act(() => void fireEvent.click(screen.getByRole('checkbox', { name: 'Ticks' })));
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: 'Ticks' })));
     await run(20);
     expect(pitches).toHaveLength(1);
     await seek(player, 17990);
     pitches.length = 0;
     await run(3);
     expect(pitches).toEqual([500]);
-    await act(() => void fireEvent.click(screen.getByRole('checkbox', { name: 'Ticks' })));
+    await act(() => void fireEvent.click(screen.getByRole('button', { name: 'Ticks' })));
     await seek(player, 100);
     await run(20);
     expect(pitches).toEqual([500]);

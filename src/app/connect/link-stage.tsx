@@ -1,0 +1,94 @@
+import { useEffect, useRef } from 'preact/hooks';
+import type { LinkState } from '../../serial/index.js';
+import type { Platform } from '../browser/platform.js';
+import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import { ConnectionHelp } from './connection-help-view.js';
+import { StepList } from './step-list.js';
+import { WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
+import './link-stage.css';
+
+interface LinkStageProps {
+  readonly session: Session;
+  readonly platform: Platform;
+}
+
+/** Whether the way to a timer has the stage: there is none yet, and nothing else on the screen to look at. */
+export function hasStage({ editor, engaged, link }: Session): boolean {
+  return editor.identity.value === null && (engaged.value || link.state.value.status === 'closing');
+}
+
+/** In the place of a program, while a timer is on its way: the step to take, large, until the program is there. */
+export function LinkStage({ session, platform }: LinkStageProps) {
+  const { link: words } = messages.value;
+  const state = session.link.state.value;
+  const job = session.runner.job.value;
+  const seconds = session.link.waited.value;
+  const waiting = waitingFor(state, seconds) ?? {
+    said: job ? words.stages.reading : words.stages.opening,
+    step: null,
+    canChoose: false,
+    help: null,
+  };
+  const title = useRef<HTMLHeadingElement>(null);
+  // What was clicked is gone: who hears the page hears what has come in its place.
+  useEffect(() => title.current?.focus({ preventScroll: true }), []);
+  const share = job?.progress && { value: job.progress.done, max: job.progress.total };
+  return (
+    <section class="link-stage" aria-labelledby="stage-title">
+      {share ? (
+        <progress aria-label={waiting.said.title} {...share} />
+      ) : (
+        <span class={`stage-ring ${waiting.step === null ? '' : 'slow'}`} />
+      )}
+      <h1 id="stage-title" ref={title} tabIndex={-1}>
+        <span role="status">{waiting.said.title}</span>
+      </h1>
+      <p class="stage-lead">
+        {waiting.step !== null && words.stages.noAnswer(seconds)} {waiting.said.advice}
+      </p>
+      {waiting.step !== null && <Steps session={session} waiting={waiting} />}
+      <div class="buttons">
+        {waiting.step === null && waiting.canChoose && <ChooseAnother session={session} />}
+        {state.status !== 'closing' && (
+          <button type="button" onClick={() => void session.disconnect()}>
+            {words.stop}
+          </button>
+        )}
+      </div>
+      {waiting.help && <ConnectionHelp code={waiting.help} platform={platform} info={portOf(state)} />}
+    </section>
+  );
+}
+
+function Steps({ session, waiting: { step } }: { readonly session: Session; readonly waiting: Waiting }) {
+  const { stages } = messages.value.link;
+  return (
+    <StepList
+      steps={[
+        { key: 'open', text: stages.open, done: true },
+        ...WAIT_STEPS.map((key) => ({
+          key,
+          text: stages.steps[key].text,
+          now: key === step,
+          action: key === 'other' && <ChooseAnother session={session} />,
+        })),
+      ]}
+    />
+  );
+}
+
+/** Lets the pilot choose another port, while this one is asked on. */
+export function ChooseAnother({ session }: { readonly session: Session }) {
+  return (
+    <button type="button" onClick={() => void session.chooseAnother()}>
+      {messages.value.link.chooseAnother}
+    </button>
+  );
+}
+
+/** What the port says of itself that a timer is looked for on. */
+export function portOf(state: LinkState) {
+  if ('info' in state) return state.info;
+  return 'port' in state ? state.port.getInfo() : null;
+}

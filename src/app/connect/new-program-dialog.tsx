@@ -1,0 +1,119 @@
+import { useSignal } from '@preact/signals';
+import type { TimerProgram } from '../../program/index.js';
+import { CLASSES, LAYOUTS, type NewProgram, newProgram, USUAL_LAYOUT } from '../editing/new-program.js';
+import { messages } from '../messages/index.js';
+import { Modal } from '../ui/modal.js';
+import './new-program-dialog.css';
+
+interface NewProgramDialogProps {
+  readonly open: boolean;
+  readonly onMake: (program: TimerProgram) => void;
+  readonly onClose: () => void;
+}
+
+const FIRST: NewProgram = { timerClass: 'Q', ...USUAL_LAYOUT, from: 'usual' };
+
+/** Asks for class, layout and beginning of a program that is made without a timer. */
+export function NewProgramDialog({ open, onMake, onClose }: NewProgramDialogProps) {
+  const { newProgram: words } = messages.value;
+  return (
+    <Modal open={open} title={words.title} titleId="new-program-title" held={false} onEscape={onClose}>
+      <Choices onMake={onMake} onClose={onClose} />
+    </Modal>
+  );
+}
+
+function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
+  const { newProgram: words, classNames } = messages.value;
+  const wanted = useSignal(FIRST);
+  const choose = (part: Partial<NewProgram>): void => {
+    wanted.value = { ...wanted.value, ...part };
+  };
+  const { timerClass, functions, servos, from } = wanted.value;
+  return (
+    <form
+      class="new-program"
+      onSubmit={(event) => {
+        event.preventDefault();
+        onClose();
+        onMake(newProgram(wanted.value));
+      }}
+    >
+      <p>{words.lead}</p>
+      <fieldset>
+        <legend>{words.timerClass}</legend>
+        <div class="segments">
+          {CLASSES.map((each) => (
+            <label key={each}>
+              <input
+                type="radio"
+                class="visually-hidden"
+                name="new-class"
+                checked={each === timerClass}
+                onChange={() => choose({ timerClass: each })}
+              />
+              <span>{classNames[each]}</span>
+            </label>
+          ))}
+        </div>
+      </fieldset>
+      <div class="new-layout">
+        <Count
+          label={words.functions}
+          range={LAYOUTS.functions}
+          value={functions}
+          // DT is counted as one of them on the wire, and not by a pilot.
+          shown={(count) => count - 1}
+          onChoose={(count) => choose({ functions: count })}
+        />
+        <Count
+          label={words.servos}
+          range={LAYOUTS.servos}
+          value={servos}
+          onChoose={(count) => choose({ servos: count })}
+        />
+      </div>
+      <fieldset>
+        <legend>{words.from}</legend>
+        {(['usual', 'nothing'] as const).map((each) => (
+          <label class="beginning" key={each}>
+            <input type="radio" name="new-from" checked={each === from} onChange={() => choose({ from: each })} />
+            {words.beginnings[each]}
+          </label>
+        ))}
+      </fieldset>
+      <p class="hint">{words.caution}</p>
+      <div class="buttons">
+        <button type="submit" class="primary">
+          {words.make}
+        </button>
+        <button type="button" onClick={onClose}>
+          {words.cancel}
+        </button>
+      </div>
+    </form>
+  );
+}
+
+interface CountProps {
+  readonly label: string;
+  readonly range: readonly [first: number, last: number];
+  readonly value: number;
+  readonly shown?: (count: number) => number;
+  readonly onChoose: (count: number) => void;
+}
+
+function Count({ label, range: [first, last], value, shown = (count) => count, onChoose }: CountProps) {
+  return (
+    <label class="choice">
+      <span>{label}</span>
+      <select value={String(value)} onChange={(event) => onChoose(Number(event.currentTarget.value))}>
+        {Array.from({ length: last - first + 1 }, (_, at) => first + at).map((count) => (
+          <option key={count} value={String(count)}>
+            {shown(count)}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}

@@ -1,0 +1,141 @@
+import { useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
+import { clockText, messages, timerName } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import type { Backups } from '../session/backups.js';
+import { type Session, SIMULATED_CLASSES } from '../session/session.js';
+import type { Draft } from '../storage/index.js';
+import { NewProgramDialog } from './new-program-dialog.js';
+import './start-cards.css';
+
+/** What the pilot has made or changed, that no timer has. */
+export function KeptPrograms({ session }: { readonly session: Session }) {
+  const { programs: words } = messages.value.start;
+  const { keptPrograms } = session;
+  const making = useSignal(false);
+  useEffect(() => void keptPrograms.load(), [keptPrograms]);
+  const list = keptPrograms.list.value;
+  return (
+    <section class="start-card wide" aria-labelledby="programs-title">
+      <h2 id="programs-title">{words.title}</h2>
+      {list.length === 0 && <p>{words.none}</p>}
+      {list.length > 0 && (
+        <ul>
+          {list.map((draft) => (
+            <KeptProgram key={draft.key} session={session} draft={draft} />
+          ))}
+        </ul>
+      )}
+      <div class="buttons">
+        <button type="button" onClick={() => (making.value = true)}>
+          {words.make}
+        </button>
+      </div>
+      <NewProgramDialog
+        open={making.value}
+        onMake={(program) => session.make(program)}
+        onClose={() => (making.value = false)}
+      />
+    </section>
+  );
+}
+
+function KeptProgram({ session, draft }: { readonly session: Session; readonly draft: Draft }) {
+  const { programs: words } = messages.value.start;
+  const asked = useSignal(false);
+  const { working, madeAt, savedAt } = draft;
+  const what = nameOf(draft);
+  const when = madeAt === undefined ? words.changedAt(clockText(savedAt)) : words.madeAt(clockText(madeAt));
+  const [dt] = keyFigures(working);
+  if (asked.value) {
+    return (
+      <li class="kept-program">
+        <strong role="status">{words.sure}</strong>
+        <button type="button" onClick={() => void session.keptPrograms.remove(draft)}>
+          {words.remove}
+        </button>
+        <button type="button" onClick={() => (asked.value = false)}>
+          {words.keep}
+        </button>
+      </li>
+    );
+  }
+  return (
+    <li class="kept-program">
+      <button
+        type="button"
+        class="quiet open"
+        aria-label={words.open(what, when)}
+        disabled={session.engaged.value}
+        onClick={() => session.showKept(draft)}
+      >
+        <strong>{what}</strong>
+        <span>{when}</span>
+        <span class="figure-of">{dt && `${dt.label} ${dt.text}`}</span>
+      </button>
+      <button type="button" class="quiet" aria-label={words.removeOf(what, when)} onClick={() => (asked.value = true)}>
+        {words.remove}
+      </button>
+    </li>
+  );
+}
+
+/** “F1Q, new”, “F1Q, M2, changes”. */
+function nameOf({ working: { identity, memory }, madeAt }: Draft): string {
+  const { start, memoryName } = messages.value;
+  const timer = timerName(identity);
+  if (madeAt !== undefined) return start.programs.made(timer);
+  return start.programs.changesOf(memory === null ? timer : `${timer}, ${memoryName(memory)}`);
+}
+
+/** A timer to try everything on. */
+export function Simulated({ session }: { readonly session: Session }) {
+  const { start, classNames } = messages.value;
+  return (
+    <section class="start-card" aria-labelledby="simulated-title">
+      <h2 id="simulated-title">{start.simulatedTitle}</h2>
+      <p>{start.simulatedLead}</p>
+      <div class="buttons">
+        {SIMULATED_CLASSES.map((timerClass) => {
+          const name = classNames[timerClass] ?? timerClass;
+          return (
+            <button
+              type="button"
+              key={timerClass}
+              aria-label={start.simulated(name)}
+              disabled={session.engaged.value}
+              onClick={() => void session.trySimulated(timerClass)}
+            >
+              {name}
+            </button>
+          );
+        })}
+      </div>
+    </section>
+  );
+}
+
+/** What timers held before they were written. */
+export function KeptBackups({ backups }: { readonly backups: Backups }) {
+  const { start, memoryName } = messages.value;
+  const { backups: words } = start;
+  const list = backups.list.value;
+  const [last] = list;
+  const lastSaid = (): string => {
+    if (!last) return '';
+    const { identity, memory } = last.program;
+    const what = memory === null ? timerName(identity) : `${timerName(identity)} ${memoryName(memory)}`;
+    return `${clockText(last.savedAt)}, ${what}`;
+  };
+  return (
+    <section class="start-card" aria-labelledby="kept-backups-title">
+      <h2 id="kept-backups-title">{words.title}</h2>
+      <p>{last ? words.kept(list.length, lastSaid()) : words.none}</p>
+      {last && (
+        <p>
+          <a href="#memories">{words.look}</a>
+        </p>
+      )}
+    </section>
+  );
+}

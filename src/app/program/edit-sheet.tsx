@@ -1,0 +1,184 @@
+import type { ReadonlySignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import type { Identity } from '../../protocol/index.js';
+import { media } from '../browser/doors.js';
+import { plainSeconds } from '../editing/units.js';
+import { eitherTexts, messages } from '../messages/index.js';
+import type { Standing } from '../session/standing.js';
+import { type EditedValue, Hand, type HeldField } from './hand.js';
+import { type Goal, goalsFrom } from './sheet-moves.js';
+import { useSheetPlace } from './sheet-place.js';
+import { eraseLast, typeInto } from './sheet-typing.js';
+import { WasText } from './was-text.js';
+import './edit-sheet.css';
+
+/** What is being edited in one place of the page, and by what. */
+export function useHand(): Hand {
+  const hand = useMemo(() => new Hand(media('(pointer: coarse)')?.matches ?? false), []);
+  useEffect(() => hand.follow(document), [hand]);
+  return hand;
+}
+
+interface EditSheetProps {
+  readonly identity: Identity;
+  readonly standing: ReadonlySignal<Standing>;
+  readonly hand: Hand;
+}
+
+/**
+ * In place of the keyboard of the screen, for the field that a finger has tapped: steps of the class, digits, the old
+ * value, and the way to the next field. The focus stays in the field, which comes in sight.
+ */
+export function EditSheet({ identity, standing, hand }: EditSheetProps) {
+  const held = hand.field.value;
+  return held && <Sheet {...{ identity, standing, held }} />;
+}
+
+interface SheetProps {
+  readonly identity: Identity;
+  readonly standing: ReadonlySignal<Standing>;
+  readonly held: HeldField;
+}
+
+function Sheet({ identity, standing, held }: SheetProps) {
+  const { sheet: words } = messages.value.edits;
+  const { input, label, value, selection } = held;
+  const element = useRef<HTMLDivElement>(null);
+  /** Whether the next digit begins the value anew: after a step it is not the last digit that is wrong. */
+  const isWhole = useRef(false);
+  useSheetPlace(element, input);
+  useLayoutEffect(() => {
+    isWhole.current = false;
+  }, [input]);
+  const was = value.was.value;
+  const notes = value.notes.value;
+  const either = value.either.value;
+  const isTime = value.kind === 'time';
+  const goals = goalsFrom(identity, input);
+  const act = (work: () => void): void => {
+    isWhole.current = true;
+    work();
+  };
+  const type = (digit: string): void => {
+    if (isWhole.current) input.select();
+    isWhole.current = false;
+    typeInto(input, digit);
+  };
+  const go = ({ input: to }: Goal): void => {
+    if (value.finish()) to.focus();
+  };
+  const digits = (...texts: string[]): ComponentChildren =>
+    texts.map((text) => (
+      <button type="button" key={text} tabIndex={-1} onClick={() => type(text)}>
+        {text}
+      </button>
+    ));
+  const step = (direction: 1 | -1, tenfold: boolean): ComponentChildren => (
+    <button type="button" tabIndex={-1} onClick={() => act(() => value.step(direction, { tenfold }))}>
+      {words[direction > 0 ? 'up' : 'down'](amountOf(value, tenfold))}
+    </button>
+  );
+  const goTo = (goal: Goal | null, text: (name: string) => string): ComponentChildren =>
+    goal ? (
+      <button type="button" class="go" tabIndex={-1} aria-label={words.goTo(text(goal.name))} onClick={() => go(goal)}>
+        {text(goal.name)}
+      </button>
+    ) : (
+      <span />
+    );
+  return (
+    <section
+      ref={element}
+      class="edit-sheet"
+      popover="manual"
+      aria-label={words.title(label)}
+      // The focus stays in the field.
+      onPointerDown={(event) => event.preventDefault()}
+      onMouseDown={(event) => event.preventDefault()}
+    >
+      <div class="sheet-head">
+        <p>
+          <strong>{label}</strong>{' '}
+          {was !== null && (
+            <span class="sheet-was">
+              <WasText standing={standing} value={was} />
+            </span>
+          )}
+        </p>
+        {selection && (
+          <button
+            type="button"
+            class="quiet"
+            tabIndex={-1}
+            aria-label={words.selectRange}
+            onClick={() => {
+              selection.pick();
+              input.blur();
+            }}
+          >
+            <svg class="icon" width="24" height="24" aria-hidden="true">
+              <path d="M4 8V4H8M16 4H20V8M20 16V20H16M8 20H4V16M12 4H12M12 20H12M4 12H4M20 12H20" />
+            </svg>
+          </button>
+        )}
+        {value.canPutBack.value && (
+          <button type="button" tabIndex={-1} onClick={() => act(() => value.putBack())}>
+            {words.putBack}
+          </button>
+        )}
+      </div>
+      {notes && <p class="notes bad-text">{notes}</p>}
+      {either ? (
+        <fieldset class="sheet-question">
+          <legend class="visually-hidden">{messages.value.times.meaning(label)}</legend>
+          {eitherTexts(either).map((text, at) => (
+            <button
+              type="button"
+              key={text}
+              tabIndex={-1}
+              onClick={() => act(() => value.answer(either[at] as number))}
+            >
+              {text}
+            </button>
+          ))}
+        </fieldset>
+      ) : (
+        <div class="sheet-steps">
+          {step(-1, true)}
+          {step(-1, false)}
+          <output>
+            {value.text.value}
+            {value.unit.value && <span class="sheet-unit"> {messages.value.times.units[value.unit.value]}</span>}
+          </output>
+          {step(1, false)}
+          {step(1, true)}
+        </div>
+      )}
+      <div class="sheet-pad">
+        {digits('7', '8', '9')}
+        {isTime ? digits(words.digits.colon) : goTo(goals.above, words.above)}
+        {digits('4', '5', '6')}
+        {isTime ? digits(words.digits.point) : goTo(goals.below, words.below)}
+        {digits('1', '2', '3')}
+        <button type="button" tabIndex={-1} aria-label={words.erase} onClick={() => eraseLast(input)}>
+          <svg class="icon" width="24" height="20" aria-hidden="true">
+            <path d="M8 3H21V17H8L2 10ZM11 7L17 13M17 7L11 13" />
+          </svg>
+        </button>
+        {goTo(goals.before, words.before)}
+        {digits('0')}
+        {goTo(goals.after, words.after)}
+        <button type="button" class="primary" tabIndex={-1} onClick={() => (either || value.finish()) && input.blur()}>
+          {words.done}
+        </button>
+      </div>
+    </section>
+  );
+}
+
+/** “10”, “0.1 s”: positions are whole steps. */
+function amountOf({ kind, stepSize }: EditedValue, tenfold: boolean): string {
+  const amount = stepSize.value * (tenfold ? 10 : 1);
+  return kind === 'time' ? messages.value.seconds(plainSeconds(amount)) : String(amount);
+}

@@ -1,0 +1,137 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { Edit } from '../editing/edit.js';
+import type { Editor } from '../editing/editor.js';
+import { type StepOptions, setInterval, stepInterval, stepSize } from '../editing/edits.js';
+import { gridKey, intervalAt } from '../editing/grid.js';
+import { groupOf } from '../editing/history.js';
+import { type Figure, formatInterval, type Question, readInterval } from '../editing/units.js';
+import { messages, obstacleText } from '../messages/index.js';
+import type { EditedValue } from './hand.js';
+
+/** What was last done in the field. */
+interface Entry {
+  /** As it was typed; null when it was a step. */
+  readonly text: string | null;
+  /** Why it changed nothing; null when it was done. */
+  readonly problem: string | null;
+  /** What it may mean, where it is asked which: nothing was done. */
+  readonly either?: Question['either'] | undefined;
+  /** The interval after it. When that has changed, as by undo, the entry counts no more. */
+  readonly interval: number | null;
+}
+
+/**
+ * One interval while it is edited. What is typed moves this function and those after it. A text that is no interval, or
+ * asks what it means, changes nothing, and the interval stands there again when the field is left.
+ */
+export class IntervalModel implements EditedValue {
+  readonly #editor: Editor;
+  readonly #slot: number;
+  readonly #typing: string | undefined;
+  readonly #stepping: string | undefined;
+  readonly #entered = signal<Entry | null>(null);
+  readonly #interval = computed(() => this.#find());
+  readonly #entry = computed(() => {
+    const { value: entered } = this.#entered;
+    return entered?.interval === this.#interval.value ? entered : null;
+  });
+
+  readonly kind = 'time';
+  readonly text: ReadonlySignal<string> = computed(() => {
+    const interval = this.#interval.value;
+    return this.#entry.value?.text ?? (interval === null ? '' : formatInterval(interval));
+  });
+  readonly unit: ReadonlySignal<Figure['unit'] | null> = computed(() => {
+    const interval = this.#interval.value;
+    if (interval === null || typeof this.#entry.value?.text === 'string') return null;
+    return Math.abs(interval) < 6000 ? 's' : 'min';
+  });
+  readonly was: ReadonlySignal<string | null> = signal(null);
+  readonly canPutBack: ReadonlySignal<boolean> = signal(false);
+  readonly either: ReadonlySignal<Question['either'] | null> = computed(() => this.#entry.value?.either ?? null);
+  /** Why nothing was changed. */
+  readonly notes: ReadonlySignal<string> = computed(() => this.#entry.value?.problem ?? '');
+  readonly stepSize: ReadonlySignal<number> = computed(() => {
+    const { value: identity } = this.#editor.identity;
+    return identity ? stepSize(identity, { kind: 'time', slot: this.#slot }) : 1;
+  });
+
+  constructor(editor: Editor, slot: number) {
+    const key = gridKey({ kind: 'interval', slot });
+    this.#editor = editor;
+    this.#slot = slot;
+    this.#typing = groupOf('type', key);
+    this.#stepping = groupOf('step', key);
+  }
+
+  step(direction: 1 | -1, options?: StepOptions): void {
+    const working = this.#editor.working.value;
+    if (!working) return;
+    const unreadable = this.#editor.unreadable.value;
+    this.#enter(null, this.#apply(stepInterval(working, this.#slot, direction, { ...options, unreadable })));
+  }
+
+  type(text: string): void {
+    const working = this.#editor.working.value;
+    if (!working) return;
+    const parsed = readInterval(text, { isDt: this.#slot === working.identity.functions });
+    const problem = 'unreadable' in parsed ? messages.value.unreadable[parsed.unreadable] : this.#set(parsed.value);
+    // What it began with may have been an interval.
+    if (problem) this.#editor.abandon(this.#typing);
+    const either = 'either' in parsed ? parsed.either : undefined;
+    this.#enter(text, either ? null : problem, either);
+  }
+
+  answer(value: number): void {
+    const problem = this.#set(value);
+    if (problem) this.#enter(formatInterval(value), problem);
+    else this.takeBack();
+  }
+
+  /** The text gives way to the interval. */
+  takeBack(): void {
+    this.#entered.value = null;
+  }
+
+  /** What was typed last, or stepped last, since the field was entered will not have been. */
+  escape(): void {
+    const hadProblem = this.notes.value !== '';
+    this.takeBack();
+    if (!hadProblem && !this.#editor.abandon(this.#typing)) this.#editor.abandon(this.#stepping);
+  }
+
+  leave(): void {
+    this.takeBack();
+    this.#editor.settle();
+  }
+
+  finish(): boolean {
+    return this.either.value === null;
+  }
+
+  // There is no one value that an interval was: it lies between two that may both have changed.
+  putBack(): void {}
+
+  #find(): number | null {
+    const { value: working } = this.#editor.working;
+    return working && intervalAt(working, this.#slot);
+  }
+
+  #enter(text: string | null, problem: string | null, either?: Question['either']): void {
+    this.#entered.value = { text, problem, either, interval: this.#find() };
+  }
+
+  #set(value: number): string | null {
+    const { working, unreadable } = this.#editor;
+    return (
+      working.value && this.#apply(setInterval(working.value, this.#slot, value, { unreadable: unreadable.value }))
+    );
+  }
+
+  /** @returns why it was not done; null when it was. */
+  #apply(edit: Edit): string | null {
+    const { value: identity } = this.#editor.identity;
+    const obstacle = this.#editor.apply(edit);
+    return obstacle && identity && obstacleText(identity, obstacle);
+  }
+}

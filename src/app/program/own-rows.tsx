@@ -1,0 +1,84 @@
+import { useComputed } from '@preact/signals';
+import { useMemo } from 'preact/hooks';
+import type { ProgramField } from '../../program/index.js';
+import { computedList } from '../editing/computed-list.js';
+import { FIRST_SERVO_COLUMN, TIME_COLUMN } from '../editing/grid.js';
+import { fieldLabel, messages } from '../messages/index.js';
+import { isSameNote, notesFor } from './field-notes.js';
+import type { MotorPlace } from './motor-place.js';
+import type { ProgramRowProps } from './program-row.js';
+import { RowMenu } from './row-menu.js';
+import { cellProps, RowModel } from './row-model.js';
+import { RowNotes } from './row-notes.js';
+import { ValueField } from './value-field.js';
+
+const MOTOR_STOP: ProgramField = { kind: 'time', slot: 0 };
+const THROTTLE: ProgramField = { kind: 'idleThrottle' };
+
+interface MotorRowProps extends Omit<ProgramRowProps, 'bench' | 'follow'> {
+  readonly place: MotorPlace;
+}
+
+/** The motor stop, where it comes before the row of this slot. */
+export function MotorRowBefore(props: MotorRowProps) {
+  const { place, slot } = props;
+  const isHere = useComputed(() => place.before.value === slot).value;
+  return isHere ? <MotorRow {...props} /> : null;
+}
+
+function MotorRow({ session, tools, identity, servos, selection, hand, marked }: MotorRowProps) {
+  const { editor } = session;
+  const { program, edits } = messages.value;
+  const row = useMemo(() => new RowModel({ editor, selection, marked }, 0, [MOTOR_STOP]), [editor, selection, marked]);
+  const name = program.motorStop;
+  const revert = { label: edits.field.putBack(name), act: () => editor.revert(MOTOR_STOP) };
+  return (
+    <>
+      <tr class="motor-stop" data-slot="0">
+        <th scope="row" data-short={program.motor}>
+          <span class="row-name">{name}</span>
+          <RowMenu {...{ tools, identity, name }} slot={0} shifts revert={row.isChanged.value ? revert : null} />
+        </th>
+        <td {...cellProps(row, TIME_COLUMN, 'time')}>
+          <ValueField
+            {...{ session, selection, hand }}
+            field={MOTOR_STOP}
+            label={fieldLabel(identity, MOTOR_STOP)}
+            place="table"
+          />
+        </td>
+        <td class="interval" />
+        <td colSpan={servos.length} />
+      </tr>
+      <RowNotes identity={identity} notes={row.notes.value} width={servos.length + FIRST_SERVO_COLUMN + 1} />
+    </>
+  );
+}
+
+type ThrottleRowProps = Pick<ProgramRowProps, 'session' | 'identity' | 'servos' | 'hand'>;
+
+/** The idle throttle, where the timer has said one: it is no function, and stands below them. */
+export function ThrottleRow({ session, identity, servos, hand }: ThrottleRowProps) {
+  const { editor } = session;
+  const { program } = messages.value;
+  const isKnown = useComputed(() => typeof editor.working.value?.idleThrottle === 'number').value;
+  const notes = useMemo(() => computedList(() => notesFor(editor, THROTTLE), isSameNote), [editor]).value;
+  if (!isKnown) return null;
+  return (
+    <>
+      <tr class="throttle">
+        <th scope="row" data-short={program.throttle}>
+          <span class="row-name">{program.idleThrottle}</span>
+        </th>
+        <td class="time">
+          <ValueField {...{ session, hand }} field={THROTTLE} label={program.idleThrottle} place="table" />
+        </td>
+        <td class="interval" />
+        <td class="aside" colSpan={servos.length}>
+          {program.idleThrottleUnit}
+        </td>
+      </tr>
+      <RowNotes identity={identity} notes={notes} width={servos.length + FIRST_SERVO_COLUMN + 1} />
+    </>
+  );
+}

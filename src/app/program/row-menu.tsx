@@ -1,0 +1,161 @@
+import { useComputed } from '@preact/signals';
+import { useEffect, useRef } from 'preact/hooks';
+import type { Identity } from '../../protocol/index.js';
+import { formatInterval } from '../editing/units.js';
+import { messages } from '../messages/index.js';
+import type { RowTools } from './row-tools.js';
+import './row-menu.css';
+
+interface RowMenuProps {
+  readonly tools: RowTools;
+  readonly identity: Identity;
+  readonly slot: number;
+  /** What the row is called. */
+  readonly name: string;
+  /** Whether its time, and those after it, can be shifted. */
+  readonly shifts: boolean;
+  /** Puts the row back to what the timer holds; null where nothing differs. */
+  readonly revert: { readonly label: string; readonly act: () => void } | null;
+}
+
+/** At the name of a row: what can be done from there on. Left of the time for the keys, the whole name for a finger. */
+export function RowMenu({ tools, identity, slot, name, shifts, revert }: RowMenuProps) {
+  const { table } = messages.value.edits;
+  const opener = useRef<HTMLButtonElement>(null);
+  const isOpen = useComputed(() => tools.open.value === slot).value && (shifts || revert !== null);
+  if (!shifts && !revert) return null;
+  const close = (): void => {
+    tools.close();
+    opener.current?.focus();
+  };
+  return (
+    <span
+      class="row-menu"
+      role="toolbar"
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' || !isOpen) return;
+        event.stopPropagation();
+        event.preventDefault();
+        close();
+      }}
+      onFocusOut={({ relatedTarget, currentTarget }) => {
+        if (relatedTarget instanceof Node && !currentTarget.contains(relatedTarget)) tools.close();
+      }}
+    >
+      <button
+        ref={opener}
+        type="button"
+        class="row-opener"
+        tabIndex={-1}
+        aria-label={table.rowTools(name)}
+        title={table.rowTools(name)}
+        aria-expanded={isOpen}
+        onClick={() => (isOpen ? close() : tools.show(slot))}
+      />
+      {isOpen && <RowPanel {...{ tools, identity, slot, name, shifts, revert, opener }} onClose={close} />}
+    </span>
+  );
+}
+
+interface RowPanelProps extends RowMenuProps {
+  readonly opener: { readonly current: HTMLElement | null };
+  readonly onClose: () => void;
+}
+
+function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener }: RowPanelProps) {
+  const { table, shift } = messages.value.edits;
+  const panel = useRef<HTMLFormElement>(null);
+  useEffect(() => {
+    const { current } = panel;
+    if (!current) return;
+    // In the lower half there is more room above.
+    const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
+    current.classList.toggle('above', top > innerHeight / 2);
+    const first = current.querySelector<HTMLElement>('input, button');
+    first?.focus({ preventScroll: true });
+    if (first instanceof HTMLInputElement) first.select();
+    const away = ({ target }: Event): void => {
+      if (target instanceof Node && !current.parentElement?.contains(target)) tools.close();
+    };
+    document.addEventListener('pointerdown', away);
+    return () => document.removeEventListener('pointerdown', away);
+  }, [tools, opener]);
+  const isDt = slot === identity.functions;
+  return (
+    <form
+      ref={panel}
+      class="row-panel"
+      aria-label={shifts ? shift.from(name, isDt) : name}
+      onSubmit={(event) => {
+        event.preventDefault();
+        tools.shift(1);
+      }}
+    >
+      <p class="row-panel-title">{shifts ? shift.from(name, isDt) : name}</p>
+      {shifts && <ShiftFields tools={tools} isDt={isDt} />}
+      <div class="buttons">
+        {revert && (
+          <button
+            type="button"
+            onClick={() => {
+              revert.act();
+              onClose();
+            }}
+          >
+            {revert.label}
+          </button>
+        )}
+        <button type="button" class="quiet" onClick={onClose}>
+          {table.range.done}
+        </button>
+      </div>
+    </form>
+  );
+}
+
+/** This row and all that come after it, to earlier or later. It says how far they have gone so far. */
+function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt: boolean }) {
+  const { shift } = messages.value.edits;
+  const { value: problem } = tools.problem;
+  const { value: moved } = tools.moved;
+  return (
+    <>
+      <div class="shift-fields">
+        <button type="button" onClick={() => tools.shift(-1)}>
+          {shift.earlier}
+        </button>
+        <label>
+          <span class="visually-hidden">{shift.by}</span>
+          <input
+            type="text"
+            inputMode="decimal"
+            autocomplete="off"
+            value={tools.amount.value}
+            onInput={(event) => tools.setAmount(event.currentTarget.value)}
+          />
+          <span aria-hidden="true">{messages.value.times.units.s}</span>
+        </label>
+        <button type="submit">{shift.later}</button>
+      </div>
+      {!isDt && (
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={tools.moveDt.value}
+            onChange={(event) => tools.setMoveDt(event.currentTarget.checked)}
+          />
+          {shift.moveDt}
+        </label>
+      )}
+      {problem ? (
+        <p class="bad-text" role="alert">
+          {problem}
+        </p>
+      ) : (
+        <p class="hint" role="status">
+          {moved !== 0 && shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
+        </p>
+      )}
+    </>
+  );
+}

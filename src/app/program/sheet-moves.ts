@@ -1,0 +1,60 @@
+import { slotKind } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import { FIRST_SERVO_COLUMN, type GridCell, INTERVAL_COLUMN } from '../editing/grid.js';
+import { messages } from '../messages/index.js';
+import { cellOf } from './table-cells.js';
+
+/** A field to which the focus can go from another one. */
+export interface Goal {
+  readonly input: HTMLInputElement;
+  /** What tells it from where the focus is: a column of the same row, or another row. */
+  readonly name: string;
+}
+
+/** Where the focus can go: along the row and on into the next one, and within the column. */
+export interface Goals {
+  readonly before: Goal | null;
+  readonly after: Goal | null;
+  readonly above: Goal | null;
+  readonly below: Goal | null;
+}
+
+/** What can be edited beside a field: in its table, else what stands with it. */
+export function goalsFrom(identity: Identity, from: HTMLInputElement): Goals {
+  const inputs = editedIn(from.closest('table') ?? from.closest('.figures'));
+  const cell = cellOf(from);
+  const column = inputs.filter((input) => cell && cellOf(input)?.column === cell.column);
+  const goal = (among: readonly HTMLInputElement[], by: 1 | -1): Goal | null => {
+    const input = among[among.indexOf(from) + by];
+    return input ? { input, name: nameFrom(identity, from, input) } : null;
+  };
+  return {
+    before: goal(inputs, -1),
+    after: goal(inputs, 1),
+    above: cell && goal(column, -1),
+    below: cell && goal(column, 1),
+  };
+}
+
+/** What can be edited and is in sight, in the order in which it is read. */
+function editedIn(place: Element | null): HTMLInputElement[] {
+  return [...(place?.querySelectorAll<HTMLInputElement>('.value > input') ?? [])].filter(
+    (input) => !input.readOnly && (input.checkVisibility?.() ?? true),
+  );
+}
+
+function nameFrom(identity: Identity, from: HTMLInputElement, to: HTMLInputElement): string {
+  const cell = cellOf(to);
+  if (!cell) return to.getAttribute('aria-label') ?? '';
+  return from.closest('tr') === to.closest('tr') ? columnName(cell) : rowName(identity, cell);
+}
+
+function columnName({ column }: GridCell): string {
+  const { program, edits, servoName } = messages.value;
+  if (column >= FIRST_SERVO_COLUMN) return servoName(column - FIRST_SERVO_COLUMN);
+  return column === INTERVAL_COLUMN ? edits.table.interval : program.time;
+}
+
+function rowName(identity: Identity, { row }: GridCell): string {
+  return messages.value.edits.sheet.row(row, slotKind(identity, row));
+}

@@ -1,0 +1,18 @@
+/** Puts a text into a field as a keyboard would: in the place of what is marked, else at the caret. */
+export function typeInto(input: HTMLInputElement, text: string): void {
+  const { selectionStart, selectionEnd, value } = input;
+  replace(input, text, selectionStart ?? value.length, selectionEnd ?? value.length);
+}
+
+/** Takes away what is marked, else what stands before the caret. */
+export function eraseLast(input: HTMLInputElement): void {
+  const { value } = input;
+  const end = input.selectionEnd ?? value.length;
+  const start = input.selectionStart ?? end;
+  replace(input, '', start < end ? start : Math.max(0, end - 1), end);
+}
+
+function replace(input: HTMLInputElement, text: string, start: number, end: number): void {
+  input.setRangeText(text, start, end, 'end');
+  input.dispatchEvent(new InputEvent('input', { bubbles: true, inputType: text ? 'insertText' : 'deleteContent' }));
+}

@@ -1,0 +1,73 @@
+import type { ComponentChildren } from 'preact';
+import { useRef } from 'preact/hooks';
+import type { Identity } from '../../protocol/index.js';
+import type { Editor } from '../editing/editor.js';
+import { messages } from '../messages/index.js';
+import { ColumnMenu } from './column-menu.js';
+
+interface TableHeadProps {
+  readonly editor: Editor;
+  readonly identity: Identity;
+  readonly servos: readonly number[];
+  /** Where there is room for one of the two, the other one is shown. */
+  readonly onSwitch: () => void;
+}
+
+/** What the columns hold, and in which unit; for a servo also what can be done to all of its positions. */
+export function TableHead({ editor, identity, servos, onSwitch }: TableHeadProps) {
+  const { program, edits, servoName } = messages.value;
+  const { table } = edits;
+  return (
+    <thead>
+      <tr>
+        <th scope="col">
+          <span class="visually-hidden">{program.slot}</span>
+        </th>
+        <TimeHead class="time" switchTo={table.showIntervals} onSwitch={onSwitch}>
+          {program.time}
+        </TimeHead>
+        <TimeHead class="interval" title={table.intervalHint} switchTo={table.showTimes} onSwitch={onSwitch}>
+          {table.interval}
+        </TimeHead>
+        {servos.map((servo) => (
+          <th scope="col" class="servo" key={servo} aria-label={servoName(servo)}>
+            {servoName(servo)}
+            <ColumnMenu editor={editor} identity={identity} servo={servo} />
+          </th>
+        ))}
+      </tr>
+    </thead>
+  );
+}
+
+interface TimeHeadProps {
+  readonly class: string;
+  readonly title?: string;
+  /** What its button says, which is there on a phone. */
+  readonly switchTo: string;
+  readonly onSwitch: () => void;
+  readonly children: ComponentChildren;
+}
+
+function TimeHead({ class: name, title, switchTo, onSwitch, children }: TimeHeadProps) {
+  const head = useRef<HTMLTableCellElement>(null);
+  return (
+    <th scope="col" class={name} title={title} ref={head}>
+      {children} <span class="head-unit">{messages.value.times.units.s}</span>
+      <button
+        type="button"
+        class="column-switch"
+        aria-label={switchTo}
+        onClick={() => {
+          const { current } = head;
+          onSwitch();
+          // The column of this button goes; the one that comes has its own.
+          requestAnimationFrame(() => {
+            const others = current?.parentElement?.querySelectorAll<HTMLElement>('.column-switch') ?? [];
+            for (const other of others) if (!current?.contains(other)) other.focus({ preventScroll: true });
+          });
+        }}
+      />
+    </th>
+  );
+}

@@ -1,0 +1,78 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import * as v from 'valibot';
+import { MAX_POSITION } from '../../protocol/index.js';
+import { loadSetting, saveSetting } from '../browser/settings.js';
+
+/**
+ * What a servo does: it turns a surface; or it lets go of something, as a disc lets arms go one after another and a
+ * line the tailplane at DT; or something that only the pilot has a name for; or there is none.
+ */
+export const DUTIES = ['rudder', 'tailplane', 'wing', 'release', 'other', 'none'] as const;
+export type Duty = (typeof DUTIES)[number];
+
+/** The longest name of a duty, in characters: it stands in the lanes of the timeline. */
+export const LONGEST_NAME = 16;
+
+/** What the pilot has said of a servo. */
+export interface ServoUse {
+  readonly duty: Duty;
+  /** Of an `other` duty; else empty. */
+  readonly name: string;
+  /** The ends of the way that it uses, in steps, `low` below `high`. */
+  readonly low: number;
+  readonly high: number;
+  /** More steps turn the trailing edge down, of a rudder to the left; else up, or to the right. */
+  readonly reversed: boolean;
+}
+
+/** What is said of the servos belongs to the timer of one model: a kind of timer is as near as one can come to it. */
+export interface ServosAtHand {
+  /** See `kindKey`. */
+  readonly kind: string;
+  readonly servos: number;
+}
+
+const step = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_POSITION));
+const schema = v.array(
+  v.object({
+    duty: v.picklist(DUTIES),
+    name: v.pipe(v.string(), v.maxLength(LONGEST_NAME)),
+    low: step,
+    high: step,
+    reversed: v.boolean(),
+  }),
+);
+
+type Said = readonly ServoUse[] | null;
+
+/** What the servos of the model move, by the pilot's word. Kept for each kind of timer. */
+export class ServoUses {
+  /** For each servo; null where nobody has said anything: whoever draws something has to guess. */
+  readonly named: ReadonlySignal<Said>;
+  readonly #atHand: ReadonlySignal<ServosAtHand | null>;
+  /** What was said since the page was opened, by kind: all there is where the browser keeps nothing. */
+  readonly #said = signal<ReadonlyMap<string, Said>>(new Map());
+
+  constructor(atHand: ReadonlySignal<ServosAtHand | null>) {
+    this.#atHand = atHand;
+    this.named = computed(() => {
+      const { value } = this.#atHand;
+      if (!value) return null;
+      const said = this.#said.value.get(value.kind);
+      const uses = said === undefined ? loadSetting(settingOf(value), v.nullable(schema)) : said;
+      return uses?.length === value.servos ? uses : null;
+    });
+  }
+
+  /** @param uses for each servo; null forgets what was said. */
+  say(uses: Said): void {
+    const atHand = this.#atHand.peek();
+    if (!atHand) return;
+    this.#said.value = new Map(this.#said.peek()).set(atHand.kind, uses);
+    saveSetting(settingOf(atHand), uses);
+  }
+}
+
+function settingOf({ kind }: ServosAtHand): string {
+  return `servos/${kind}`;
+}

@@ -1,0 +1,32 @@
+import { effect, type ReadonlySignal, signal } from '@preact/signals';
+import type { LinkState } from '../../serial/index.js';
+
+const ASKING: ReadonlySet<LinkState['status']> = new Set(['searching', 'waiting']);
+
+/** Counts how long a timer has been asked and has not answered. */
+export class WaitClock {
+  readonly #seconds = signal(0, { name: 'waitedSeconds' });
+  /** Whole seconds since it was asked first; 0 while none is asked. */
+  readonly seconds: ReadonlySignal<number> = this.#seconds;
+
+  constructor(state: ReadonlySignal<LinkState>) {
+    let asking = false;
+    let next: ReturnType<typeof setTimeout> | undefined;
+    effect(() => {
+      const isAsking = ASKING.has(state.value.status);
+      if (isAsking === asking) return;
+      asking = isAsking;
+      clearTimeout(next);
+      this.#seconds.value = 0;
+      if (!asking) return;
+      const since = performance.now();
+      const tick = (): void => {
+        const passed = performance.now() - since;
+        this.#seconds.value = Math.floor(passed / 1000);
+        // A page that was put to sleep counts on from what has passed.
+        next = setTimeout(tick, 1000 - (passed % 1000));
+      };
+      tick();
+    });
+  }
+}

@@ -1,0 +1,164 @@
+import { useSignal } from '@preact/signals';
+import { useId } from 'preact/hooks';
+import { MAX_POSITION } from '../../../protocol/index.js';
+import { messages } from '../../messages/index.js';
+import { DUTIES, type Duty, LONGEST_NAME, type ServoUse } from '../../session/servo-uses.js';
+import { Modal } from '../../ui/modal.js';
+import { servoClass } from '../servo-class.js';
+import { SURFACES } from './surfaces.js';
+import './servo-dialog.css';
+
+interface ServoDialogProps {
+  readonly open: boolean;
+  /** What is said or guessed of each servo by now. */
+  readonly uses: readonly ServoUse[];
+  /** The pilot has said it; it can be taken back. */
+  readonly isNamed: boolean;
+  /** null: to be guessed again. */
+  readonly onSave: (uses: readonly ServoUse[] | null) => void;
+  readonly onCancel: () => void;
+}
+
+/** What each servo moves, which way it uses, and in which sense: by the pilot, who has the model in the hand. */
+export function ServoDialog({ open, onCancel, ...form }: ServoDialogProps) {
+  const id = useId();
+  const { title } = messages.value.preview.naming;
+  return (
+    <Modal open={open} title={title} titleId={id} onEscape={onCancel} held={false}>
+      <ServoForm onCancel={onCancel} {...form} />
+    </Modal>
+  );
+}
+
+function ServoForm({ uses, isNamed, onSave, onCancel }: Omit<ServoDialogProps, 'open'>) {
+  const { naming } = messages.value.preview;
+  const draft = useSignal(uses);
+  return (
+    <form
+      class="servo-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        onSave(draft.value.map(inOrder));
+      }}
+    >
+      <p class="hint">{naming.lead}</p>
+      {draft.value.map((use, servo) => (
+        <ServoRow
+          key={messages.value.servoName(servo)}
+          servo={servo}
+          use={use}
+          onChange={(changed) => {
+            draft.value = draft.value.map((other, at) => (at === servo ? { ...other, ...changed } : other));
+          }}
+        />
+      ))}
+      <div class="buttons">
+        {isNamed && (
+          <button type="button" class="quiet" onClick={() => onSave(null)}>
+            {naming.guessAgain}
+          </button>
+        )}
+        <button type="button" onClick={onCancel}>
+          {naming.cancel}
+        </button>
+        <button type="submit" class="primary">
+          {naming.save}
+        </button>
+      </div>
+    </form>
+  );
+}
+
+/** The two ends may be given in any order. */
+function inOrder({ low, high, name, ...use }: ServoUse): ServoUse {
+  return {
+    ...use,
+    name: use.duty === 'other' ? name.trim() : '',
+    low: Math.min(low, high),
+    high: Math.max(low, high),
+  };
+}
+
+interface ServoRowProps {
+  readonly servo: number;
+  readonly use: ServoUse;
+  readonly onChange: (changed: Partial<ServoUse>) => void;
+}
+
+function ServoRow({ servo, use, onChange }: ServoRowProps) {
+  const { servoName, preview } = messages.value;
+  const { naming: words, duties } = preview;
+  const name = servoName(servo);
+  const isSurface = SURFACES.some((surface) => surface === use.duty);
+  return (
+    <fieldset class={`servo-row ${servoClass(servo)}`}>
+      <legend>{name}</legend>
+      <select
+        aria-label={words.duty(name)}
+        value={use.duty}
+        onChange={(event) => onChange({ duty: dutyOf(event.currentTarget.value) })}
+      >
+        {DUTIES.map((duty) => (
+          <option key={duty} value={duty}>
+            {duties[duty]}
+          </option>
+        ))}
+      </select>
+      {use.duty === 'other' && (
+        <input
+          type="text"
+          aria-label={words.name(name)}
+          placeholder={words.namePlace}
+          value={use.name}
+          maxLength={LONGEST_NAME}
+          onInput={(event) => onChange({ name: event.currentTarget.value })}
+        />
+      )}
+      {isSurface && (
+        <>
+          <End label={words.low(name)} value={use.low} onChange={(low) => onChange({ low })} />
+          <span aria-hidden="true">{words.to}</span>
+          <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
+          <select
+            aria-label={words.sense(name)}
+            value={String(use.reversed)}
+            onChange={(event) => onChange({ reversed: event.currentTarget.value === 'true' })}
+          >
+            {([false, true] as const).map((reversed) => (
+              <option key={String(reversed)} value={String(reversed)}>
+                {use.duty === 'rudder' ? words.rudderSense[`${reversed}`] : words.otherSense[`${reversed}`]}
+              </option>
+            ))}
+          </select>
+        </>
+      )}
+    </fieldset>
+  );
+}
+
+function dutyOf(text: string): Duty {
+  return DUTIES.find((duty) => duty === text) ?? 'none';
+}
+
+interface EndProps {
+  readonly label: string;
+  readonly value: number;
+  readonly onChange: (value: number) => void;
+}
+
+/** One end of the way of a servo. What is no step is refused by the browser, in its own words. */
+function End({ label, value, onChange }: EndProps) {
+  return (
+    <input
+      type="number"
+      inputMode="numeric"
+      aria-label={label}
+      min={0}
+      max={MAX_POSITION}
+      step={1}
+      required
+      value={Number.isFinite(value) ? value : ''}
+      onChange={(event) => onChange(event.currentTarget.valueAsNumber)}
+    />
+  );
+}

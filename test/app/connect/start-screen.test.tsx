@@ -1,0 +1,169 @@
+import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { platformOf } from '../../../src/app/browser/platform.js';
+import { idle, reloaded, run } from '../bench/bench.js';
+import { connected, drawn, field, opened, press, table, type } from '../screen.js';
+
+const FIREFOX = platformOf({ userAgent: 'Mozilla/5.0 (X11; Linux x86_64; rv:153.0) Gecko/20100101 Firefox/153.0' });
+
+function card(name: string) {
+  return within(screen.getByRole('region', { name }));
+}
+
+/** Makes a program by the dialog. */
+async function make(choose: () => void = () => {}): Promise<void> {
+  await press('New program…');
+  choose();
+  await press('Make the program');
+}
+
+describe('a new program', () => {
+  it('is made for a class and a layout, edited, and is nowhere said to be in a timer', async () => {
+    await opened();
+    await make(() => {
+      fireEvent.click(screen.getByRole('radio', { name: 'F1B' }));
+      fireEvent.change(screen.getByRole('combobox', { name: 'Functions, without start and DT' }), {
+        target: { value: '12' },
+      });
+      fireEvent.change(screen.getByRole('combobox', { name: 'Servos' }), { target: { value: '2' } });
+    });
+    expect(table().getByRole('rowheader', { name: /^Function 11/ })).toBeTruthy();
+    expect(table().queryByRole('columnheader', { name: /^S3/ })).toBeNull();
+    await type('Function 3, S2', '70');
+    expect(screen.getByText('New program, in no timer yet')).toBeTruthy();
+    expect(document.body.textContent).not.toMatch(/last read|as in the timer|was 65/i);
+  });
+
+  it('from nothing holds zeros', async () => {
+    const { editor } = await opened();
+    await make(() => fireEvent.click(screen.getByRole('radio', { name: /^Nothing/ })));
+    expect(new Set(editor.working.value?.times)).toEqual(new Set([0]));
+  });
+
+  it('is given up by Cancel and by Escape', async () => {
+    const { editor } = await opened();
+    await press('New program…');
+    await press('Cancel');
+    expect([screen.queryByRole('dialog'), editor.working.value]).toEqual([null, null]);
+  });
+
+  it('is written by way of Connect: the difference is shown first', async () => {
+    const { timer } = await opened({ plug: { granted: true } });
+    await make();
+    await type('DT time', '4:00');
+    await press('Connect and write…');
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await idle(0);
+    await press(/^Write \d+ changes$/);
+    expect([timer.core.content.times[10], timer.core.content.positions[2]?.[9]]).toEqual([24000, 65]);
+    expect(screen.getByText('Verified.')).toBeTruthy();
+  });
+
+  it('waits for a timer that sleeps, and writes nothing by itself once it wakes', async () => {
+    const { timer, write } = await opened({ plug: { granted: true } });
+    timer.core.sleep();
+    await make();
+    await press('Connect and write…');
+    timer.core.press();
+    await idle();
+    expect([timer.core.content.times[1], write.current.value]).toEqual([1050, null]);
+    expect(field('Function 1 time').value).toBe('0.30');
+  });
+});
+
+describe('what this device keeps', () => {
+  it('is listed by name and time, opened, and deleted when that is meant', async () => {
+    const bench = await opened();
+    await make();
+    await type('DT time', '4:00');
+    await press('Close program');
+    expect(card('My programs').getByText('DT 4:00 min')).toBeTruthy();
+    await press(/^Open F1Q, new, made \d\d:\d\d$/);
+    expect(field('DT time').value).toBe('4:00');
+    await press('Close program');
+    await press(/^Delete F1Q/);
+    await press('Keep it');
+    await press(/^Delete F1Q/);
+    await press('Delete');
+    expect([card('My programs').queryByText('DT 4:00 min'), bench.store.drafts.records.size]).toEqual([null, 0]);
+  });
+
+  it('are the changes that no timer has, too', async () => {
+    const bench = await connected();
+    await type('Function 2, S1', '7');
+    await run(bench.session.disconnect());
+    await press('Close program');
+    await press(/^Open F1Q, M1, changes, changed/);
+    expect(field('Function 2, S1').value).toBe('7');
+  });
+
+  it('are backups, the last with its time, and it is the one that is drawn', async () => {
+    const bench = await connected();
+    expect(bench.session.backups.list.value).toEqual([]);
+    await type('DT time', '4:00');
+    await press('Write…');
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await idle(0);
+    await press(/^Write 1 change$/);
+    cleanup();
+    await drawn(await reloaded(bench));
+    expect(card('Backups').getByText(/^1 backup, kept before a write\. The last: \d\d:\d\d, F1Q M1\.$/)).toBeTruthy();
+    const picture = within(screen.getByRole('figure'));
+    expect(picture.getByText('F1Q, M1')).toBeTruthy();
+    expect(picture.getByText('DT 3:00 min'), 'as it was before the write').toBeTruthy();
+  });
+
+  it('is nothing at first, and then an example is drawn that says so', async () => {
+    await opened();
+    expect(within(screen.getByRole('figure')).getByText('Example: an F1Q')).toBeTruthy();
+    expect(card('Backups').getByText(/^Before every write/)).toBeTruthy();
+  });
+});
+
+describe('after Disconnect', () => {
+  it('the program stays, is said to be as last read with its time, and Close program leads to the start', async () => {
+    await connected();
+    await press('Disconnect');
+    expect(field('DT time').value).toBe('3:00');
+    expect(screen.getByText(/^As last read \d\d:\d\d$/)).toBeTruthy();
+    await press('Close program');
+    expect(screen.getByRole('heading', { name: 'Set your Sidus timer' })).toBeTruthy();
+  });
+});
+
+describe('the page on this device', () => {
+  it('is ready offline when all of it is kept, and not before', async () => {
+    const { models } = await opened();
+    expect(screen.queryByText('Ready offline')).toBeNull();
+    models.installation.isKept();
+    await idle(0);
+    expect(screen.getByText('Ready offline')).toBeTruthy();
+  });
+
+  it('is installed by a click, where the browser offers that', async () => {
+    const { models } = await opened();
+    const window = new EventTarget();
+    models.installation.follow(window);
+    expect(screen.queryByRole('button', { name: 'Install' })).toBeNull();
+    let asked = 0;
+    const offer = Object.assign(new Event('beforeinstallprompt', { cancelable: true }), {
+      prompt: async () => void asked++,
+    });
+    window.dispatchEvent(offer);
+    await idle(0);
+    expect(offer.defaultPrevented, 'it does not ask by itself').toBe(true);
+    await press('Install');
+    expect([asked, screen.queryByRole('button', { name: 'Install' })]).toEqual([1, null]);
+  });
+});
+
+describe('Firefox', () => {
+  it('is said to ask for the port anew at each load, and only there', async () => {
+    await opened();
+    expect(screen.queryByText(/Firefox/)).toBeNull();
+    cleanup();
+    await opened({ platform: FIREFOX });
+    expect(screen.getByText(/Firefox asks for the port anew each time this page is loaded\./)).toBeTruthy();
+    expect(screen.queryByText(/permission/), 'the page does not come by https here').toBeNull();
+  });
+});

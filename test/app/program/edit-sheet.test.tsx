@@ -1,0 +1,220 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { idle } from '../bench/bench.js';
+import { connected, field } from '../screen.js';
+
+/** What a finger does: it comes down, and the focus goes where it may. */
+async function tap(name: string, pointerType = 'touch'): Promise<void> {
+  fireEvent.pointerDown(field(name), { pointerType });
+  field(name).focus();
+  await idle();
+}
+
+function sheet(name: string): ReturnType<typeof within> {
+  return within(screen.getByRole('region', { name: `Keys for ${name}` }));
+}
+
+function sheets(): number {
+  return screen.queryAllByRole('region', { name: /^Keys for/ }).length;
+}
+
+/** Presses keys of the sheet that is there, by what stands on them. */
+async function press(...keys: string[]): Promise<void> {
+  for (const name of keys) {
+    const keys = within(screen.getByRole('region', { name: /^Keys for/ }));
+    const key = keys.getByRole('button', { name });
+    fireEvent.pointerDown(key, { pointerType: 'touch' });
+    fireEvent.click(key);
+    await idle();
+  }
+}
+
+async function key(key: string, held: KeyboardEventInit = {}): Promise<void> {
+  fireEvent.keyDown(document.activeElement ?? document.body, { key, ...held });
+  await idle();
+}
+
+/** Fields of the program for which a keyboard of the screen would come up. */
+function withKeyboard(): number {
+  return document.querySelectorAll('.value > input:is([inputmode="decimal"], [inputmode="numeric"])').length;
+}
+
+afterEach(() => vi.restoreAllMocks());
+
+describe('the sheet', () => {
+  it.each(['touch', 'pen'])('comes for a field that is pressed by %s, in place of the keyboard', async (pointer) => {
+    await connected();
+    await tap('Function 4, S2', pointer);
+    expect(sheet('Function 4, S2').getByRole('status').textContent).toBe('55');
+    expect(withKeyboard()).toBe(0);
+    expect(document.activeElement).toBe(field('Function 4, S2'));
+  });
+
+  it('does not come for a mouse, nor for keys', async () => {
+    await connected();
+    await tap('Function 4, S2', 'mouse');
+    await key('ArrowDown');
+    expect(document.activeElement).toBe(field('Function 5, S2'));
+    expect([sheets(), withKeyboard() > 40]).toEqual([0, true]);
+  });
+
+  it('gives way to a hardware keyboard, which works on in the field, and comes back with the next tap', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    await press('+1');
+    await key('ArrowUp', { altKey: true });
+    expect([field('Function 4, S2').value, sheets()]).toEqual(['57', 0]);
+    expect(document.activeElement).toBe(field('Function 4, S2'));
+    await key('ArrowDown');
+    expect([document.activeElement, sheets()]).toEqual([field('Function 5, S2'), 0]);
+    await tap('Function 5, S2');
+    expect(sheets()).toBe(1);
+  });
+
+  it('is there from the start on a screen for fingers, also when a button brings the focus', async () => {
+    vi.spyOn(globalThis, 'matchMedia').mockImplementation(
+      (query) => ({ matches: query === '(pointer: coarse)' }) as MediaQueryList,
+    );
+    await connected();
+    field('DT').focus();
+    await idle();
+    expect(sheet('DT').getByRole('status').textContent).toBe('3:00 min');
+  });
+
+  it('goes with “Done”, and with the focus', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    await press('Done');
+    expect([sheets(), document.activeElement]).toEqual([0, document.body]);
+    await tap('Function 4, S2');
+    field('Function 4, S2').blur();
+    await idle();
+    expect(sheets()).toBe(0);
+  });
+
+  it('does not come for a time that is reserved, until it is to be edited', async () => {
+    await connected({ identity: { timerClass: 'B' } });
+    await tap('Start time');
+    expect(sheets()).toBe(0);
+    const edit = screen.getByRole('button', { name: 'Edit the reserved time' });
+    fireEvent.pointerDown(edit, { pointerType: 'touch' });
+    edit.focus();
+    fireEvent.click(edit);
+    await idle();
+    expect(sheet('Start time')).toBeTruthy();
+  });
+});
+
+describe('its keys', () => {
+  it('write over the value, then behind it, at the caret after a tap there; the last one goes again', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    await press('7');
+    expect(field('Function 4, S2').value).toBe('7');
+    await press('2', '1', 'Delete the last digit');
+    expect(field('Function 4, S2').value).toBe('72');
+    field('Function 4, S2').setSelectionRange(0, 0);
+    await press('1');
+    expect(field('Function 4, S2').value).toBe('172');
+    expect(sheet('Function 4, S2').getByText('A position must be 0 to 130 steps.')).toBeTruthy();
+  });
+
+  it('are for a time a colon and a point, for a position the rows above and below', async () => {
+    await connected();
+    await tap('DT time');
+    await press('2', ':', '0', '5', '.', '5');
+    expect(field('DT time').value).toBe('2:05.5');
+    await tap('DT, S2');
+    expect(sheet('DT, S2').queryByRole('button', { name: ':' })).toBeNull();
+    await press('Go to ↑ 9');
+    expect(document.activeElement).toBe(field('Function 9, S2'));
+    await press('Go to ↓ DT');
+    expect(document.activeElement).toBe(field('DT, S2'));
+    expect(sheet('DT, S2').queryByRole('button', { name: /↓/ }), 'nothing below').toBeNull();
+  });
+
+  it.each([
+    ['Function 4, S2', ['−10', '−1', '+1', '+10'], ['45', '44', '45', '55']],
+    ['Function 4 time', ['−1 s', '−0.1 s', '+0.1 s', '+1 s'], ['11.00', '10.90', '11.00', '12.00']],
+    ['Function 4 interval', ['+1 s', '+0.1 s', '−0.1 s', '−1 s'], ['1.50', '1.60', '1.50', '0.50']],
+    ['DT', ['−10 s', '−1 s', '+1 s', '+10 s'], ['2:50', '2:49', '2:50', '3:00']],
+  ])('step %s by the steps of its class', async (name, steps, values) => {
+    await connected();
+    await tap(name);
+    for (const [at, step] of steps.entries()) {
+      await press(step);
+      expect(field(name).value).toBe(values[at]);
+    }
+  });
+
+  it('begin a value anew after a step, and after it was put back', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    await press('+1', '8', '1');
+    expect(field('Function 4, S2').value).toBe('81');
+    expect(sheet('Function 4, S2').getByText('was 55')).toBeTruthy();
+    await press('Put back');
+    expect(field('Function 4, S2').value).toBe('55');
+    expect(sheet('Function 4, S2').queryByRole('button', { name: 'Put back' })).toBeNull();
+    await press('9');
+    expect(field('Function 4, S2').value).toBe('9');
+  });
+
+  it('lead along the row and on into the next one', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    await press('Go to S3 ›');
+    expect(document.activeElement).toBe(field('Function 4, S3'));
+    await press('Go to 5 ›');
+    expect(document.activeElement).toBe(field('Function 5 time'));
+    await press('Go to Interval ›', 'Go to S1 ›', 'Go to ‹ Interval');
+    expect(document.activeElement).toBe(field('Function 5 interval'));
+  });
+
+  it('make one step to undo of what is done at one field', async () => {
+    const { editor } = await connected();
+    await tap('Function 4, S2');
+    await press('7', '2', 'Go to S3 ›', '+1', '+1');
+    editor.undo();
+    await idle();
+    expect([field('Function 4, S2').value, field('Function 4, S3').value]).toEqual(['72', '55']);
+    editor.undo();
+    await idle();
+    expect(field('Function 4, S2').value).toBe('55');
+  });
+});
+
+describe('a text that can be read in several ways', () => {
+  it.each(['Done', 'Go to 9 ›'])('is asked about in the sheet by “%s”, and nowhere else', async (way) => {
+    await connected();
+    await tap('Function 8, S3');
+    await press('Go to 9 ›', '2', '3', '0', way === 'Done' ? way : 'Go to Interval ›');
+    expect(document.activeElement).toBe(field('Function 9 time'));
+    expect(screen.getAllByRole('group', { name: 'What Function 9 time means' })).toHaveLength(1);
+    await press('2 min 30 s');
+    expect(field('Function 9 time').value).toBe('2:30');
+    expect(screen.queryByRole('group', { name: 'What Function 9 time means' })).toBeNull();
+    await press('Done');
+    expect(sheets()).toBe(0);
+  });
+
+  it('may stay as it is: then it is asked about at the field', async () => {
+    await connected();
+    await tap('DT time');
+    await press('2', '3', '0', 'Done', 'Done');
+    expect([sheets(), field('DT time').value]).toEqual([0, '230']);
+    const asked = within(screen.getByRole('group', { name: 'What DT time means' }));
+    fireEvent.click(asked.getByRole('button', { name: '2 min 30 s' }));
+    await idle();
+    expect(field('DT time').value).toBe('2:30');
+  });
+
+  it('is answered as an interval, too', async () => {
+    await connected();
+    await tap('DT interval');
+    await press('2', '3', '0', 'Go to S1 ›');
+    expect(document.activeElement).toBe(field('DT interval'));
+    await press('2 min 30 s');
+    expect(field('DT interval').value).toBe('2:30');
+  });
+});
