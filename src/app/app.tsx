@@ -25,7 +25,7 @@ import './app.css';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, keeping, aside, update, portHolder, line, installation } = models;
+  const { preferences, programPicture, keeping, aside, update, portHolder, line, installation } = models;
   const { name, views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -36,7 +36,7 @@ export function App({ models }: { readonly models: AppModels }) {
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
       hasProgram ? (
-        <ProgramView {...{ session, write, memories, bench, follow, preferences }} />
+        <ProgramView {...{ session, write, memories, bench, follow, preferences, programPicture }} />
       ) : (
         <StartScreen {...{ session, installation, platform }} />
       ),

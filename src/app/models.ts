@@ -8,6 +8,7 @@ import { FrameForm } from './line/frame-form.js';
 import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
 import { Memories } from './memories/memories.js';
+import { ProgramPicture } from './program/program-picture.js';
 import { Keeping } from './session/keeping.js';
 import { PortHolder } from './session/port-holder.js';
 import { Preferences } from './session/preferences.js';
@@ -36,6 +37,8 @@ export interface AppModels {
   readonly follow: Follow;
   /** What is shown of the line, and the frame that is made by hand: they outlast their view. */
   readonly line: { readonly view: LineView; readonly form: FrameForm };
+  /** How the program is looked at: it outlasts its view. */
+  readonly programPicture: ProgramPicture;
   readonly theme: Theme;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
@@ -87,6 +90,7 @@ export function createModels({
     bench,
     follow: new Follow(session, bench),
     line: { view: new LineView(session.log), form: new FrameForm(session) },
+    programPicture: new ProgramPicture(),
     theme: new Theme(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),

@@ -266,7 +266,9 @@ export const en = {
   timeline: {
     title: 'Timeline',
     compareWith: 'Compare with',
-    compareNothing: 'Nothing',
+    compareNothing: 'nothing',
+    /** What the timer holds, as far as that is known. */
+    compareHeld: { now: 'the timer', once: 'the last reading', not: 'the last reading, not certain' },
     picture: 'Servo positions over time',
     description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
       `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,
@@ -280,6 +282,7 @@ export const en = {
     front: 'Servo in hand',
     stands: (servo: string, position: number | string) => `${servo} ${position}`.trim(),
     steps: (position: number) => plural(position, 'step', 'steps'),
+    stepsUnit: 'steps',
     unknownValue: '?',
     notKnown: 'Not known: the times fall',
     zero: '0 s',

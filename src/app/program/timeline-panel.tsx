@@ -1,4 +1,4 @@
-import { computed, useSignal } from '@preact/signals';
+import { computed } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, dutyName, messages } from '../messages/index.js';
@@ -6,19 +6,18 @@ import type { Session } from '../session/session.js';
 import type { Standing } from '../session/standing.js';
 import type { OnEdit } from '../timeline/drag.js';
 import { useLate } from '../timeline/hooks.js';
-import { Player } from '../timeline/preview/player.js';
+import type { Player } from '../timeline/preview/player.js';
 import { BehindSwatch, Timeline, type TimelineProps } from '../timeline/timeline.js';
 import { PreviewPanel } from './preview-panel.js';
+import { HELD, NOTHING, type ProgramPicture } from './program-picture.js';
 import './timeline-panel.css';
 
-/** What lies behind the program: what the timer holds, nothing, or a backup by its key. */
-const HELD = 'held';
-const NOTHING = 'nothing';
 /** So many backups can be chosen, newest first. */
 const CHOICES = 12;
 
 interface TimelinePanelProps {
   readonly session: Session;
+  readonly picture: ProgramPicture;
   /** The field that has the focus elsewhere on the screen. */
   readonly selected: ProgramField | null;
   readonly onSelect: (field: ProgramField) => void;
@@ -27,10 +26,9 @@ interface TimelinePanelProps {
 }
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
-export function TimelinePanel({ session, selected, onSelect, onPoint }: TimelinePanelProps) {
+export function TimelinePanel({ session, picture, selected, onSelect, onPoint }: TimelinePanelProps) {
   const { editor, servoUses } = session;
-  const player = useMemo(() => new Player(), []);
-  const behind = useSignal(HELD);
+  const { player, behind } = picture;
   // All that the picture is made of comes a frame late: it is drawn once, after the field that was typed into.
   const shown = useMemo(
     () =>
@@ -51,6 +49,7 @@ export function TimelinePanel({ session, selected, onSelect, onPoint }: Timeline
     <div class="timeline-panel">
       <PlayedTimeline
         {...{ program, player, selected, onSelect, onPoint, overlay, names }}
+        model={picture.timeline}
         onAsk={(time) => player.ask(time)}
         now={() => editor.working.peek() ?? program}
         onEdit={(edit, phase) => {
@@ -67,9 +66,7 @@ export function TimelinePanel({ session, selected, onSelect, onPoint }: Timeline
             program={program}
             isDrawn={overlay !== null}
             chosen={behind.value}
-            onChoose={(key) => {
-              behind.value = key;
-            }}
+            onChoose={(key) => picture.compareWith(key)}
           />
         }
       />
@@ -110,7 +107,7 @@ interface CompareWithProps {
 }
 
 function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWithProps) {
-  const { timeline, backups: words, knowledge, memoryName, recovery } = messages.value;
+  const { timeline, backups: words, memoryName, recovery } = messages.value;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
     .slice(0, CHOICES);
@@ -120,7 +117,7 @@ function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWit
       {timeline.compareWith}
       <select value={chosen} onChange={(event) => onChoose(event.currentTarget.value)}>
         {session.editor.madeAt.value === null && (
-          <option value={HELD}>{knowledge.held[session.standing.value.sure]}</option>
+          <option value={HELD}>{timeline.compareHeld[session.standing.value.sure]}</option>
         )}
         <option value={NOTHING}>{timeline.compareNothing}</option>
         {fitting.map(({ key, savedAt, reason, simulated, program: { memory } }) => (

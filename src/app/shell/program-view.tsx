@@ -9,6 +9,7 @@ import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
 import { messages, timerName } from '../messages/index.js';
 import { ChecksPanel } from '../program/checks-panel.js';
 import { DtPresets } from '../program/presets.js';
+import type { ProgramPicture } from '../program/program-picture.js';
 import { ProgramTable } from '../program/program-table.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
@@ -25,10 +26,12 @@ interface ProgramViewProps {
   readonly bench: Bench;
   readonly follow: Follow;
   readonly preferences: Preferences;
+  readonly programPicture: ProgramPicture;
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
-export function ProgramView({ session, write, memories, bench, follow, preferences }: ProgramViewProps) {
+export function ProgramView(props: ProgramViewProps) {
+  const { session, write, memories, bench, follow, preferences, programPicture } = props;
   const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -49,7 +52,13 @@ export function ProgramView({ session, write, memories, bench, follow, preferenc
   const side =
     isNarrow && !picture.value ? null : looking === null ? (
       <>
-        <TimelinePanel session={session} selected={selected.value} onSelect={select} onPoint={point} />
+        <TimelinePanel
+          session={session}
+          picture={programPicture}
+          selected={selected.value}
+          onSelect={select}
+          onPoint={point}
+        />
         <ChecksPanel editor={session.editor} />
       </>
     ) : (

@@ -29,6 +29,8 @@ export function Handles(props: HandlesProps) {
   const { geometry, front, onEdit } = props;
   const { program, flags, stages, layout, measures, motorStop } = geometry;
   const row = onEdit ? program.positions[front] : undefined;
+  const { selected } = props;
+  const chosen = selected && selected.kind !== 'idleThrottle' ? selected.slot : null;
   return (
     <g>
       {motorStop !== null && (
@@ -54,8 +56,8 @@ export function Handles(props: HandlesProps) {
                 field={{ kind: 'time', slot }}
                 x={flag.x}
                 y={FLAG}
-                on={`${flag.radius} ${flag.labelled} ${flag.roomy} ${flag.passedOver}`}
-                figure={() => <FlagFigure flag={flag} />}
+                on={`${flag.radius} ${flag.labelled} ${flag.roomy} ${flag.passedOver} ${slot === chosen}`}
+                figure={() => <FlagFigure flag={flag} isChosen={slot === chosen} />}
               />
             )}
             {position !== undefined && (
@@ -78,9 +80,16 @@ export function Handles(props: HandlesProps) {
 /** A number in a smaller circle than this is smaller, too; in pixels. */
 const LETTERS = 11;
 
-function FlagFigure({ flag: { slot, isDt, radius, labelled, roomy, passedOver } }: { flag: Flag }) {
+interface FlagFigureProps {
+  readonly flag: Flag;
+  /** Whether something of this slot is selected: its time or a position. */
+  readonly isChosen: boolean;
+}
+
+function FlagFigure({ flag, isChosen }: FlagFigureProps) {
+  const { slot, isDt, radius, labelled, roomy, passedOver } = flag;
   const { dt } = messages.value.program;
-  const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''}`;
+  const classes = `flag ${isDt ? 'dt' : ''} ${passedOver ? 'passed' : ''} ${isChosen ? 'chosen' : ''}`;
   const wide = radius + 2;
   return (
     <>

@@ -35,9 +35,9 @@ export function Picture({ geometry, front, selected, overlay, names, clip }: Pic
       </clipPath>
       <Kept on={[layout, front]} draw={() => <Grid layout={layout} front={front} />} />
       <g clip-path={`url(#${clip})`}>
+        {overlay && <Kept on={[overlay, layout]} draw={() => <Overlay program={overlay} layout={layout} />} />}
         <Kept on={[geometry.flags, motorStop]} draw={() => <MotorRun {...geometry} small={front === null} />} />
         <Kept on={[stages, layout]} draw={() => <Unknown stages={stages} layout={layout} />} />
-        {overlay && <Kept on={[overlay, layout]} draw={() => <Overlay program={overlay} layout={layout} />} />}
         <Kept on={[flags, chosen]} draw={() => <Marks {...geometry} chosen={chosen} small={front === null} />} />
         <Lines geometry={geometry} front={front} />
       </g>

@@ -1,6 +1,6 @@
 import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
-import { formatTime } from '../editing/units.js';
-import { fieldLabel, messages, slotLabel } from '../messages/index.js';
+import { formatFigure, formatTime } from '../editing/units.js';
+import { fieldLabel, figureOf, messages, slotLabel } from '../messages/index.js';
 import { motorStopOf, reachedAt } from './preview/flight.js';
 import type { TimelineModel } from './view-model.js';
 import './readout.css';
@@ -17,11 +17,14 @@ interface MomentProps {
  * else the value that is selected.
  */
 export function Moment({ program, model, cursor, selected }: MomentProps) {
-  const { timeline, seconds } = messages.value;
+  const { timeline, times } = messages.value;
   const field = model.moving.value?.edit.field;
   const time = model.asked.value ?? cursor;
   if (field) return <ValueFigure program={program} field={field} fineness={model.fineness.value} />;
-  if (time !== null) return <Figure figure={seconds(formatTime(time))} what={reachedText(program, time)} />;
+  if (time !== null) {
+    const { text, unit } = formatFigure(time, 1);
+    return <Figure text={text} unit={times.units[unit]} what={reachedText(program, time)} />;
+  }
   if (selected && selected.kind !== 'idleThrottle') return <ValueFigure program={program} field={selected} />;
   return <p class="timeline-readout hint">{timeline.ask}</p>;
 }
@@ -34,18 +37,29 @@ interface ValueFigureProps {
 }
 
 function ValueFigure({ program, field, fineness = 0 }: ValueFigureProps) {
-  const { timeline, seconds } = messages.value;
+  const { timeline, times } = messages.value;
   const value = valueAt(program, field) ?? 0;
-  const figure = field.kind === 'time' ? seconds(formatTime(value)) : String(value);
+  const { text, unit } = figureOf(program.identity, field, value);
+  const shownUnit = unit ? times.units[unit] : field.kind === 'position' ? timeline.stepsUnit : '';
   const more = fineness === 0 ? '' : fineness < 1 ? timeline.finer : timeline.finest;
   const label = fieldLabel(program.identity, field);
-  return <Figure figure={figure} what={label} more={more} />;
+  return <Figure text={text} unit={shownUnit} what={label} more={more} />;
 }
 
-function Figure({ figure, what, more = '' }: { figure: string; what: string; more?: string }) {
+interface FigureProps {
+  readonly text: string;
+  readonly unit: string;
+  readonly what: string;
+  readonly more?: string;
+}
+
+function Figure({ text, unit, what, more = '' }: FigureProps) {
   return (
     <p class="timeline-readout">
-      <strong>{figure}</strong> <span>{what}</span>
+      <strong>
+        {text} <small>{unit}</small>
+      </strong>{' '}
+      <span>{what}</span>
       {more && <em>{more}</em>}
     </p>
   );

@@ -50,6 +50,8 @@ export interface TimelineProps {
   readonly title?: string | undefined;
   /** What the pilot calls what the servos move, for each servo: “tailplane”. */
   readonly names?: readonly string[] | undefined;
+  /** What is looked at, where that outlasts this picture. */
+  readonly model?: TimelineModel | undefined;
   /** The pointer or a key has asked about a time of the flight, or no longer: null. */
   readonly onAsk?: ((time: number | null) => void) | undefined;
   /** What stands below the picture, as what it is compared with; else the name of what lies behind. */
@@ -79,8 +81,8 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   const now = useStable(asOfNow);
   const selectedKey = selected && fieldKey(selected);
   const id = useId();
-  const model = useMemo(() => new TimelineModel(), []);
-  const keys = useMemo(() => new HandleKeys(model), []);
+  const model = useMemo(() => calls.model ?? new TimelineModel(), [calls.model]);
+  const keys = useMemo(() => new HandleKeys(model), [model]);
   const room = useRef<HTMLDivElement>(null);
   const svg = useRef<SVGSVGElement>(null);
   const size = useSize(room);
@@ -111,7 +113,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   };
 
   const target = useRef<Target | null>(null);
-  const pointer = useMemo(() => new PointerControl(model, () => target.current), []);
+  const pointer = useMemo(() => new PointerControl(model, () => target.current), [model]);
   const wantedField = model.wanted.value;
   useLayoutEffect(() => {
     target.current = svg.current && { svg: svg.current, geometry, now, onEdit };
@@ -129,6 +131,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       current?.removeEventListener('touchstart', pointer.touch);
       pointer.cancel();
       keys.up();
+      model.leave();
     };
   }, []);
   useTold(model.pointed, onPoint);

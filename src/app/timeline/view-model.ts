@@ -56,6 +56,14 @@ export class TimelineModel {
     return this.#view.value.span < 1;
   }
 
+  /** The picture goes away: nothing is asked about any more. What is in view stays for when it comes back. */
+  leave(): void {
+    this.askAloud(null);
+    this.pointAt(null);
+    this.#entered.value = false;
+    this.#wanted.value = null;
+  }
+
   /** Gives every second the same length, or room to where much happens; all is in view then. */
   setEven(even: boolean): void {
     this.#even.value = even;

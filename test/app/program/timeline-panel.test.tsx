@@ -46,7 +46,7 @@ describe('the timeline', () => {
     expect(behind()).toBeUndefined();
     editor.type(S1, '99');
     await expect.poll(() => handle('Function 4, S1').getAttribute('aria-valuenow')).toBe('99');
-    expect(behind()).toBe('Timer holds');
+    expect(behind()).toBe('the timer');
   });
 
   it('edits the program, in one step for each movement', async () => {
@@ -101,6 +101,27 @@ describe('the timeline', () => {
     act(() => (handle('Function 6, S1') as SVGElement).focus());
     await idle(100);
     expect(drawn.filter((name) => name === 'ProgramRow')).toHaveLength(2);
+  });
+
+  it('is found as it was left when the view comes back', async () => {
+    const app = await opened();
+    app.editor.type(S1, '99');
+    await idle();
+    fireEvent.change(screen.getByRole('combobox', { name: 'Compare with' }), { target: { value: 'nothing' } });
+    fireEvent.click(screen.getByRole('button', { name: 'S3' }));
+    fireEvent.click(screen.getByRole('checkbox', { name: 'True time scale' }));
+    await idle();
+    act(() => app.models.views.show('settings'));
+    await idle();
+    expect(document.querySelector('.timeline-panel')).toBeNull();
+    act(() => app.models.views.show('program'));
+    await idle();
+    const seen = [
+      behind(),
+      screen.getByRole('button', { name: 'S3' }).getAttribute('aria-pressed'),
+      screen.getByRole<HTMLInputElement>('checkbox', { name: 'True time scale' }).checked,
+    ];
+    expect(seen).toEqual([undefined, 'true', true]);
   });
 
   it('has a backup behind it, or nothing, as chosen', async () => {
