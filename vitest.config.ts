@@ -1,7 +1,11 @@
+import { availableParallelism } from 'node:os';
 import preact from '@preact/preset-vite';
 import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
 import { launchOptions } from './test/tools/browser.js';
+
+/** As many tests at a time as there are cores; Vitest itself would leave one of them idle. */
+const maxWorkers = availableParallelism();
 
 /**
  * The parts of the screen, fast in happy-dom; what only a real browser can tell, such as its storage, stands in
@@ -11,6 +15,7 @@ const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
   setupFiles: ['test/app/setup.ts'],
   testTimeout: 600_000,
+  maxWorkers,
 };
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
@@ -33,6 +38,8 @@ export default defineConfig({
             'test/{readme,docs}*.test.ts',
           ],
           globalSetup: 'test/tools/pack-folder.js',
+          maxWorkers,
+          isolate: false,
           // Nothing waits here, but properties take their time on a busy machine, and packing does.
           testTimeout: 600_000,
           hookTimeout: 600_000,
@@ -40,7 +47,14 @@ export default defineConfig({
       },
       {
         plugins,
-        test: { ...parts, name: 'parts', environment: 'happy-dom', exclude: ['**/*.browser.test.ts'] },
+        test: {
+          ...parts,
+          name: 'parts',
+          environment: 'happy-dom',
+          exclude: ['**/*.browser.test.ts'],
+          // The files share modules and a document: setup.ts leaves nothing behind from one to the next.
+          isolate: false,
+        },
       },
       {
         plugins,
@@ -63,8 +77,9 @@ export default defineConfig({
           environment: 'node',
           include: ['test/site/**/*.test.ts'],
           globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
-          // A journey mostly waits for the line: several can run side by side.
-          maxWorkers: 3,
+          // A journey mostly waits for the line: several can run side by side, and share a browser one after another.
+          maxWorkers: 3 * maxWorkers,
+          isolate: false,
           // Its turn comes when the other floors are done.
           sequence: { groupOrder: 1 },
           ...PATIENCE,

@@ -1,9 +1,25 @@
 import { cleanup, configure } from '@testing-library/preact';
-import { afterEach } from 'vitest';
+import { afterAll, afterEach, vi } from 'vitest';
 
 // What is waited for comes at once, but on a busy machine that may take its time.
 configure({ asyncUtilTimeout: 10_000 });
 afterEach(cleanup);
+
+// The next file finds all as if it was the first.
+afterAll(() => {
+  vi.useRealTimers();
+  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
+  localStorage.clear();
+  sessionStorage.clear();
+  const { documentElement: root, head, body } = document;
+  for (const element of [root, head, body]) {
+    for (const name of element.getAttributeNames()) element.removeAttribute(name);
+  }
+  head.replaceChildren();
+  body.replaceChildren();
+  location.hash = '';
+});
 
 // happy-dom lays nothing out: nothing is at any point.
 document.elementsFromPoint ??= () => [];

@@ -1,5 +1,5 @@
 import { type Browser, type BrowserContextOptions, chromium, type LaunchOptions, type Page } from 'playwright';
-import { afterAll, beforeAll, expect, inject, onTestFinished } from 'vitest';
+import { expect, inject, onTestFinished } from 'vitest';
 
 declare module 'vitest' {
   // What setup.js makes for the tests of this folder.
@@ -15,11 +15,8 @@ declare module 'vitest' {
 /** Milliseconds after which something hangs: a slow and busy machine may take its time for what takes a moment. */
 const PATIENCE = 120_000;
 
-let browser: Browser;
-beforeAll(async () => {
-  browser = await chromium.launch(inject('launch'));
-});
-afterAll(() => browser?.close());
+/** One for all files that a process of tests goes through; it goes when the process does. */
+let browser: Promise<Browser> | undefined;
 
 /**
  * A page in a profile of its own, with nothing stored, for one test. The test fails, too, when this page, or another of
@@ -27,7 +24,8 @@ afterAll(() => browser?.close());
  * @param faults given, the errors are put there instead, for the test to judge
  */
 export async function newPage(options?: BrowserContextOptions, faults?: string[]): Promise<Page> {
-  const context = await browser.newContext(options);
+  browser ??= chromium.launch(inject('launch'));
+  const context = await (await browser).newContext(options);
   context.setDefaultTimeout(PATIENCE);
   const found = faults ?? [];
   context.on('weberror', (error) => found.push(error.error().message));
