@@ -33,6 +33,7 @@ export const SERVICES = {
   sessionStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
   BroadcastChannel: { of: 'window', made: true, now: ['postMessage', 'addEventListener', 'close'], later: [] },
   matchMedia: { of: 'window', made: true, now: [], later: [] },
+  CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },
   AudioContext: { of: 'window', made: true, now: [], later: ['resume', 'close'] },
 } as const satisfies Record<string, Uses>;
 

@@ -2,11 +2,13 @@ import type { ReadonlySignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
+import { onBackKey } from '../browser/back-key.js';
 import { media } from '../browser/doors.js';
 import { plainSeconds } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import type { Standing } from '../session/standing.js';
 import { type EditedValue, Hand, type HeldField } from './hand.js';
+import { RepeatPress } from './repeat-press.js';
 import { type Goal, goalsFrom } from './sheet-moves.js';
 import { useSheetPlace } from './sheet-place.js';
 import { eraseLast, typeInto } from './sheet-typing.js';
@@ -48,6 +50,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
   /** Whether the next digit begins the value anew: after a step it is not the last digit that is wrong. */
   const isWhole = useRef(false);
   useSheetPlace(element, input);
+  useEffect(() => onBackKey(() => input.blur()), [input]);
   useLayoutEffect(() => {
     isWhole.current = false;
   }, [input]);
@@ -74,11 +77,6 @@ function Sheet({ identity, standing, held }: SheetProps) {
         {text}
       </button>
     ));
-  const step = (direction: 1 | -1, tenfold: boolean): ComponentChildren => (
-    <button type="button" tabIndex={-1} onClick={() => act(() => value.step(direction, { tenfold }))}>
-      {words[direction > 0 ? 'up' : 'down'](amountOf(value, tenfold))}
-    </button>
-  );
   const goTo = (goal: Goal | null, text: (name: string) => string): ComponentChildren =>
     goal ? (
       <button type="button" class="go" tabIndex={-1} aria-label={words.goTo(text(goal.name))} onClick={() => go(goal)}>
@@ -145,14 +143,14 @@ function Sheet({ identity, standing, held }: SheetProps) {
         </fieldset>
       ) : (
         <div class="sheet-steps">
-          {step(-1, true)}
-          {step(-1, false)}
+          <StepKey {...{ value, act }} direction={-1} tenfold />
+          <StepKey {...{ value, act }} direction={-1} />
           <output>
             {value.text.value}
             {value.unit.value && <span class="sheet-unit"> {messages.value.times.units[value.unit.value]}</span>}
           </output>
-          {step(1, false)}
-          {step(1, true)}
+          <StepKey {...{ value, act }} direction={1} />
+          <StepKey {...{ value, act }} direction={1} tenfold />
         </div>
       )}
       <div class="sheet-pad">
@@ -174,6 +172,36 @@ function Sheet({ identity, standing, held }: SheetProps) {
         </button>
       </div>
     </section>
+  );
+}
+
+interface StepKeyProps {
+  readonly value: EditedValue;
+  readonly direction: 1 | -1;
+  readonly tenfold?: boolean;
+  readonly act: (work: () => void) => void;
+}
+
+/** A step, and more of them while it is held. */
+function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
+  const { sheet: words } = messages.value.edits;
+  const repeat = useMemo(() => new RepeatPress(), []);
+  useEffect(() => () => repeat.release(), [repeat]);
+  const step = (): void => act(() => value.step(direction, { tenfold }));
+  const release = (): void => repeat.release();
+  return (
+    <button
+      type="button"
+      tabIndex={-1}
+      onPointerDown={() => repeat.press(step)}
+      onPointerUp={release}
+      onPointerLeave={release}
+      onPointerCancel={release}
+      onContextMenu={(event) => event.preventDefault()}
+      onClick={() => repeat.click(step)}
+    >
+      {words[direction > 0 ? 'up' : 'down'](amountOf(value, tenfold))}
+    </button>
   );
 }
 

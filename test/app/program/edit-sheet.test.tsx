@@ -39,7 +39,10 @@ function withKeyboard(): number {
   return document.querySelectorAll('.value > input:is([inputmode="decimal"], [inputmode="numeric"])').length;
 }
 
-afterEach(() => vi.restoreAllMocks());
+afterEach(() => {
+  vi.restoreAllMocks();
+  vi.unstubAllGlobals();
+});
 
 describe('the sheet', () => {
   it.each(['touch', 'pen'])('comes for a field that is pressed by %s, in place of the keyboard', async (pointer) => {
@@ -90,6 +93,27 @@ describe('the sheet', () => {
     field('Function 4, S2').blur();
     await idle();
     expect(sheets()).toBe(0);
+  });
+
+  it('goes with the Back key of a phone, and the page stays', async () => {
+    class Watcher extends EventTarget {
+      static readonly open = new Set<Watcher>();
+      constructor() {
+        super();
+        Watcher.open.add(this);
+      }
+      destroy(): void {
+        Watcher.open.delete(this);
+      }
+    }
+    vi.stubGlobal('CloseWatcher', Watcher);
+    await connected();
+    await tap('Function 4, S2');
+    await tap('Function 4, S3');
+    expect(Watcher.open.size).toBe(1);
+    for (const watcher of Watcher.open) watcher.dispatchEvent(new Event('close'));
+    await idle();
+    expect([sheets(), Watcher.open.size]).toEqual([0, 0]);
   });
 
   it('does not come for a time that is reserved, until it is to be edited', async () => {
@@ -147,6 +171,22 @@ describe('its keys', () => {
     }
   });
 
+  it('step on while they are held, and not once more when they are let go', async () => {
+    await connected();
+    await tap('Function 4, S2');
+    const plus = sheet('Function 4, S2').getByRole('button', { name: '+1' });
+    fireEvent.pointerDown(plus, { pointerType: 'touch' });
+    await idle(449);
+    const before = field('Function 4, S2').value;
+    await idle(1 + 2 * 90);
+    fireEvent.pointerUp(plus);
+    fireEvent.click(plus);
+    await idle();
+    expect([before, field('Function 4, S2').value]).toEqual(['55', '58']);
+    await press('+1');
+    expect(field('Function 4, S2').value).toBe('59');
+  });
+
   it('begin a value anew after a step, and after it was put back', async () => {
     await connected();
     await tap('Function 4, S2');
@@ -167,7 +207,7 @@ describe('its keys', () => {
     expect(document.activeElement).toBe(field('Function 4, S3'));
     await press('Go to 5 ›');
     expect(document.activeElement).toBe(field('Function 5 time'));
-    await press('Go to Interval ›', 'Go to S1 ›', 'Go to ‹ Interval');
+    await press('Go to After ›', 'Go to S1 ›', 'Go to ‹ After');
     expect(document.activeElement).toBe(field('Function 5 interval'));
   });
 
@@ -188,7 +228,7 @@ describe('a text that can be read in several ways', () => {
   it.each(['Done', 'Go to 9 ›'])('is asked about in the sheet by “%s”, and nowhere else', async (way) => {
     await connected();
     await tap('Function 8, S3');
-    await press('Go to 9 ›', '2', '3', '0', way === 'Done' ? way : 'Go to Interval ›');
+    await press('Go to 9 ›', '2', '3', '0', way === 'Done' ? way : 'Go to After ›');
     expect(document.activeElement).toBe(field('Function 9 time'));
     expect(screen.getAllByRole('group', { name: 'What Function 9 time means' })).toHaveLength(1);
     await press('2 min 30 s');
