@@ -105,7 +105,13 @@ export class AppPage {
   /** The large figures are shown when one asks for them. */
   async #showFigure(name: string): Promise<void> {
     const isLarge = name === 'DT' || name === 'Motor stop';
-    if (isLarge && (await this.field(name).count()) === 0) await this.page.locator('.strip-figures').click();
+    if (isLarge && (await this.field(name).count()) === 0) await this.showFigures();
+  }
+
+  /** Opens the large figures, with all that a phone has no other room for. */
+  async showFigures(): Promise<void> {
+    const figures = this.page.locator('.strip-figures');
+    if ((await figures.getAttribute('aria-expanded')) === 'false') await figures.click();
   }
 
   async trySimulated(name: 'F1Q' | 'F1B' | 'F1E'): Promise<void> {
@@ -125,16 +131,18 @@ export class AppPage {
   }
 
   async isReady(): Promise<void> {
-    await this.actions.locator('button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
+    await this.page.locator('#app:has(.link-state.on) > main[aria-busy=false]').waitFor();
   }
 
   async readAgain(): Promise<void> {
-    await this.actions.getByRole('button', { name: 'Read again' }).click();
+    if ((await this.actions.getByRole('button', { name: 'Read again' }).count()) === 0) await this.showFigures();
+    await this.button('Read again').click();
     await this.isReady();
   }
 
   /** Looks at a memory by what was last read of it: nothing is sent. */
   async lookAt(name: string): Promise<void> {
+    if ((await this.page.getByRole('radio', { name }).count()) === 0) await this.showFigures();
     await this.page.getByRole('radio', { name }).check({ force: true });
   }
 

@@ -33,7 +33,7 @@ const toTop = (page) => page.evaluate(() => scrollTo(0, 0));
 
 /** @param {Page} page */
 const settled = (page) =>
-  page.locator('.actions button:not(:disabled, [aria-disabled=true])', { hasText: /^Read again$/ }).waitFor();
+  page.locator('#app:has(.link-state.on) > main[aria-busy=false]').waitFor();
 
 /** @param {Page} page */
 async function connect(page) {

@@ -3,6 +3,7 @@ import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
 import { FollowNote } from '../bench/follow-panel.js';
 import { messages } from '../messages/index.js';
+import { ReadButtons } from '../program/read-buttons.js';
 import { UndoButtons } from '../program/undo-buttons.js';
 import { BlockedNote, WriteButton } from '../program/write-button.js';
 import type { Session } from '../session/session.js';
@@ -23,7 +24,6 @@ interface CommandBarProps {
 export function CommandBar({ session, write, bench, follow, picture }: CommandBarProps) {
   const { program } = messages.value;
   const { editor } = session;
-  const connected = session.connection.value !== null;
   const bar = useRef<HTMLElement>(null);
   useHeight(bar, '--bar');
   return (
@@ -40,19 +40,8 @@ export function CommandBar({ session, write, bench, follow, picture }: CommandBa
         </button>
       )}
       <div class="buttons">
-        <button
-          type="button"
-          aria-disabled={session.runner.busy.value}
-          disabled={!connected}
-          onClick={() => void session.read()}
-        >
-          {program.read}
-        </button>
-        {editor.dirty.value && (
-          <button type="button" class="quiet" disabled={session.runner.busy.value} onClick={() => editor.revertAll()}>
-            {program.undoAll}
-          </button>
-        )}
+        {/* On a phone they stand below the large figures. */}
+        {!picture && <ReadButtons session={session} />}
         <WriteButton session={session} write={write} />
       </div>
     </section>

@@ -11,6 +11,7 @@ import { figureText, messages, timerName } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import { LargeFigures } from '../program/large-figures.js';
 import { DtPresets } from '../program/presets.js';
+import { ReadButtons } from '../program/read-buttons.js';
 import type { Link } from '../session/link.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
@@ -94,6 +95,11 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
           {isNarrow && choice}
           <LargeFigures session={session} />
           {isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
+          {isNarrow && (
+            <div class="buttons">
+              <ReadButtons session={session} />
+            </div>
+          )}
           {isNarrow && actions}
           <button type="button" class="strip-close" onClick={close}>
             {strip.close}
