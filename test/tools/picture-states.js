@@ -32,8 +32,7 @@ async function open(page, title) {
 const toTop = (page) => page.evaluate(() => scrollTo(0, 0));
 
 /** @param {Page} page */
-const settled = (page) =>
-  page.locator('#app:has(.link-state.on) > main[aria-busy=false]').waitFor();
+const settled = (page) => page.locator('#app:has(.link-state.on) > main[aria-busy=false]').waitFor();
 
 /** @param {Page} page */
 async function connect(page) {
