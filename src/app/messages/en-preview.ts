@@ -18,7 +18,7 @@ export const preview = {
   sketch: 'The model from the side, and its rudder from above',
   /** Whether it runs. */
   motor: { true: 'Climb, motor runs', false: 'Glide, motor stopped' },
-  flies: 'Flies',
+  flies: 'In flight',
   comesDown: 'DT: the model comes down',
   nothingAtDt: 'No servo moves at DT: nothing brings the model down',
   duties: {

@@ -23,6 +23,9 @@ export interface FlightPreviewProps {
   readonly onName: (uses: readonly ServoUse[] | null) => void;
 }
 
+/** More servos than this are listed without what they move. */
+const MANY = 4;
+
 /** The flight as the program has it: what the servos move, when the motor stops, what comes when. */
 export function FlightPreview({ program, player: given, named, onName }: FlightPreviewProps) {
   const { preview } = messages.value;
@@ -38,15 +41,17 @@ export function FlightPreview({ program, player: given, named, onName }: FlightP
       <h2 class="visually-hidden" id={id}>
         {preview.title}
       </h2>
-      <Flight program={program} player={player} uses={uses}>
-        <p>
-          {named ? preview.honest : preview.guessed}{' '}
-          <button type="button" class="quiet" onClick={() => (naming.value = true)}>
-            {named ? preview.servos : preview.nameServos}
-          </button>
-        </p>
-      </Flight>
-      <PlayerControls program={program} player={player} />
+      <div class="preview-body">
+        <Flight program={program} player={player} uses={uses}>
+          <p>
+            {named ? preview.honest : preview.guessed}{' '}
+            <button type="button" class="quiet" onClick={() => (naming.value = true)}>
+              {named ? preview.servos : preview.nameServos}
+            </button>
+          </p>
+        </Flight>
+        <PlayerControls program={program} player={player} />
+      </div>
       <ServoDialog
         open={naming.value}
         uses={uses}
@@ -94,7 +99,7 @@ function Flight({ program, player, uses, children }: FlightProps) {
         <ModelSketch
           turned={turned}
           propeller={identity.timerClass !== 'E'}
-          motorRuns={motor.value}
+          motorRuns={stop === null ? null : motor.value}
           turning={player.playing.value}
           comesDown={isDt && moved.length > 0}
           letGo={isDt && isLetGo(program, uses)}
@@ -102,13 +107,16 @@ function Flight({ program, player, uses, children }: FlightProps) {
         {children}
       </div>
       <div class="preview-facts">
-        <Clock player={player} />
-        {isDt ? <AtDt moved={moved} /> : <p>{stop === null ? preview.flies : preview.motor[`${motor.value}`]}</p>}
-        <Happening program={program} player={player} />
-        <ul>
+        <div>
+          <Clock player={player} />
+          {isDt ? <AtDt moved={moved} /> : <p>{stop === null ? preview.flies : preview.motor[`${motor.value}`]}</p>}
+          <Happening program={program} player={player} />
+        </div>
+        <ul class={uses.length > MANY ? 'many' : ''}>
           {uses.map((use, servo) => (
             <li key={servoName(servo)} class={servoClass(servo)}>
-              <b>{servoName(servo)}</b> {dutyName(use)} <span>{program.positions[servo]?.[slot]}</span>
+              <b>{servoName(servo)}</b> <span class="duty">{dutyName(use)}</span>{' '}
+              <span class="stands">{program.positions[servo]?.[slot]}</span>
             </li>
           ))}
         </ul>

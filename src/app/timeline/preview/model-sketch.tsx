@@ -15,7 +15,8 @@ export interface ModelSketchProps {
   readonly turned: Readonly<Record<Surface, Turned | null>>;
   /** Whether the model has a propeller: all but those of class E. */
   readonly propeller: boolean;
-  readonly motorRuns: boolean;
+  /** Null where nobody knows: the motor of an F1B is of rubber. */
+  readonly motorRuns: boolean | null;
   /** Whether the propeller turns now: while it is played. */
   readonly turning: boolean;
   /** It comes down: DT was reached, and something moved. */
@@ -112,18 +113,22 @@ function Hinged({ name, turned, x, y, reach, children }: HingedProps) {
   );
 }
 
-/** Folded along the fuselage; while the motor runs, a disc seen from its edge. */
-function Propeller({ motorRuns, turning }: { readonly motorRuns: boolean; readonly turning: boolean }) {
+interface PropellerProps {
+  readonly motorRuns: boolean | null;
+  readonly turning: boolean;
+}
+
+/** Folded along the fuselage; while the motor runs, a disc seen from its edge. Its hub alone where it is not known. */
+function Propeller({ motorRuns, turning }: PropellerProps) {
   return (
     <g transform="translate(42 66)" class="propeller">
-      {motorRuns ? (
+      {motorRuns && (
         <>
           <ellipse class="disc" rx="5" ry="34" />
           <path class={turning ? 'blade turning' : 'blade'} d="M0 -34V34" />
         </>
-      ) : (
-        <path class="blade" d="M2 -5C20 -12 36 -13 50 -11M2 5C20 12 36 13 50 11" />
       )}
+      {motorRuns === false && <path class="blade" d="M2 -5C20 -12 36 -13 50 -11M2 5C20 12 36 13 50 11" />}
       <path class="spinner" d="M5 -6C-2 -5 -6 -2 -7 0C-6 2 -2 5 5 6Z" />
     </g>
   );

@@ -116,9 +116,11 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
       )}
       {isSurface && (
         <>
-          <End label={words.low(name)} value={use.low} onChange={(low) => onChange({ low })} />
-          <span aria-hidden="true">{words.to}</span>
-          <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
+          <span class="servo-way">
+            <End label={words.low(name)} value={use.low} onChange={(low) => onChange({ low })} />
+            <span aria-hidden="true">{words.to}</span>
+            <End label={words.high(name)} value={use.high} onChange={(high) => onChange({ high })} />
+          </span>
           <select
             aria-label={words.sense(name)}
             value={String(use.reversed)}

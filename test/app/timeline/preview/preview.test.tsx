@@ -245,10 +245,8 @@ describe('the flight preview', () => {
   ])('on %s knows nothing of a motor', (timerClass, propellers) => {
     shown({ program: { ...PROGRAM, identity: { ...PROGRAM.identity, timerClass } } });
     expect(screen.queryByText(/motor/i)).toBeNull();
-    expect([document.querySelectorAll('.propeller').length, document.querySelectorAll('.disc').length]).toEqual([
-      propellers,
-      0,
-    ]);
+    expect(document.querySelectorAll('.propeller')).toHaveLength(propellers);
+    expect(document.querySelectorAll('.disc, .blade'), 'neither turning nor folded').toHaveLength(0);
   });
 
   it('stops when it goes away', async () => {
