@@ -25,7 +25,7 @@ import './app.css';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, programPicture, keeping, aside, update, portHolder, line, installation } = models;
+  const { preferences, density, programPicture, keeping, aside, update, portHolder, line, installation } = models;
   const { name, views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -51,7 +51,7 @@ export function App({ models }: { readonly models: AppModels }) {
     ),
     library: () => <LibraryView />,
     line: () => <LinePanel session={session} view={line.view} form={line.form} />,
-    settings: () => <SettingsView {...{ session, theme, erase, views }} />,
+    settings: () => <SettingsView {...{ session, theme, density, erase, views }} />,
   };
   return (
     <>

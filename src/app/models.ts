@@ -14,6 +14,7 @@ import { PortHolder } from './session/port-holder.js';
 import { Preferences } from './session/preferences.js';
 import { Session, type SessionOptions } from './session/session.js';
 import type { SetAside } from './session/set-aside.js';
+import { Density } from './settings/density.js';
 import { Erase, type Erasers } from './settings/erase.js';
 import { Theme } from './settings/theme.js';
 import { UpdateOffer } from './shell/update-offer.js';
@@ -40,6 +41,7 @@ export interface AppModels {
   /** How the program is looked at: it outlasts its view. */
   readonly programPicture: ProgramPicture;
   readonly theme: Theme;
+  readonly density: Density;
   readonly preferences: Preferences;
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
@@ -92,6 +94,7 @@ export function createModels({
     line: { view: new LineView(session.log), form: new FrameForm(session) },
     programPicture: new ProgramPicture(),
     theme: new Theme(),
+    density: new Density(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),

@@ -8,6 +8,7 @@ import { nameplate, service, tried } from './browser/services.js';
 import { onWake } from './browser/wake.js';
 import { plugRecording, plugSimulatedTimer } from './connect/simulated-timer.js';
 import { type AppModels, createModels } from './models.js';
+import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
 import { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
@@ -37,10 +38,11 @@ export function openPage(root: HTMLElement): AppModels | null {
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
   });
-  const { session, views, follow, update, keeping, theme, installation } = models;
+  const { session, views, follow, update, keeping, theme, density, installation } = models;
   installation.follow(window);
   tried(() => theme.follow(document, doors.dark));
   tried(() => views.follow(window));
+  tried(() => density.follow(document, media(TABLET)));
   render(<App models={models} />, root);
   void session.keptWork.start();
 

@@ -80,9 +80,6 @@ export const edits = {
     after: (name: string) => `${name} ›`,
     above: (name: string) => `↑ ${name}`,
     below: (name: string) => `↓ ${name}`,
-    /** Another row. */
-    row: (slot: number, kind: 'start' | 'function' | 'dt') =>
-      kind === 'start' ? 'Start' : kind === 'dt' ? 'DT' : String(slot),
     done: 'Done',
   },
   table: {

@@ -9,3 +9,9 @@ export const settings = {
   expertHint: 'The line shows every byte between this page and the timer.',
   kept: 'What this device keeps',
 };
+
+/** How high the rows of the program are. */
+export const density = {
+  title: 'Rows',
+  names: { system: 'As the screen is', dense: 'Dense', comfortable: 'Comfortable' },
+};

@@ -11,7 +11,7 @@ import { look, memories, nextFlight, overview } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
 import { backups, recovery } from './en-recovery.js';
-import { settings, theme } from './en-settings.js';
+import { density, settings, theme } from './en-settings.js';
 import { newProgram, start } from './en-start.js';
 import { library, palette, strip, views } from './en-views.js';
 
@@ -263,6 +263,7 @@ export const en = {
   strip,
   library,
   palette,
+  density,
   timeline: {
     title: 'Timeline',
     compareWith: 'Compare with',

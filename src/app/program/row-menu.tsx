@@ -22,7 +22,9 @@ interface RowMenuProps {
 export function RowMenu({ tools, identity, slot, name, shifts, revert }: RowMenuProps) {
   const { table } = messages.value.edits;
   const opener = useRef<HTMLButtonElement>(null);
-  const isOpen = useComputed(() => tools.open.value === slot).value && (shifts || revert !== null);
+  // The start has no time that could be shifted, and shares its slot with the motor stop.
+  const at = shifts ? slot : 'start';
+  const isOpen = useComputed(() => tools.open.value === at).value && (shifts || revert !== null);
   if (!shifts && !revert) return null;
   const close = (): void => {
     tools.close();
@@ -50,7 +52,7 @@ export function RowMenu({ tools, identity, slot, name, shifts, revert }: RowMenu
         aria-label={table.rowTools(name)}
         title={table.rowTools(name)}
         aria-expanded={isOpen}
-        onClick={() => (isOpen ? close() : tools.show(slot))}
+        onClick={() => (isOpen ? close() : tools.show(at))}
       />
       {isOpen && <RowPanel {...{ tools, identity, slot, name, shifts, revert, opener }} onClose={close} />}
     </span>
@@ -71,7 +73,7 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
     // In the lower half there is more room above.
     const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
     current.classList.toggle('above', top > innerHeight / 2);
-    const first = current.querySelector<HTMLElement>('input, button');
+    const first = current.querySelector<HTMLElement>('input') ?? current.querySelector('button');
     first?.focus({ preventScroll: true });
     if (first instanceof HTMLInputElement) first.select();
     const away = ({ target }: Event): void => {

@@ -7,14 +7,14 @@ import { messages, obstacleText } from '../messages/index.js';
 /** The tools of a row: which one has them open, and what its shift is set to. The setting stays from row to row. */
 export class RowTools {
   readonly #editor: Editor;
-  readonly #open = signal<number | null>(null);
+  readonly #open = signal<number | 'start' | null>(null);
   readonly #amount = signal('0.50');
   readonly #moveDt = signal(false);
   readonly #moved = signal(0);
   readonly #problem = signal<string | null>(null);
 
-  /** The slot whose tools are open; 0 is the motor stop on a Q. */
-  readonly open: ReadonlySignal<number | null> = this.#open;
+  /** The slot whose tools are open; 0 is the motor stop on a Q, beside which the start has no time. */
+  readonly open: ReadonlySignal<number | 'start' | null> = this.#open;
   /** By how much is shifted, as it was typed. */
   readonly amount: ReadonlySignal<string> = this.#amount;
   readonly moveDt: ReadonlySignal<boolean> = this.#moveDt;
@@ -26,7 +26,7 @@ export class RowTools {
     this.#editor = editor;
   }
 
-  show(slot: number): void {
+  show(slot: number | 'start'): void {
     batch(() => {
       this.#open.value = slot;
       this.#moved.value = 0;
@@ -51,7 +51,7 @@ export class RowTools {
   shift(direction: 1 | -1): void {
     const slot = this.#open.value;
     const working = this.#editor.working.value;
-    if (slot === null || !working) return;
+    if (typeof slot !== 'number' || !working) return;
     const parsed = parseInterval(this.#amount.value);
     if ('unreadable' in parsed) {
       this.#problem.value = messages.value.unreadable[parsed.unreadable];

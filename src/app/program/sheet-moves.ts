@@ -1,6 +1,6 @@
 import { slotKind } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
-import { FIRST_SERVO_COLUMN, type GridCell, INTERVAL_COLUMN } from '../editing/grid.js';
+import { FIRST_SERVO_COLUMN, type GridCell, INTERVAL_COLUMN, TIME_COLUMN } from '../editing/grid.js';
 import { messages } from '../messages/index.js';
 import { cellOf } from './table-cells.js';
 
@@ -55,6 +55,8 @@ function columnName({ column }: GridCell): string {
   return column === INTERVAL_COLUMN ? edits.table.interval : program.time;
 }
 
-function rowName(identity: Identity, { row }: GridCell): string {
-  return messages.value.edits.sheet.row(row, slotKind(identity, row));
+function rowName(identity: Identity, { row, column }: GridCell): string {
+  // The time of the start is the motor stop there, and stands in a row of its own.
+  if (row === 0 && column === TIME_COLUMN && identity.timerClass === 'Q') return messages.value.program.motor;
+  return messages.value.slotShort(row, slotKind(identity, row));
 }

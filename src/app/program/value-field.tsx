@@ -100,7 +100,7 @@ export function ValueField(props: ValueFieldProps) {
         }}
       />
       {unit && (
-        <span class={`unit ${unit}`} id={id('unit')}>
+        <span class={`unit ${unit}`} style={{ '--letters': text.length }} id={id('unit')}>
           {messages.value.times.units[unit]}
         </span>
       )}

@@ -1,28 +1,17 @@
 import { messages } from '../messages/index.js';
-import type { Theme } from './theme.js';
-import { THEMES } from './theme.js';
-import './theme-choice.css';
+import { SegmentChoice } from './segment-choice.js';
+import { THEMES, type Theme } from './theme.js';
 
-/** How the page looks, one tap each: whoever stands in the sun cannot read a menu. */
+/** How the page looks. */
 export function ThemeChoice({ theme }: { readonly theme: Theme }) {
   const { title, names } = messages.value.theme;
   return (
-    <fieldset class="theme">
-      <legend>{title}</legend>
-      <div class="segments">
-        {THEMES.map((name) => (
-          <label key={name}>
-            <input
-              type="radio"
-              name="theme"
-              class="visually-hidden"
-              checked={name === theme.chosen.value}
-              onChange={() => theme.choose(name)}
-            />
-            <span>{names[name]}</span>
-          </label>
-        ))}
-      </div>
-    </fieldset>
+    <SegmentChoice
+      {...{ title, names }}
+      name="theme"
+      choices={THEMES}
+      chosen={theme.chosen.value}
+      onChoose={(name) => theme.choose(name)}
+    />
   );
 }

@@ -2,6 +2,8 @@ import { AboutTimer } from '../connect/about-timer.js';
 import { PortList, SerialSettingsForm } from '../connect/port-list.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import type { Density } from '../settings/density.js';
+import { DensityChoice } from '../settings/density-choice.js';
 import type { Erase } from '../settings/erase.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
@@ -11,12 +13,13 @@ import './settings-view.css';
 interface SettingsViewProps {
   readonly session: Session;
   readonly theme: Theme;
+  readonly density: Density;
   readonly erase: Erase;
   readonly views: Views;
 }
 
 /** What is set once: how the page looks, the adapters, what this device keeps. */
-export function SettingsView({ session, theme, erase, views }: SettingsViewProps) {
+export function SettingsView({ session, theme, density, erase, views }: SettingsViewProps) {
   const { settings: words, erase: eraseWords } = messages.value;
   return (
     <>
@@ -24,6 +27,7 @@ export function SettingsView({ session, theme, erase, views }: SettingsViewProps
       <section class="setting">
         <h2>{words.look}</h2>
         <ThemeChoice theme={theme} />
+        <DensityChoice density={density} />
       </section>
       {!session.link.unavailable && (
         <section class="setting">

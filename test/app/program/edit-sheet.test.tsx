@@ -211,6 +211,13 @@ describe('its keys', () => {
     expect(document.activeElement).toBe(field('Function 5 interval'));
   });
 
+  it('go over the motor stop where its row stands', async () => {
+    await connected();
+    await tap('Function 1 time');
+    await press('Go to ‹ Motor', 'Go to 1 ›');
+    expect(document.activeElement).toBe(field('Function 1 time'));
+  });
+
   it('make one step to undo of what is done at one field', async () => {
     const { editor } = await connected();
     await tap('Function 4, S2');

@@ -1,0 +1,35 @@
+import './segment-choice.css';
+
+interface SegmentChoiceProps<T extends string> {
+  /** Of the radio buttons. */
+  readonly name: string;
+  readonly title: string;
+  readonly choices: readonly T[];
+  readonly names: Readonly<Record<T, string>>;
+  readonly chosen: T;
+  readonly onChoose: (choice: T) => void;
+}
+
+/** A few choices, one tap each: whoever stands in the sun cannot read a menu. */
+export function SegmentChoice<T extends string>(props: SegmentChoiceProps<T>) {
+  const { name, title, choices, names, chosen, onChoose } = props;
+  return (
+    <fieldset class="segment-choice">
+      <legend>{title}</legend>
+      <div class="segments">
+        {choices.map((choice) => (
+          <label key={choice}>
+            <input
+              type="radio"
+              name={name}
+              class="visually-hidden"
+              checked={choice === chosen}
+              onChange={() => onChoose(choice)}
+            />
+            <span>{names[choice]}</span>
+          </label>
+        ))}
+      </div>
+    </fieldset>
+  );
+}

@@ -1,0 +1,183 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import { idle } from '../bench/bench.js';
+import { button, connected, field, press, table, type } from '../screen.js';
+
+/** The names of the rows, as they stand. */
+const rows = (): (string | null)[] =>
+  table()
+    .getAllByRole('rowheader')
+    .map((row) => row.querySelector('.row-name')?.textContent ?? null);
+
+/** The name of the row after which the motor stop stands. */
+const motorAfter = (): string | null | undefined => rows()[rows().indexOf('Motor stop') - 1];
+
+function put(name: string, text: string): void {
+  fireEvent.input(field(name), { target: { value: text } });
+}
+
+describe('the motor stop of a Q', () => {
+  it.each([
+    ['0', 'Start'],
+    ['10.49', 'Start'],
+    ['10.5', 'Start'],
+    ['10.51', 'Function 1'],
+    ['12.25', 'Function 4'],
+    ['14.5', 'Function 8'],
+    ['14.51', 'Function 9'],
+    ['2:59', 'Function 9'],
+    ['3:00.01', 'DT'],
+  ])('of %s stands after the row of %s: what comes at its very time follows it', async (time, row) => {
+    await connected();
+    await type('Motor stop time', time);
+    expect(motorAfter()).toBe(row);
+    expect(rows().filter((name) => name === 'Motor stop')).toHaveLength(1);
+  });
+
+  it('is no time of the start: that is 0', async () => {
+    await connected();
+    const start = within(table().getByRole('row', { name: /^Start/ }));
+    expect(start.getByText('0').closest('td')?.className).toContain('time');
+    expect(start.queryByRole('textbox', { name: /time/ })).toBeNull();
+  });
+
+  it.each(['B', 'E', 'X'])('has no row on %s, where the time of the start is reserved', async (timerClass) => {
+    await connected({ identity: { timerClass } });
+    expect(rows()).not.toContain('Motor stop');
+    expect(field('Start time').readOnly).toBe(true);
+  });
+
+  it('stays where it is while a time is typed, and moves when that is left', async () => {
+    await connected();
+    field('Motor stop time').focus();
+    for (const text of ['1', '12', '12.2', '12.25']) put('Motor stop time', text);
+    await idle();
+    expect([motorAfter(), document.activeElement]).toEqual(['Start', field('Motor stop time')]);
+    // On to the next row, as it stands.
+    fireEvent.keyDown(field('Motor stop time'), { key: 'Enter' });
+    await idle();
+    expect([motorAfter(), document.activeElement]).toEqual(['Function 4', field('Function 1 time')]);
+    put('Function 1 time', '12.4');
+    await idle();
+    expect(motorAfter()).toBe('Function 4');
+    field('Function 1 time').blur();
+    await idle();
+    expect(motorAfter()).toBe('Start');
+  });
+
+  it('moves at once for what is done elsewhere', async () => {
+    const { editor } = await connected();
+    editor.type({ kind: 'time', slot: 0 }, '11.2');
+    await idle();
+    expect(motorAfter()).toBe('Function 2');
+  });
+
+  it('is put back by the tools of its row', async () => {
+    await connected();
+    await type('Motor stop time', '12.25');
+    await press('Tools for Motor stop');
+    await press('Put back Motor stop');
+    button('Tools for Motor stop').blur();
+    await idle();
+    expect([field('Motor stop time').value, motorAfter()]).toEqual(['10.00', 'Start']);
+  });
+});
+
+describe('the tools of a row', () => {
+  const times = (...names: string[]): string[] => names.map((name) => field(`${name} time`).value);
+
+  it('shift what follows the motor stop along with it, again and again, and say how far', async () => {
+    await connected();
+    await type('Motor stop time', '12.25');
+    await press('Tools for Motor stop');
+    const panel = within(screen.getByRole('form', { name: 'Motor stop and all after' }));
+    expect(document.activeElement).toBe(panel.getByRole('textbox'));
+    put('By, in seconds', '0,3');
+    // Enter in the field.
+    fireEvent.submit(field('By, in seconds').closest('form') as HTMLFormElement);
+    await idle();
+    expect(panel.getByRole('status').textContent).toBe('Moved 0.30 s later');
+    await press('Later');
+    expect(panel.getByRole('status').textContent).toBe('Moved 0.60 s later');
+    expect(times('Function 4', 'Motor stop', 'Function 5', 'DT')).toEqual(['12.00', '12.85', '13.10', '3:00']);
+    await press('Earlier');
+    await press('Earlier');
+    expect(times('Motor stop', 'Function 5')).toEqual(['12.25', '12.50']);
+    expect(panel.getByRole('status').textContent).toBe('');
+  });
+
+  it('stay open, and the focus in them, when the motor stop passes a function', async () => {
+    await connected();
+    await type('Motor stop time', '12.25');
+    await press('Tools for Motor stop');
+    put('By, in seconds', '1');
+    await press('Earlier');
+    expect(times('Motor stop')).toEqual(['11.25']);
+    expect([motorAfter(), document.activeElement]).toEqual(['Function 4', field('By, in seconds')]);
+    fireEvent.keyDown(field('By, in seconds'), { key: 'Escape' });
+    await idle();
+    expect([screen.queryByRole('form'), document.activeElement]).toEqual([null, button('Tools for Motor stop')]);
+    field('Function 9, S3').focus();
+    await idle();
+    expect(motorAfter()).toBe('Function 2');
+  });
+
+  it('say why nothing was moved', async () => {
+    const { editor } = await connected();
+    await press('Tools for Function 2');
+    put('By, in seconds', '11.01');
+    await press('Earlier');
+    expect(screen.getByRole('alert').textContent).toMatch(/^Nothing was changed\. .*This would be before launch\.$/);
+    put('By, in seconds', 'soon');
+    await idle();
+    expect(screen.queryByRole('alert'), 'that is over').toBeNull();
+    await press('Later');
+    expect(screen.getByRole('alert').textContent).toMatch(/^Not a time/);
+    expect(editor.dirty.value).toBe(false);
+  });
+
+  it('keep their setting from row to row, and give way to a press elsewhere', async () => {
+    await connected();
+    await press('Tools for Function 2');
+    put('By, in seconds', '2');
+    fireEvent.pointerDown(field('Function 5, S1'));
+    await idle();
+    expect(screen.queryByRole('form')).toBeNull();
+    await press('Tools for Function 7');
+    expect(field('By, in seconds').value).toBe('2');
+  });
+
+  it('move DT alone from its own row', async () => {
+    await connected();
+    await press('Tools for DT');
+    expect(screen.queryByRole('checkbox', { name: 'Move DT too' })).toBeNull();
+    await press('Later');
+    expect(times('Function 9', 'DT')).toEqual(['14.50', '3:00.50']);
+  });
+
+  it('are none at a start where nothing differs', async () => {
+    await connected();
+    expect(screen.queryByRole('button', { name: 'Tools for Start' })).toBeNull();
+    await type('Start, S1', '16');
+    await press('Tools for Start');
+    expect(screen.queryByRole('textbox', { name: 'By, in seconds' })).toBeNull();
+    await press('Put back Start with its positions');
+    expect(field('Start, S1').value).toBe('15');
+  });
+});
+
+describe('the old value in a cell', () => {
+  it('is struck through beside the new one, and puts it back where the focus is', async () => {
+    await connected();
+    await type('Function 2, S1', '70');
+    const cell = field('Function 2, S1').closest('td') as HTMLElement;
+    expect(cell.querySelector('s')?.textContent).toBe('35');
+    expect(within(cell).queryByRole('button'), 'a click into the field is only that').toBeNull();
+    field('Function 2, S1').focus();
+    await idle();
+    fireEvent.click(within(cell).getByRole('button', { name: 'Put back Function 2, S1' }));
+    await idle();
+    expect([field('Function 2, S1').value, document.activeElement]).toEqual(['35', field('Function 2, S1')]);
+    expect(cell.querySelector('s')).toBeNull();
+  });
+});
