@@ -1,25 +1,14 @@
 import { useEffect } from 'preact/hooks';
-import { BenchPanel } from './bench/bench-panel.js';
-import { commandsOf } from './commands.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
-import { LibraryView } from './library/library-view.js';
-import { LinePanel } from './line/line-panel.js';
-import { LeaveDialog } from './memories/leave-dialog.js';
-import { MemoriesDialog } from './memories/memories-dialog.js';
-import { MemoriesPage } from './memories/memories-page.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
-import { EraseDialog } from './settings/erase-dialog.js';
+import * as parts from './parts.js';
 import { Header } from './shell/header.js';
-import { Palette } from './shell/palette.js';
-import { ProgramView } from './shell/program-view.js';
-import { SettingsView } from './shell/settings-view.js';
 import { ViewFrame } from './shell/view-frame.js';
 import { ViewLinks } from './shell/view-links.js';
 import type { View } from './shell/views.js';
 import { RecoveryPanel } from './write/recovery-panel.js';
-import { WriteDialog } from './write/write-dialog.js';
 import './app.css';
 
 /** The whole page: hands to each of its parts the models that this part needs. */
@@ -36,22 +25,26 @@ export function App({ models }: { readonly models: AppModels }) {
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
       hasProgram ? (
-        <ProgramView {...{ session, write, memories, bench, follow, preferences, programPicture }} />
+        <parts.program.Part {...{ session, write, memories, bench, follow, preferences, programPicture }} />
       ) : (
         <StartScreen {...{ session, installation, platform }} />
       ),
     memories: () => (
-      <MemoriesPage {...{ session, memories }} following={follow.on.value} onProgram={() => views.show('program')} />
+      <parts.memories.Part
+        {...{ session, memories }}
+        following={follow.on.value}
+        onProgram={() => views.show('program')}
+      />
     ),
     bench: () => (
       <>
         <h1>{words.names.bench}</h1>
-        {hasProgram ? <BenchPanel {...{ session, bench, follow }} /> : <p class="hint">{words.noTimer.bench}</p>}
+        {hasProgram ? <parts.bench.Part {...{ session, bench, follow }} /> : <p class="hint">{words.noTimer.bench}</p>}
       </>
     ),
-    library: () => <LibraryView />,
-    line: () => <LinePanel session={session} view={line.view} form={line.form} />,
-    settings: () => <SettingsView {...{ session, theme, density, erase, views }} />,
+    library: () => <parts.library.Part />,
+    line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
+    settings: () => <parts.settings.Part {...{ session, theme, density, erase, views }} />,
   };
   return (
     <>
@@ -64,11 +57,7 @@ export function App({ models }: { readonly models: AppModels }) {
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
         {view[shown]()}
       </ViewFrame>
-      <WriteDialog session={session} write={write} />
-      <MemoriesDialog session={session} jobs={memories.jobs} />
-      <LeaveDialog session={session} leaving={leaving} />
-      <EraseDialog session={session} erase={erase} />
-      <Palette commands={() => commandsOf(models)} />
+      <parts.dialogs.Part models={models} />
     </>
   );
 }

@@ -6,8 +6,8 @@ import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
 import { onWake } from './browser/wake.js';
-import { plugRecording, plugSimulatedTimer } from './connect/simulated-timer.js';
 import { type AppModels, createModels } from './models.js';
+import { fetchParts, fetchSimulated } from './parts.js';
 import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
 import { Theme } from './settings/theme.js';
@@ -30,8 +30,8 @@ export function openPage(root: HTMLElement): AppModels | null {
     surroundings: doors.surroundings,
     storage: browserStorage(),
     tab: tabNumberOf(doors),
-    plugSimulated: plugSimulatedTimer,
-    plugRecording,
+    plugSimulated: async (timerClass) => (await fetchSimulated()).plugSimulatedTimer(timerClass),
+    plugRecording: async (entries) => (await fetchSimulated()).plugRecording(entries),
     platform: platformOf(nameplate()),
     channel: doors.channel,
     lacks: lacksOf(doors),
@@ -45,6 +45,7 @@ export function openPage(root: HTMLElement): AppModels | null {
   tried(() => density.follow(document, media(TABLET)));
   render(<App models={models} />, root);
   void session.keptWork.start();
+  afterPaint(() => void fetchParts());
 
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
   effect(() => {
@@ -77,4 +78,15 @@ export function openPage(root: HTMLElement): AppModels | null {
     onMissing();
   }
   return models;
+}
+
+/** Once the first picture was drawn: in the frame after the next one; in a tab that draws nothing, soon. */
+function afterPaint(work: () => void): void {
+  let isDone = false;
+  const once = (): void => {
+    if (!isDone) work();
+    isDone = true;
+  };
+  requestAnimationFrame(() => requestAnimationFrame(once));
+  setTimeout(once, 500);
 }

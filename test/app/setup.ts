@@ -1,9 +1,12 @@
 import { cleanup, configure } from '@testing-library/preact';
 import { afterAll, afterEach, vi } from 'vitest';
+import { fetchParts } from '../../src/app/parts.js';
 
 // What is waited for comes at once, but on a busy machine that may take its time.
 configure({ asyncUtilTimeout: 10_000 });
 afterEach(cleanup);
+// As a pilot finds the page who has looked at it for a moment.
+await fetchParts();
 
 // The next file finds all as if it was the first.
 afterAll(() => {

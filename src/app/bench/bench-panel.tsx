@@ -11,7 +11,7 @@ import type { Follow } from './follow.js';
 import { FollowSwitch } from './follow-panel.js';
 import './bench-panel.css';
 
-interface BenchPanelProps {
+export interface BenchPanelProps {
   readonly session: Session;
   readonly bench: Bench;
   readonly follow: Follow;

@@ -8,7 +8,7 @@ import { RecordingBar } from './recording-bar.js';
 import { SendFrame } from './send-frame.js';
 import './line-panel.css';
 
-interface LinePanelProps {
+export interface LinePanelProps {
   readonly session: Session;
   readonly view: LineView;
   readonly form: FrameForm;

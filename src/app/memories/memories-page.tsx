@@ -7,7 +7,7 @@ import { MemoryCards } from './memory-cards.js';
 import { MemoryComparison } from './memory-comparison.js';
 import './memories-page.css';
 
-interface MemoriesPageProps {
+export interface MemoriesPageProps {
   readonly session: Session;
   readonly memories: Memories;
   /** The servos follow what is edited: a backup that is loaded would be stored at once. */

@@ -53,3 +53,10 @@ export const palette = {
   goTo: (view: string) => `Go to ${view}`,
   theme: (name: string) => `Colours: ${name}`,
 };
+
+/** In the place of a part of the page that is fetched. */
+export const parts = {
+  coming: 'Loading',
+  failed: 'This part of the page could not be loaded.',
+  again: 'Try again',
+};

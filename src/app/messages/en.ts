@@ -13,7 +13,7 @@ import { preview } from './en-preview.js';
 import { backups, recovery } from './en-recovery.js';
 import { density, settings, theme } from './en-settings.js';
 import { newProgram, start } from './en-start.js';
-import { library, palette, strip, views } from './en-views.js';
+import { library, palette, parts, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
 
@@ -264,6 +264,7 @@ export const en = {
   library,
   palette,
   density,
+  parts,
   timeline: {
     title: 'Timeline',
     compareWith: 'Compare with',

@@ -41,8 +41,8 @@ export interface SessionOptions {
   readonly surroundings: Surroundings;
   readonly storage: Storage;
   readonly tab: TabNumber;
-  readonly plugSimulated: (timerClass: SimulatedClass) => SerialPortLike;
-  readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike;
+  readonly plugSimulated: (timerClass: SimulatedClass) => SerialPortLike | Promise<SerialPortLike>;
+  readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike | Promise<SerialPortLike>;
 }
 
 /**
@@ -152,7 +152,8 @@ export class Session {
   async trySimulated(timerClass: SimulatedClass): Promise<void> {
     await this.#goTo(async () => {
       await this.recovery.forgetSimulated();
-      return () => this.link.connectSimulated(this.#options.plugSimulated(timerClass));
+      const port = await this.#options.plugSimulated(timerClass);
+      return () => this.link.connectSimulated(port);
     });
   }
 
@@ -165,7 +166,10 @@ export class Session {
 
   /** Connects to a timer that answers as another one did while its line was recorded. */
   async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
-    await this.#goTo(async () => () => this.link.connectSimulated(this.#options.plugRecording(entries)));
+    await this.#goTo(async () => {
+      const port = await this.#options.plugRecording(entries);
+      return () => this.link.connectSimulated(port);
+    });
   }
 
   /**

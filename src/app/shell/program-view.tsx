@@ -19,7 +19,7 @@ import type { WriteFlow } from '../write/write-flow.js';
 import { CommandBar } from './command-bar.js';
 import './program-view.css';
 
-interface ProgramViewProps {
+export interface ProgramViewProps {
   readonly session: Session;
   readonly write: WriteFlow;
   readonly memories: Memories;

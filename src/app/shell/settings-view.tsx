@@ -10,7 +10,7 @@ import { ThemeChoice } from '../settings/theme-choice.js';
 import type { Views } from './views.js';
 import './settings-view.css';
 
-interface SettingsViewProps {
+export interface SettingsViewProps {
   readonly session: Session;
   readonly theme: Theme;
   readonly density: Density;

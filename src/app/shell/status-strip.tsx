@@ -9,16 +9,17 @@ import type { Memories } from '../memories/memories.js';
 import { MemoryChoice } from '../memories/memory-choice.js';
 import { figureText, messages, timerName } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
-import { LargeFigures } from '../program/large-figures.js';
-import { DtPresets } from '../program/presets.js';
-import { ReadButtons } from '../program/read-buttons.js';
 import type { Link } from '../session/link.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
+import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
 import './status-strip.css';
+
+/** The figures to be changed: fetched after the first picture. */
+export const figures = onDemand(async () => (await import('./figures-panel.js')).FiguresPanel, { silent: true });
 
 interface StatusStripProps {
   readonly session: Session;
@@ -33,15 +34,13 @@ interface StatusStripProps {
  * are a button: it opens the large ones with the presets, and on a phone all else that has no room in one line.
  */
 export function StatusStrip({ session, memories, leaving, follow, preferences }: StatusStripProps) {
-  const { name, header, strip } = messages.value;
+  const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const isNarrow = useQuery(NARROW).value;
   const open = useSignal(false);
   const panel = useId();
   const box = useRef<HTMLDivElement>(null);
   const identity = session.editor.identity.value;
-  // What is typed while another memory is asked for would go into the one that is left.
-  const leavesMemory = useComputed(() => session.runner.job.value?.kind === 'select');
   const isOpen = open.value && identity !== null;
   const close = useCallback((): void => {
     open.value = false;
@@ -91,20 +90,11 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
         {(!isNarrow || !identity) && actions}
       </div>
       {isOpen && (
-        <section class="strip-panel" id={panel} aria-label={strip.panel} inert={leavesMemory.value}>
-          {isNarrow && choice}
-          <LargeFigures session={session} />
-          {isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
-          {isNarrow && (
-            <div class="buttons">
-              <ReadButtons session={session} />
-            </div>
-          )}
-          {isNarrow && actions}
-          <button type="button" class="strip-close" onClick={close}>
-            {strip.close}
-          </button>
-        </section>
+        <figures.Part
+          {...{ id: panel, session, preferences }}
+          rest={isNarrow ? { choice, actions } : null}
+          onClose={close}
+        />
       )}
     </div>
   );

@@ -1,0 +1,21 @@
+import { commandsOf } from './commands.js';
+import { LeaveDialog } from './memories/leave-dialog.js';
+import { MemoriesDialog } from './memories/memories-dialog.js';
+import type { AppModels } from './models.js';
+import { EraseDialog } from './settings/erase-dialog.js';
+import { Palette } from './shell/palette.js';
+import { WriteDialog } from './write/write-dialog.js';
+
+/** What can lie over every view. */
+export function Dialogs({ models }: { readonly models: AppModels }) {
+  const { session, write, memories, leaving, erase } = models;
+  return (
+    <>
+      <WriteDialog session={session} write={write} />
+      <MemoriesDialog session={session} jobs={memories.jobs} />
+      <LeaveDialog session={session} leaving={leaving} />
+      <EraseDialog session={session} erase={erase} />
+      <Palette commands={() => commandsOf(models)} />
+    </>
+  );
+}

@@ -1,0 +1,21 @@
+import { figures } from './shell/status-strip.js';
+import { onDemand } from './ui/on-demand.js';
+
+/** What the first picture does not need: each comes as a file of its own. */
+export const program = onDemand(async () => (await import('./shell/program-view.js')).ProgramView);
+export const memories = onDemand(async () => (await import('./memories/memories-page.js')).MemoriesPage);
+export const bench = onDemand(async () => (await import('./bench/bench-panel.js')).BenchPanel);
+export const library = onDemand(async () => (await import('./library/library-view.js')).LibraryView);
+export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
+export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
+export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, { silent: true });
+
+/** What the simulated timers are made of. */
+export const fetchSimulated = () => import('./connect/simulated-timer.js');
+
+/** Fetches all of them, the program first. */
+export async function fetchParts(): Promise<void> {
+  for (const part of [program, dialogs, figures, memories, bench, line, settings, library]) await part.fetch();
+  // It is asked for again when it is wanted, and says then what is wrong.
+  await fetchSimulated().catch(() => {});
+}

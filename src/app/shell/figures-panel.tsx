@@ -1,0 +1,43 @@
+import type { ComponentChildren } from 'preact';
+import { messages } from '../messages/index.js';
+import { LargeFigures } from '../program/large-figures.js';
+import { DtPresets } from '../program/presets.js';
+import { ReadButtons } from '../program/read-buttons.js';
+import type { Preferences } from '../session/preferences.js';
+import type { Session } from '../session/session.js';
+
+export interface FiguresPanelProps {
+  readonly id: string;
+  readonly session: Session;
+  readonly preferences: Preferences;
+  /** What stands in the strip where there is room: the memories and the connection; null there. */
+  readonly rest: { readonly choice: ComponentChildren; readonly actions: ComponentChildren } | null;
+  readonly onClose: () => void;
+}
+
+/** The figures that decide, large enough for a thumb; on a phone with all that has no room in one line. */
+export function FiguresPanel({ id, session, preferences, rest, onClose }: FiguresPanelProps) {
+  const { strip } = messages.value;
+  const identity = session.editor.identity.value;
+  // What is typed while another memory is asked for would go into the one that is left.
+  const leavesMemory = session.runner.job.value?.kind === 'select';
+  if (!identity) return null;
+  return (
+    <section class="strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
+      {rest?.choice}
+      <LargeFigures session={session} />
+      {rest && (
+        <>
+          <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
+          <div class="buttons">
+            <ReadButtons session={session} />
+          </div>
+          {rest.actions}
+        </>
+      )}
+      <button type="button" class="strip-close" onClick={onClose}>
+        {strip.close}
+      </button>
+    </section>
+  );
+}
