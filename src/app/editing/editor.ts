@@ -48,11 +48,14 @@ export class Editor extends WorkingCopy {
   readonly #shortDt = signal(6000, { name: 'shortDt' });
   readonly #moved = signal(NO_CONFLICTS, { name: 'moved' });
   readonly #made = signal<Made | null>(null, { name: 'made' });
+  readonly #confirmed = signal<ReadonlySet<string>>(new Set(), { name: 'confirmed' });
 
   /** What the timer last said; null where nothing was read: there is no program, or it was made here. */
   readonly baseline: ReadonlySignal<TimerProgram | null> = this.#baseline;
   /** Whether the baseline is what a reading of this connection gave, whole, with nothing sent since. */
   readonly fresh: ReadonlySignal<boolean> = this.#fresh;
+  /** The values that a write has changed and the reading back has confirmed, as long as that is on the screen. */
+  readonly confirmed: ReadonlySignal<ReadonlySet<string>> = this.#confirmed;
   /** A DT below this is called short, in hundredths of a second. */
   readonly shortDt: ReadonlySignal<number> = this.#shortDt;
 
@@ -170,6 +173,11 @@ export class Editor extends WorkingCopy {
   /** Something was sent that may store: the timer may hold something else than what was read. */
   sent(): void {
     this.#fresh.value = false;
+  }
+
+  /** The result of a write comes, or goes with none: see {@link confirmed}. */
+  confirm(fields: readonly ProgramField[]): void {
+    this.#confirmed.value = new Set(fields.map(fieldKey));
   }
 
   /** The timer has acknowledged a value: it is what the timer holds, whatever the pilot wants by now. */

@@ -25,6 +25,8 @@ export class FieldModel implements EditedValue {
   /** The value as it is said, where a wrong minute would be dear. */
   readonly spoken: ReadonlySignal<string | null>;
   readonly isChanged: ReadonlySignal<boolean>;
+  /** A write has just changed it, and the reading back has confirmed it. */
+  readonly isConfirmed: ReadonlySignal<boolean>;
   /** The value that the timer held, where it was another and is known. */
   readonly was: ReadonlySignal<string | null>;
   /** The same without a unit. */
@@ -62,6 +64,7 @@ export class FieldModel implements EditedValue {
     this.unit = computed(() => figure.value?.unit ?? null);
     this.spoken = computed(() => (isSaid.value && value.value !== null ? spokenTime(value.value) : null));
     this.isChanged = computed(() => from.value !== undefined);
+    this.isConfirmed = computed(() => editor.confirmed.value.has(key));
     this.was = computed(() =>
       identity.value && typeof from.value === 'number' ? wasText(identity.value, field, from.value, isLarge) : null,
     );

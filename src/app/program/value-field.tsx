@@ -45,6 +45,7 @@ export function ValueField(props: ValueFieldProps) {
   const { value: notes } = model.notes;
   const isChanged = model.isChanged.value;
   const isWrong = model.isWrong.value;
+  const state = isChanged ? 'changed' : model.isConfirmed.value ? 'confirmed' : '';
   // The sheet says and does what else stands at the field.
   const isHeld = focused.value && hand.isTouch.value;
   const id = (what: string): string => `${place}-${what}-${key}`;
@@ -62,7 +63,7 @@ export function ValueField(props: ValueFieldProps) {
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${isChanged ? 'changed' : ''} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
+    <span class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
       <input
         ref={input}
         type="text"

@@ -1,4 +1,4 @@
-import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError, type WriteReport } from '../../client/index.js';
 import { type Change, differences, type Finding, type TimerProgram } from '../../program/index.js';
 import { CodecError } from '../../protocol/index.js';
@@ -60,6 +60,11 @@ export class WriteFlow extends JobDialog<WriteStep> {
   constructor(session: Session) {
     super(session);
     this.#session = session;
+    effect(() => {
+      const step = this.current.value;
+      const isVerified = step?.step === 'done' && step.report.result === 'verified';
+      session.editor.confirm(isVerified ? step.shown.changes.map(({ field }) => field) : []);
+    });
   }
 
   /** Reads the timer afresh and shows the difference: what is written is told apart from what the timer holds now. */

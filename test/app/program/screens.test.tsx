@@ -289,7 +289,11 @@ describe('writing', () => {
     expect(said).toContain('Verified.');
     expect(said).toMatch(/M1 verified \d\d:\d\d · DT 4:00 min · motor stop 10\.0 s · 2 changes/);
     expect([timer.core.content.times[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
+    const shining = () =>
+      [...document.querySelectorAll('td .confirmed input')].map((input) => input.getAttribute('aria-label'));
+    expect(shining(), 'as long as the result is on the screen').toEqual(['Function 2, S1', 'DT time']);
     await press('Close');
+    expect(shining()).toEqual([]);
     expect(screen.queryByRole('dialog')).toBeNull();
     expect(screen.getByText(/^As in the timer, verified \d\d:\d\d$/)).toBeTruthy();
   });

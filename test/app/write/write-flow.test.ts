@@ -252,7 +252,7 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({
       report: { result: 'differs', values: [{ field: S1, wanted: 7, held: 35, status: 'differs' }] },
     });
-    expect(bench.editor.textOf(S1)).toBe('7');
+    expect([bench.editor.textOf(S1), bench.editor.confirmed.value.size]).toEqual(['7', 0]);
   });
 });
 
