@@ -47,6 +47,8 @@ export class Editor extends WorkingCopy {
   readonly #fresh = signal(false, { name: 'fresh' });
   readonly #shortDt = signal(6000, { name: 'shortDt' });
   readonly #moved = signal(NO_CONFLICTS, { name: 'moved' });
+  /** Each has a time of its own, by which it is kept. */
+  #lastMade = 0;
   readonly #made = signal<Made | null>(null, { name: 'made' });
   readonly #confirmed = signal<ReadonlySet<string>>(new Set(), { name: 'confirmed' });
 
@@ -210,7 +212,8 @@ export class Editor extends WorkingCopy {
   }
 
   /** A new program, of no timer. */
-  make(program: TimerProgram, at = Date.now()): void {
+  make(program: TimerProgram, at = Math.max(Date.now(), this.#lastMade + 1)): void {
+    this.#lastMade = at;
     this.#begin(null, false, { working: program, texts: {} }, EMPTY_HISTORY, { at, from: program });
   }
 

@@ -40,6 +40,8 @@ export class Reader {
   #wasAway = false;
   /** The timer was another tab's. */
   #inherits = false;
+  /** A timer has come that was not there before: somebody may have left edits of it. */
+  #isNew = false;
   #firstReading: Promise<unknown> = Promise.resolve();
 
   constructor(parts: ReaderParts) {
@@ -64,6 +66,7 @@ export class Reader {
   /** A timer has said what it is: reads what it holds. */
   timerCame({ identity }: TimerConnection): void {
     const { safety, knowledge, recovery, nextFlight, link } = this.#parts;
+    this.#isNew = !this.#wasAway;
     batch(() => {
       safety.withdraw();
       this.#byteOrderOpen.value = false;
@@ -156,10 +159,12 @@ export class Reader {
     const setAside = before !== null && !same && editor.dirty.value;
     // Together: a storage that does not answer is waited for once.
     const [draft] = await Promise.all([
-      same ? undefined : drafts.of(read, simulated, this.#inherits),
+      // The screen may still show it from before, as it was read.
+      same && (editor.dirty.value || !this.#isNew) ? undefined : drafts.of(read, simulated, this.#inherits),
       knowledge.refresh(),
     ]);
     this.#inherits = false;
+    this.#isNew = false;
     stillOn();
     const isBack = this.#wasAway;
     this.#wasAway = false;

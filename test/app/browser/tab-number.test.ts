@@ -211,7 +211,9 @@ describe.each([
     await run(other.session.disconnect());
     tabs[0].close();
     await idle();
-    expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
+    // It still shows the memory that it has read last, and nothing of the other tab.
+    expect([notice(other), other.editor.working.value?.memory]).toEqual([undefined, 1]);
+    expect(other.editor.dirty.value).toBe(false);
     const typed = [...store.drafts.records.values()].map(({ tab, working }) => [tab, working.positions[0]?.[2]]);
     expect(typed).toEqual([
       [1, 7],

@@ -1,4 +1,4 @@
-import { render, screen, within } from '@testing-library/preact';
+import { act, render, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
 import { App } from '../../../src/app/app.js';
 import type { Backup } from '../../../src/app/storage/index.js';
@@ -136,6 +136,7 @@ describe('everything on this device', () => {
     bench.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     await idle();
     render(<App models={bench.models} />);
+    act(() => bench.models.views.show('settings'));
     await press('Delete everything on this device…');
     expect(dialog().getByText('Edits that are not written: 1')).toBeTruthy();
     expect(dialog().getByText('Adapters with their settings: 1')).toBeTruthy();
@@ -158,6 +159,7 @@ describe('everything on this device', () => {
     });
     await run(bench.session.disconnect());
     render(<App models={bench.models} />);
+    act(() => bench.models.views.show('settings'));
     await press('Delete everything on this device…');
     expect(dialog().getByText('Notes of interrupted writes: 1')).toBeTruthy();
     expect(dialog().getByRole('alert').textContent).toMatch(/read that timer before you fly/);
@@ -172,6 +174,7 @@ describe('everything on this device', () => {
     });
     bench.store.broken = true;
     render(<App models={bench.models} />);
+    act(() => bench.models.views.show('settings'));
     await press('Delete everything on this device…');
     expect(dialog().getByText('Backups: not known')).toBeTruthy();
     await press('Delete everything');
