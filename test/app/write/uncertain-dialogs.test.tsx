@@ -2,7 +2,7 @@ import { fireEvent, screen } from '@testing-library/preact';
 import { afterEach, expect, it } from 'vitest';
 import { type TimerProgram, withValue } from '../../../src/program/index.js';
 import { idle } from '../bench/bench.js';
-import { connected, field, fly, press, type } from '../screen.js';
+import { connected, field, fly, goTo, press, type } from '../screen.js';
 
 afterEach(() => localStorage.clear());
 
@@ -35,7 +35,13 @@ const DIALOGS: readonly [title: string, open: () => Promise<unknown>][] = [
       await press('Disconnect');
     },
   ],
-  ['Delete everything on this device', () => press('Delete everything on this device…')],
+  [
+    'Delete everything on this device',
+    async () => {
+      await goTo('settings');
+      await press('Delete everything on this device…');
+    },
+  ],
 ];
 
 it.each(DIALOGS)('“%s” says what is not known, as the band does that it covers', async (title, open) => {
