@@ -110,7 +110,9 @@ const TOO_OLD = { chrome: 'chrome-old', edge: 'edge-old', opera: 'opera-old', fi
 export function whyUnsupported({ system, browser, version }: Platform): UnsupportedReason | null {
   if (system === 'ios') return 'ios';
   if (system === 'android') return browser === 'firefox' ? 'firefox-mobile' : 'android';
-  if (browser === 'brave' || browser === 'safari') return browser;
+  if (browser === 'brave') return browser;
+  // Safari is on a Mac; on Linux a browser of the same make calls itself so.
+  if (browser === 'safari') return system === 'mac' ? 'safari' : null;
   if (browser === 'other' || version === null) return null;
   return version < FIRST_VERSIONS[browser] ? TOO_OLD[browser] : null;
 }

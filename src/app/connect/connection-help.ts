@@ -46,6 +46,11 @@ interface Plan {
 
 const BLUETOOTH: Plan = { first: ['bluetooth-one', 'bluetooth-again'] };
 
+/** What Firefox does with a port that has failed. */
+function firefoxPorts({ browser, mobile }: Platform): readonly StepCode[] {
+  return browser === 'firefox' && !mobile ? ['firefox-reload'] : [];
+}
+
 /** The browsers that Ubuntu installs in a cage of their own. */
 const SNAPS: Partial<Readonly<Record<Browser, readonly StepCode[]>>> = {
   chrome: ['chromium-snap'],
@@ -93,15 +98,27 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
             chromeos: ['linux-container'],
             android: ['programs-android'],
           },
-          last: ['replug'],
+          last: ['replug', ...firefoxPorts(platform)],
         },
   'bad-settings': () => ({ first: ['rate', 'usual-settings'] }),
-  unplugged: ({ info }) =>
-    isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { linux: ['brltty'], chromeos: ['linux-container'] } },
+  unplugged: ({ platform, info }) =>
+    isBluetooth(info)
+      ? BLUETOOTH
+      : {
+          first: ['cable'],
+          systems: { linux: ['brltty'], chromeos: ['linux-container'] },
+          last: firefoxPorts(platform),
+        },
   waiting: () => ({ first: ['wake', 'near', 'battery', 'other-port-waiting', 'rate-waiting'] }),
   'bad-reply': () => ({ first: ['near', 'other-port', 'rate', 'report'] }),
-  lost: ({ info }) =>
-    isBluetooth(info) ? BLUETOOTH : { first: ['cable'], systems: { windows: ['usb-power'], linux: ['brltty'] } },
+  lost: ({ platform, info }) =>
+    isBluetooth(info)
+      ? BLUETOOTH
+      : {
+          first: ['cable'],
+          systems: { windows: ['usb-power'], linux: ['brltty'] },
+          last: firefoxPorts(platform),
+        },
 };
 
 /** One thing to do, with the lines to copy that it speaks of. */

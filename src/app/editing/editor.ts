@@ -94,7 +94,7 @@ export class Editor extends WorkingCopy {
   );
   /** Whether there is anything that a reload would lose. */
   readonly dirty: ReadonlySignal<boolean> = computed(
-    () => this.changes.value.length > 0 || this.unreadable.value.size > 0 || this.#made.value !== null,
+    () => this.changes.value.length > 0 || this.unreadable.value.size > 0,
   );
 
   /** @param time hundredths of a second. */

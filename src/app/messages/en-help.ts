@@ -60,6 +60,8 @@ const steps = {
   'pair-chromeos': 'Over Bluetooth: pair the adapter first, in Settings, Bluetooth. The code is often 1234 or 0000.',
   'pair-android':
     'Pair the adapter first, in the Bluetooth settings of Android, and let Chrome use nearby devices when it asks. The code is often 1234 or 0000.',
+  'firefox-reload':
+    'Firefox keeps the port of an adapter that has failed. If the connection does not come back by itself, load this page again. What you typed is kept.',
   'firefox-bluetooth': 'Firefox does not list Bluetooth adapters. Use Chrome, Edge or Opera for them.',
   'bluetooth-one':
     'A Bluetooth adapter talks to one device at a time. Disconnect it from any other phone or computer, or switch Bluetooth off there.',

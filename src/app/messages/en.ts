@@ -133,7 +133,6 @@ export const en = {
     table: 'Table',
     /** What is in the way of a write; its button leads there. */
     blocked: (field: string, why: string) => `Nothing can be written yet. ${field}: ${why}`,
-    notConnected: 'Click Connect at the top to read and write.',
     findings: 'Checks',
     noFindings: 'Nothing unusual.',
     absolute:

@@ -5,16 +5,19 @@ import type { Session } from '../session/session.js';
 export function ReadButtons({ session }: { readonly session: Session }) {
   const { program } = messages.value;
   const { editor, runner } = session;
+  const { status } = session.link.state.value;
   return (
     <>
-      <button
-        type="button"
-        aria-disabled={runner.busy.value}
-        disabled={session.connection.value === null}
-        onClick={() => void session.read()}
-      >
-        {program.read}
-      </button>
+      {status !== 'off' && (
+        <button
+          type="button"
+          aria-disabled={runner.busy.value}
+          disabled={status !== 'on'}
+          onClick={() => void session.read()}
+        >
+          {program.read}
+        </button>
+      )}
       {editor.dirty.value && (
         <button type="button" class="quiet" disabled={runner.busy.value} onClick={() => editor.revertAll()}>
           {program.undoAll}

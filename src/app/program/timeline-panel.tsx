@@ -108,6 +108,7 @@ interface CompareWithProps {
 
 function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWithProps) {
   const { timeline, backups: words, memoryName, recovery } = messages.value;
+  const isMade = session.editor.madeAt.value !== null;
   const fitting = session.backups.list.value
     .filter((backup) => sameLayout(backup.program.identity, program.identity))
     .slice(0, CHOICES);
@@ -115,10 +116,11 @@ function CompareWith({ session, program, isDrawn, chosen, onChoose }: CompareWit
     <label class="timeline-choice">
       {isDrawn && <BehindSwatch />}
       {timeline.compareWith}
-      <select value={chosen} onChange={(event) => onChoose(event.currentTarget.value)}>
-        {session.editor.madeAt.value === null && (
-          <option value={HELD}>{timeline.compareHeld[session.standing.value.sure]}</option>
-        )}
+      <select
+        value={isMade && chosen === HELD ? NOTHING : chosen}
+        onChange={(event) => onChoose(event.currentTarget.value)}
+      >
+        {!isMade && <option value={HELD}>{timeline.compareHeld[session.standing.value.sure]}</option>}
         <option value={NOTHING}>{timeline.compareNothing}</option>
         {fitting.map(({ key, savedAt, reason, simulated, program: { memory } }) => (
           <option key={key} value={key}>

@@ -28,9 +28,6 @@ export function CommandBar({ session, write, bench, follow, picture }: CommandBa
   useHeight(bar, '--bar');
   return (
     <section class="actions" ref={bar}>
-      {session.link.state.value.status === 'off' && !session.link.unavailable && (
-        <p class="hint">{program.notConnected}</p>
-      )}
       <FollowNote session={session} write={write} bench={bench} follow={follow} />
       <BlockedNote editor={editor} />
       <UndoButtons session={session} write={write} />

@@ -48,6 +48,8 @@ export function ProgramView(props: ProgramViewProps) {
   const looking = memories.looking.value;
   const isNarrow = useQuery(NARROW).value;
   const picture = useSignal(false);
+  // What was read of a timer that is not connected any more may be something else by now.
+  const isPast = session.link.state.value.status === 'off' && session.editor.madeAt.value === null;
   if (!identity) return null;
   const side =
     isNarrow && !picture.value ? null : looking === null ? (
@@ -65,7 +67,7 @@ export function ProgramView(props: ProgramViewProps) {
       <MemoryPicture knowledge={session.knowledge} memory={looking} />
     );
   return (
-    <div class={`program ${isNarrow && picture.value ? 'shows-picture' : ''}`}>
+    <div class={`program ${isNarrow && picture.value ? 'shows-picture' : ''} ${isPast ? 'of-the-past' : ''}`}>
       <h1 class="visually-hidden">
         {about(program.title)} {timerName(identity)} {session.simulated.value ? header.simulated : ''}
       </h1>

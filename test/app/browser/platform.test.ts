@@ -60,6 +60,8 @@ const rows: readonly Row[] = [
     'Mozilla/5.0 (Macintosh; Intel Mac OS X 10.15; rv:150.0) Gecko/20100101 Firefox/150.0',
   ],
   ['mac', 'firefox', 151, null, 'Mozilla/5.0 (Macintosh; Intel Mac OS X 10.15; rv:151.0) Gecko/20100101 Firefox/151.0'],
+  // GNOME Web: on Linux nothing is “on this Mac”.
+  ['linux', 'safari', 18, null, `Mozilla/5.0 (X11; Linux x86_64) ${IOS_WEBKIT} Version/18.5 Safari/605.1.15`],
   ['mac', 'safari', 18, 'safari', `${MAC} ${IOS_WEBKIT} Version/18.5 Safari/605.1.15`, { maxTouchPoints: 0 }],
   ['linux', 'chrome', 138, null, `${LINUX} ${WEBKIT} Chrome/138.0.0.0 Safari/537.36`],
   [

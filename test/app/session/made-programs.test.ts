@@ -103,7 +103,6 @@ describe('a program that was made here', () => {
   it('is put away for another one, and each of the two can be taken up again', async () => {
     const bench = await made();
     bench.editor.type(S2, '70');
-    await idle(5);
     bench.session.make(newProgram({ ...USUAL, timerClass: 'E' }));
     await idle();
     bench.session.putAway();
