@@ -1,0 +1,81 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { isWellMade, SIZES } from './well-made.js';
+
+const preview = ({ page }: AppPage) => page.getByRole('region', { name: 'Flight preview' });
+
+/** How the sketch holds a surface, as it is drawn. */
+const turned = (app: AppPage, surface: string): Promise<string> =>
+  preview(app)
+    .locator(`[data-surface=${surface}]`)
+    .evaluate((element) => (element as SVGElement).style.transform);
+
+test('the model stands under the timeline, both in one window, at the time of the cell in hand', async () => {
+  const app = await AppPage.open({ viewport: SIZES.desktop });
+  await app.trySimulated('F1Q');
+  await app.field('Function 6, S2').focus();
+  await preview(app).getByText('Function 6 at 10.60 s').waitFor();
+  expect(await turned(app, 'tailplane'), 'the bunt').toBe('rotate(16deg)');
+  const above = (await app.page.locator('.strip, header').first().boundingBox()) ?? { y: 0, height: 0 };
+  const below = await app.actions.boundingBox();
+  for (const part of [app.page.locator('.timeline-room').first(), preview(app)]) {
+    const box = await part.boundingBox();
+    expect(box?.y, 'below the strip').toBeGreaterThanOrEqual(above.y + above.height);
+    expect((box?.y ?? 0) + (box?.height ?? 0), 'above the commands').toBeLessThanOrEqual(below?.y ?? 0);
+  }
+
+  await app.field('DT, S2').focus();
+  await preview(app).getByText('DT: the model comes down').waitFor();
+  expect(await turned(app, 'tailplane'), 'all the way up').toBe('rotate(-42deg)');
+  await app.type('DT, S2', '56');
+  await app.field('DT time').focus();
+  await preview(app).getByText('No servo moves at DT').waitFor();
+});
+
+test('the flight is played by keys alone, and the timeline shows where it is', async () => {
+  const app = await AppPage.open({ viewport: SIZES.desktop });
+  await app.trySimulated('F1Q');
+  const cursor = app.page.locator('.crosshair');
+  expect(await cursor.count(), 'nothing is played').toBe(0);
+  await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('60×');
+  await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
+  await preview(app).getByText('DT at 3:00').waitFor();
+  await cursor.first().waitFor();
+  await preview(app).getByRole('button', { name: 'Previous event' }).press('Enter');
+  await preview(app).getByText('Function 9 at 20.00 s').waitFor();
+});
+
+test('the pilot names the servos once: on the sketch, in the lanes, and after a reload', async () => {
+  const app = await AppPage.open({ viewport: SIZES.desktop });
+  await app.trySimulated('F1Q');
+  await app.button('Name the servos…').click();
+  await isWellMade(app, 'the names of the servos', { desktop: SIZES.desktop });
+  await app.page.getByRole('combobox', { name: 'S1 moves' }).selectOption('Something else');
+  await app.page.getByRole('textbox', { name: 'Name for what S1 moves' }).fill('Left flap');
+  await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('131');
+  await app.button('Save').click();
+  expect(await app.page.getByRole('dialog').isVisible(), 'there is no step 131').toBe(true);
+  await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('20');
+  await app.button('Save').click();
+  await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await app.button('S1 Left flap').waitFor();
+  await app.type('DT time', '4:00');
+  await app.kept();
+  await app.reload();
+  await app.button('S1 Left flap').waitFor();
+  await preview(app).getByText('Tailplane').waitFor();
+  await app.button('Servos…').click();
+  expect(await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).inputValue()).toBe('20');
+  await app.button('Guess again').click();
+  await preview(app).getByText('A guess, not to scale.').waitFor();
+});
+
+test('on a phone the picture has the preview, for a finger', async () => {
+  const app = await AppPage.open({ viewport: SIZES.phone, hasTouch: true });
+  await app.trySimulated('F1B');
+  await app.button('Picture').click();
+  await preview(app).getByText('Launch').waitFor();
+  await isWellMade(app, 'the picture of a phone', { phone: SIZES.phone });
+  await app.button('Name the servos…').tap();
+  await isWellMade(app, 'the names of the servos on a phone', { phone: SIZES.phone });
+});
