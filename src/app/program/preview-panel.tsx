@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { Session } from '../session/session.js';
+import { Kept } from '../timeline/kept.js';
 import { timeOf } from '../timeline/preview/flight.js';
 import { FlightPreview } from '../timeline/preview/flight-preview.js';
 import type { Player } from '../timeline/preview/player.js';
@@ -22,12 +23,12 @@ export function PreviewPanel({ session, program, player, selected }: PreviewPane
   useEffect(() => {
     if (time !== null) player.take(time);
   }, [player, key, time]);
+  const named = servoUses.named.value;
   return (
-    <FlightPreview
-      program={program}
-      player={player}
-      named={servoUses.named.value}
-      onName={(uses) => servoUses.say(uses)}
+    // Not drawn again for another cell: what changes then, follows the player.
+    <Kept
+      on={[program, player, named, servoUses]}
+      draw={() => <FlightPreview {...{ program, player, named }} onName={(uses) => servoUses.say(uses)} />}
     />
   );
 }
