@@ -88,12 +88,13 @@ function TimeAxis({ program, layout, measures, ticks, stages, chosen }: Geometry
   const { bottom, left, right } = layout.box;
   return (
     <g class="axis">
-      {ticks.map((time) => {
+      {ticks.map((time, i) => {
         const x = layout.x(time);
         const at = x < left + EDGE_ROOM ? 'first' : x > right - EDGE_ROOM ? 'last' : '';
         const classes = `${marks.has(time) ? 'mark' : ''} ${time === dt ? 'dt' : ''} ${time === chosen ? 'selected' : ''}`;
         return (
-          <g key={time} class={classes} transform={`translate(${pixels(x)} 0)`}>
+          // What is moved stays the same element: one that comes and goes costs the styles of the whole page.
+          <g key={time === dt ? 'dt' : i} class={classes} transform={`translate(${pixels(x)} 0)`}>
             <path d={`M0 ${bottom}V${bottom + 5}`} />
             <text y={measures.axis} class={at}>
               {time === 0 ? messages.value.timeline.zero : shortTime(time)}
