@@ -15,7 +15,7 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
   const notes = allNotes(editor);
   if (!identity) return null;
   return (
-    <section class="checks">
+    <section class={`checks ${notes.length === 0 ? 'quiet' : ''}`}>
       <h2>{program.findings}</h2>
       {notes.length === 0 ? (
         <p class="hint">{program.noFindings}</p>

@@ -1,0 +1,133 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { leastHeightOf, measuresOf } from '../../../src/app/timeline/geometry.js';
+import { laneAt, lanesOf, leastHeight } from '../../../src/app/timeline/lanes.js';
+import { Layout } from '../../../src/app/timeline/layout.js';
+import { finenessAt, refined } from '../../../src/app/timeline/pointer/fineness.js';
+import { evenScale } from '../../../src/app/timeline/scale.js';
+import { TimelineModel } from '../../../src/app/timeline/view-model.js';
+import { programOf } from '../programs.js';
+
+const lanes = fc
+  .record({ servos: fc.integer({ min: 1, max: 40 }), front: fc.nat(), more: fc.integer({ min: 0, max: 600 }) })
+  .map(({ servos, front, more }) => {
+    const bottom = 36 + leastHeight(servos) + more;
+    return { servos, front: front % servos, bottom, lanes: lanesOf(servos, front % servos, 36, bottom) };
+  });
+
+describe('the lanes', () => {
+  it('lie one below the other inside of the plot, none over another', () => {
+    fc.assert(
+      fc.property(lanes, ({ servos, bottom, lanes }) => {
+        expect(lanes).toHaveLength(servos);
+        lanes.forEach(({ from, top, bottom: low, until }, servo) => {
+          expect([from < top, top < low, low < until], `the edges of lane ${servo}`).toEqual([true, true, true]);
+          expect(from).toBeGreaterThanOrEqual(lanes[servo - 1]?.until ?? 36);
+        });
+        expect(lanes.at(-1)?.until).toBeLessThanOrEqual(bottom + 1e-6);
+      }),
+    );
+  });
+
+  it('have a tall one for the servo in hand, and a height for all others', () => {
+    fc.assert(
+      fc.property(lanes, ({ front, lanes, servos, bottom }) => {
+        const heights = lanes.map(({ from, until }) => until - from);
+        const low = heights.filter((_, servo) => servo !== front);
+        expect(low.every((height) => Math.abs(height - (low[0] as number)) < 1e-6)).toBe(true);
+        expect(low.every((height) => height >= 24 - 1e-6 && height <= 64 + 1e-6)).toBe(true);
+        const isRoom = bottom - 36 >= 180 + (servos - 1) * 26;
+        expect(heights[front]).toBeGreaterThanOrEqual((isRoom ? 180 : 110) - 1e-6);
+      }),
+    );
+  });
+
+  it.each([
+    [1, 236],
+    [3, 180],
+    [4, 158],
+  ])('give the one in hand of %i servos its height in a picture of 320 px', (servos, height) => {
+    const program = programOf(
+      'Q',
+      [1000, 200, 18000],
+      Array.from({ length: servos }, () => [15, 15, 15]),
+    );
+    const { top, bottom } = measuresOf(program, 320);
+    const [first] = lanesOf(servos, 0, top, bottom);
+    expect((first?.until ?? 0) - (first?.from ?? 0)).toBeCloseTo(height, 9);
+  });
+
+  it('draw equal positions alike, whatever servo is in hand', () => {
+    fc.assert(
+      fc.property(lanes, fc.integer({ min: 0, max: 130 }), ({ servos, lanes, bottom }, position) => {
+        const box = { left: 0, right: 100, top: 36, bottom };
+        const layout = new Layout(evenScale(100), { start: 0, span: 1 }, box, lanes, 130);
+        for (let servo = 0; servo < servos; servo++) {
+          const { top, bottom } = lanes[servo] as (typeof lanes)[number];
+          const y = layout.y(servo, position);
+          expect((bottom - y) / (bottom - top)).toBeCloseTo(position / 130, 9);
+          expect(layout.position(servo, y)).toBeCloseTo(position, 9);
+          expect(laneAt(lanes, y)).toBe(servo);
+        }
+      }),
+    );
+  });
+
+  it('make the picture of many servos higher than there is room', () => {
+    const program = programOf(
+      'Q',
+      [1000, 200, 18000],
+      Array.from({ length: 30 }, () => [15, 15, 15]),
+    );
+    expect(leastHeightOf(program)).toBeGreaterThan(30 * 24);
+    expect(measuresOf(program, 320).height).toBe(leastHeightOf(program));
+  });
+});
+
+describe('moving finely', () => {
+  const way = fc.double({ min: -200, max: 200, noNaN: true });
+  const plain = fc.double({ min: -60_000, max: 60_000, noNaN: true });
+
+  it('goes as far as the pointer near the lane, and never the other way', () => {
+    expect([0, 20, -48].map(finenessAt)).toEqual([0, 0, 0]);
+    fc.assert(
+      fc.property(plain, way, fc.double({ min: 0, max: 1, noNaN: true }), (plain, way, fineness) => {
+        expect(refined(plain, way, 10, 0) - plain).toBeCloseTo(0, 9);
+        const went = refined(plain, way, 10, fineness);
+        expect(Math.abs(went)).toBeLessThanOrEqual(Math.abs(plain));
+        expect(went * plain).toBeGreaterThanOrEqual(0);
+      }),
+    );
+  });
+
+  it('goes finer the further away, at last less than a step for ten pixels', () => {
+    const shares = [60, 100, 140, 180, 500].map(finenessAt);
+    expect(shares).toEqual([...shares].sort((a, b) => a - b));
+    expect(shares.at(-1)).toBe(1);
+    fc.assert(
+      fc.property(plain, way, fc.constantFrom(1, 10, 100), (plain, way, step) => {
+        expect(Math.abs(refined(plain, way, step, 1))).toBeLessThanOrEqual((Math.abs(way) * step) / 10 + 1e-6);
+      }),
+    );
+  });
+});
+
+describe('zooming', () => {
+  it('leaves a mark in view where it is, and brings one into view that is not', () => {
+    const place = fc.double({ min: 0, max: 1, noNaN: true });
+    fc.assert(
+      fc.property(fc.array(place, { minLength: 1, maxLength: 6 }), (anchors) => {
+        const model = new TimelineModel();
+        for (const anchor of anchors) {
+          const before = model.view.value;
+          const isInView = anchor >= before.start && anchor <= before.start + before.span;
+          model.zoom(2, anchor);
+          const { start, span } = model.view.value;
+          expect(anchor).toBeGreaterThanOrEqual(start - 1e-9);
+          expect(anchor).toBeLessThanOrEqual(start + span + 1e-9);
+          if (isInView) expect((anchor - start) / span).toBeCloseTo((anchor - before.start) / before.span, 6);
+        }
+      }),
+    );
+  });
+});
