@@ -147,8 +147,7 @@ describe('a write that was read back in part', () => {
 });
 
 describe('what is said of what is known', () => {
-  const compared = () =>
-    screen.getByRole('combobox', { name: /^Compare with/ }).querySelector('option:checked')?.textContent;
+  const compared = () => screen.getByRole<HTMLSelectElement>('combobox', { name: /^Compare with/ }).options[0]?.text;
 
   it('is “was” while the timer is there, and “last read” when it is not', async () => {
     const { adapter } = await connected();
