@@ -4,7 +4,6 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import type { Memories } from './memories.js';
-import { NextFlightLine } from './next-flight-line.js';
 import './memory-choice.css';
 
 /** Which memory flies next, in words, and which one is shown. To choose one only shows it: nothing is sent. */
@@ -20,7 +19,6 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
   const job = runner.job.value;
   const current = next.open.value ? null : memory;
   const shown = memories.looking.value ?? (job?.kind === 'select' ? job.memory : current);
-  const isOpen = next.open.value && !runner.busy.value && isConnected;
   return (
     <fieldset class="memories">
       <legend class="visually-hidden">{program.memory}</legend>
@@ -46,9 +44,6 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
           );
         })}
       </div>
-      {memory === null && <p class="hint">{program.memoryUnknown}</p>}
-      {isOpen && !next.word.value && <p class="bad-text">{program.memoryOpen}</p>}
-      <NextFlightLine session={session} memories={memories} />
     </fieldset>
   );
 }

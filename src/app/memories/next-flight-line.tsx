@@ -1,10 +1,34 @@
+import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
 import type { NextFlightWord } from '../session/next-flight.js';
 import type { Session } from '../session/session.js';
 import type { Memories } from './memories.js';
+import './next-flight-line.css';
+
+interface NextFlightProps {
+  readonly session: Session;
+  readonly memories: Memories;
+}
+
+/** What is unusual about the memory that flies next, in every view. */
+export function NextFlight({ session, memories }: NextFlightProps) {
+  const { program } = messages.value;
+  const { editor, nextFlight, runner, connection } = session;
+  // Not drawn again with each key.
+  const hasProgram = useComputed(() => editor.working.value !== null && editor.madeAt.value === null).value;
+  const memory = useComputed(() => editor.working.value?.memory ?? null).value;
+  const isOpen = nextFlight.open.value && !runner.busy.value && connection.value !== null;
+  return (
+    <>
+      {hasProgram && memory === null && <p class="hint next-flight">{program.memoryUnknown}</p>}
+      {hasProgram && isOpen && !nextFlight.word.value && <p class="bad-text next-flight">{program.memoryOpen}</p>}
+      <NextFlightLine session={session} memories={memories} />
+    </>
+  );
+}
 
 /** Says that another memory flies next than at connect, or that it is not known which; with the way back. */
-export function NextFlightLine({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
+function NextFlightLine({ session, memories }: NextFlightProps) {
   const { nextFlight: words, memoryName } = messages.value;
   const word = session.nextFlight.word.value;
   const isConnected = session.connection.value !== null;
@@ -12,7 +36,7 @@ export function NextFlightLine({ session, memories }: { readonly session: Sessio
   if (!word || session.runner.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
   const { original } = word;
   return (
-    <div class="notice bad" role="alert">
+    <div class="notice bad next-flight" role="alert">
       <p>
         <strong>{nextFlightText(word, isConnected ? 'now' : 'last')}</strong>
       </p>

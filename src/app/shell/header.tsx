@@ -4,6 +4,7 @@ import type { Platform } from '../browser/platform.js';
 import { LinkNotice } from '../connect/link-notice.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
+import { NextFlight } from '../memories/next-flight-line.js';
 import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
 import type { Keeping } from '../session/keeping.js';
@@ -41,6 +42,7 @@ export function Header({ session, memories, leaving, follow, preferences, staged
   return (
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences }} />
+      <NextFlight session={session} memories={memories} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
       {!staged && (
         <>

@@ -1,3 +1,5 @@
+import './plane-icon.css';
+
 /** A model in the air: it stands beside the memory that flies next. */
 export function PlaneIcon() {
   return (

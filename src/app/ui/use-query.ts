@@ -2,8 +2,8 @@ import { type ReadonlySignal, useSignal } from '@preact/signals';
 import { useLayoutEffect } from 'preact/hooks';
 import { media } from '../browser/doors.js';
 
-/** The width from which there is room for a rail beside the view; below it the page is laid out for a phone. */
-export const NARROW = '(max-width: 759.98px)';
+/** A phone, upright or on its side: there is room for one thing at a time. */
+export const NARROW = '(max-width: 759.98px), (max-height: 479.98px)';
 
 /** Whether the window is as a media query says. Where a browser does not tell: no. */
 export function useQuery(query: string): ReadonlySignal<boolean> {
