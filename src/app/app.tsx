@@ -36,12 +36,7 @@ export function App({ models }: { readonly models: AppModels }) {
         onProgram={() => views.show('program')}
       />
     ),
-    bench: () => (
-      <>
-        <h1>{words.names.bench}</h1>
-        {hasProgram ? <parts.bench.Part {...{ session, bench, follow }} /> : <p class="hint">{words.noTimer.bench}</p>}
-      </>
-    ),
+    bench: () => <parts.bench.Part {...{ session, views, write, bench, follow }} />,
     library: () => <parts.library.Part />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
     settings: () => <parts.settings.Part {...{ session, theme, density, erase, views }} />,

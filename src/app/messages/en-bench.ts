@@ -4,7 +4,13 @@ import { plural } from './plural.js';
 export const bench = {
   title: 'Bench',
   lead: 'Moves the servos of the timer in front of you.',
-  slots: 'Move the servos to',
+  slots: 'Move to',
+  grid: 'What the timer holds of each function',
+  /** What the timer holds, and what waits. */
+  pending: (held: string, wanted: string) => `${held} → ${wanted}`,
+  trim: (slot: string) => `Trim at ${slot}`,
+  trimFollows: 'Each step is stored in the timer at once, and its servo moves.',
+  trimWaits: 'What you change waits for Write. Let the servos follow to see it at once.',
   previous: 'Previous function',
   next: 'Next function',
   at: (slot: string) => `Servos at ${slot}`,

@@ -102,7 +102,10 @@ describe('the bench', () => {
   });
 
   it('asks once more before the jump', async () => {
-    const { timer } = await opened();
+    const { timer, models } = await opened();
+    expect(screen.queryByRole('button', { name: 'Jump…' }), 'for experts').toBeNull();
+    models.views.setExpert(true);
+    await idle(0);
     const jumps = () => timer.core.answered.filter(({ name }) => name === 'JUMP2').length;
     await press('Jump…');
     await press('Cancel');
@@ -110,6 +113,54 @@ describe('the bench', () => {
     expect(jumps()).toBe(0);
     await press('Send the jump now');
     expect([jumps(), screen.queryByText('The timer acknowledged the jump.') !== null]).toEqual([1, true]);
+  });
+});
+
+describe('the grid of the bench', () => {
+  const row = (name: string): HTMLElement => screen.getByRole('row', { name: new RegExp(`^${name}`) });
+  const cells = (name: string): string[] => [...row(name).children].map(({ textContent }) => textContent?.trim() ?? '');
+
+  it('shows what the timer holds, with the row where the servos stand', async () => {
+    await opened();
+    expect(cells('Function 4')).toEqual(['Function 4', '12.0 s', '55', '55', '55']);
+    await press('Function 4');
+    expect(row('Function 4').className).toBe('here');
+    expect([...document.querySelectorAll('.bench-table .here')]).toHaveLength(1);
+    await press('Next function');
+    expect([row('Function 4').className, row('Function 5').className]).toEqual(['', 'here']);
+  });
+
+  it('tells what the servos will not go to, as it is not in the timer yet', async () => {
+    await opened();
+    await type('Function 4, S2', '70');
+    show('bench');
+    expect(cells('Function 4')).toEqual(['Function 4', '12.0 s', '55', '55 → 70', '55']);
+  });
+});
+
+describe('trimming', () => {
+  const stored = ({ timer }: AppBench) => timer.core.content.positions[1]?.[4];
+  const trim = () => screen.queryByRole('group', { name: 'Function 4, S2' })?.textContent;
+
+  it('is offered where the servos stand, and waits for Write', async () => {
+    const app = await opened();
+    expect(trim()).toBeUndefined();
+    await press('Function 4');
+    expect(trim()).toBe('S2 55−+');
+    await press('Step up Function 4, S2');
+    await press('Step up Function 4, S2');
+    expect([trim(), stored(app)]).toEqual(['S2 57−+', 55]);
+    expect(screen.getByText(/^What you change waits for Write/)).toBeTruthy();
+  });
+
+  it('moves the servo with each step while they follow', async () => {
+    const app = await opened();
+    await press('Function 4');
+    await flip();
+    await press('Step down Function 4, S2');
+    expect([trim(), stored(app), app.timer.core.servos[1]]).toEqual(['S2 54−+', 54, 54]);
+    await flip();
+    expect(screen.getByRole('button', { name: 'Keep it' })).toBeTruthy();
   });
 });
 

@@ -1,0 +1,63 @@
+import { type ProgramField, valueAt } from '../../program/index.js';
+import { stepValue } from '../editing/edits.js';
+import { fieldLabel, messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import type { Bench } from './bench.js';
+import { slotInSentence } from './bench-text.js';
+import type { Follow } from './follow.js';
+import './bench-trim.css';
+
+interface BenchTrimProps {
+  readonly session: Session;
+  readonly bench: Bench;
+  readonly follow: Follow;
+}
+
+/** The positions of the function where the servos stand, step by step: while they follow, each step moves its servo. */
+export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
+  const { bench: words } = messages.value;
+  const working = session.editor.working.value;
+  const at = bench.stand.at.value;
+  if (!working || at === null) return null;
+  return (
+    <section class="bench-trim" aria-labelledby="trim-title">
+      <h2 id="trim-title">{words.trim(slotInSentence(working.identity, at))}</h2>
+      <div class="trim-servos">
+        {Array.from({ length: working.identity.servos }, (_, servo) => (
+          <Trim key={servo} session={session} field={{ kind: 'position', servo, slot: at }} servo={servo} />
+        ))}
+      </div>
+      <p class="hint">{follow.on.value ? words.trimFollows : words.trimWaits}</p>
+    </section>
+  );
+}
+
+interface TrimProps {
+  readonly session: Session;
+  readonly field: ProgramField;
+  readonly servo: number;
+}
+
+function Trim({ session, field, servo }: TrimProps) {
+  const { edits, servoName } = messages.value;
+  const { editor } = session;
+  const working = editor.working.value;
+  if (!working) return null;
+  const label = fieldLabel(working.identity, field);
+  const { down, up, signs } = edits.field;
+  const step = (direction: 1 | -1) => () => editor.apply(stepValue(working, field, direction));
+  return (
+    // biome-ignore lint/a11y/useSemanticElements: a fieldset cannot be laid out as a grid everywhere
+    <div class="trim" role="group" aria-label={label}>
+      <span>
+        {servoName(servo)} <output>{valueAt(working, field)}</output>
+      </span>
+      <button type="button" aria-label={down(label)} onClick={step(-1)}>
+        {signs.down}
+      </button>
+      <button type="button" aria-label={up(label)} onClick={step(1)}>
+        {signs.up}
+      </button>
+    </div>
+  );
+}

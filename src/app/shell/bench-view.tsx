@@ -1,0 +1,36 @@
+import type { Bench } from '../bench/bench.js';
+import { BenchPanel } from '../bench/bench-panel.js';
+import type { Follow } from '../bench/follow.js';
+import { messages } from '../messages/index.js';
+import { IdleThrottle } from '../program/idle-throttle.js';
+import type { Session } from '../session/session.js';
+import type { WriteFlow } from '../write/write-flow.js';
+import type { Views } from './views.js';
+
+interface BenchViewProps {
+  readonly session: Session;
+  readonly views: Views;
+  readonly write: WriteFlow;
+  readonly bench: Bench;
+  readonly follow: Follow;
+}
+
+/** Servos and motor of the timer at hand; without one, that there is none. */
+export function BenchView({ session, views, write, bench, follow }: BenchViewProps) {
+  const { names, noTimer } = messages.value.views;
+  const hasProgram = session.editor.identity.value !== null;
+  return (
+    <>
+      <h1>{names.bench}</h1>
+      {hasProgram ? (
+        <BenchPanel
+          {...{ session, write, bench, follow }}
+          expert={views.expert.value}
+          motor={<IdleThrottle session={session} />}
+        />
+      ) : (
+        <p class="hint">{noTimer.bench}</p>
+      )}
+    </>
+  );
+}
