@@ -226,12 +226,12 @@ export class AppPage {
 
   /** The log of the line. */
   get line(): Locator {
-    return this.page.locator('.line');
+    return this.page.locator('.line-view');
   }
 
   async openLine(): Promise<void> {
     await this.goTo('Line');
-    await this.line.locator('tbody').waitFor();
+    await this.line.locator('tbody').first().waitFor();
   }
 
   /** What the page has sent by its own log, oldest first. */
