@@ -1,19 +1,21 @@
 import { useSignal } from '@preact/signals';
-import type { ComponentChildren } from 'preact';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
 import { HoldButton } from '../ui/hold-button.js';
 import type { Bench } from './bench.js';
+import { Trim } from './bench-trim.js';
 import './bench-motor.css';
 
 interface MotorProps {
+  readonly session: Session;
   readonly bench: Bench;
-  readonly children?: ComponentChildren;
 }
 
 /** The motor of a class Q timer, which is freed only by a button that is held. */
-export function Motor({ bench, children }: MotorProps) {
-  const { bench: words } = messages.value;
+export function Motor({ session, bench }: MotorProps) {
+  const { bench: words, program } = messages.value;
+  const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
   const id = useId();
   return (
     <section class="bench-motor">
@@ -28,7 +30,12 @@ export function Motor({ bench, children }: MotorProps) {
         disabled={!bench.ready.value}
         onHeld={() => void bench.unlock()}
       />
-      {children}
+      {hasThrottle && (
+        <>
+          <Trim session={session} field={{ kind: 'idleThrottle' }} name={program.idleThrottle} />
+          <p class="hint">{words.throttle(program.idleThrottleUnit)}</p>
+        </>
+      )}
     </section>
   );
 }

@@ -1,4 +1,3 @@
-import type { ComponentChildren } from 'preact';
 import type { Identity } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
@@ -20,15 +19,13 @@ export interface BenchPanelProps {
   readonly follow: Follow;
   /** Whether the pilot wants to see what only few need. */
   readonly expert: boolean;
-  /** What else belongs to the motor. */
-  readonly motor?: ComponentChildren;
 }
 
 /**
  * The timer on the bench: servos to a function, servos that follow, the motor. Nothing of it goes out before the pilot
  * has said that it is safe.
  */
-export function BenchPanel({ session, write, bench, follow, expert, motor }: BenchPanelProps) {
+export function BenchPanel({ session, write, bench, follow, expert }: BenchPanelProps) {
   const { bench: words } = messages.value;
   const identity = session.editor.identity.value;
   if (!identity) return null;
@@ -47,7 +44,7 @@ export function BenchPanel({ session, write, bench, follow, expert, motor }: Ben
         {connected && (
           <div class="bench-side">
             <FollowSwitch bench={bench} follow={follow} identity={identity} />
-            {identity.timerClass === 'Q' && <Motor bench={bench}>{motor}</Motor>}
+            {identity.timerClass === 'Q' && <Motor session={session} bench={bench} />}
             {expert && <Jump bench={bench} />}
           </div>
         )}

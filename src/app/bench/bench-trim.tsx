@@ -15,7 +15,7 @@ interface BenchTrimProps {
 
 /** The positions of the function where the servos stand, step by step: while they follow, each step moves its servo. */
 export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
-  const { bench: words } = messages.value;
+  const { bench: words, servoName } = messages.value;
   const working = session.editor.working.value;
   const at = bench.stand.at.value;
   if (!working || at === null) return null;
@@ -24,7 +24,7 @@ export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
       <h2 id="trim-title">{words.trim(slotInSentence(working.identity, at))}</h2>
       <div class="trim-servos">
         {Array.from({ length: working.identity.servos }, (_, servo) => (
-          <Trim key={servo} session={session} field={{ kind: 'position', servo, slot: at }} servo={servo} />
+          <Trim key={servo} session={session} field={{ kind: 'position', servo, slot: at }} name={servoName(servo)} />
         ))}
       </div>
       <p class="hint">{follow.on.value ? words.trimFollows : words.trimWaits}</p>
@@ -35,22 +35,22 @@ export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
 interface TrimProps {
   readonly session: Session;
   readonly field: ProgramField;
-  readonly servo: number;
+  readonly name: string;
 }
 
-function Trim({ session, field, servo }: TrimProps) {
-  const { edits, servoName } = messages.value;
+/** One value, its step down and its step up. */
+export function Trim({ session, field, name }: TrimProps) {
+  const { down, up, signs } = messages.value.bench.step;
   const { editor } = session;
   const working = editor.working.value;
   if (!working) return null;
   const label = fieldLabel(working.identity, field);
-  const { down, up, signs } = edits.field;
   const step = (direction: 1 | -1) => () => editor.apply(stepValue(working, field, direction));
   return (
     // biome-ignore lint/a11y/useSemanticElements: a fieldset cannot be laid out as a grid everywhere
     <div class="trim" role="group" aria-label={label}>
       <span>
-        {servoName(servo)} <output>{valueAt(working, field)}</output>
+        {name} <output>{valueAt(working, field)}</output>
       </span>
       <button type="button" aria-label={down(label)} onClick={step(-1)}>
         {signs.down}

@@ -9,6 +9,11 @@ export const bench = {
   /** What the timer holds, and what waits. */
   pending: (held: string, wanted: string) => `${held} → ${wanted}`,
   trim: (slot: string) => `Trim at ${slot}`,
+  step: {
+    down: (field: string) => `Step down ${field}`,
+    up: (field: string) => `Step up ${field}`,
+    signs: { down: '−', up: '+' },
+  },
   trimFollows: 'Each step is stored in the timer at once, and its servo moves.',
   trimWaits: 'What you change waits for Write. Let the servos follow to see it at once.',
   previous: 'Previous function',
@@ -54,6 +59,7 @@ export const bench = {
   putBack: 'Put it back…',
   triedOf: (field: string, from: string, to: string) => `${field}: ${from} → ${to}`,
   motor: 'Motor',
+  throttle: (unit: string) => `${unit.charAt(0).toUpperCase()}${unit.slice(1)}. What you change waits for Write.`,
   unlock: 'Hold to UNLOCK',
   unlockHold: 'Keep holding',
   unlockHint: 'The propeller may start. Hold the model, keep your hands away from the propeller, then press and hold.',

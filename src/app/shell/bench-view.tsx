@@ -2,12 +2,11 @@ import type { Bench } from '../bench/bench.js';
 import { BenchPanel } from '../bench/bench-panel.js';
 import type { Follow } from '../bench/follow.js';
 import { messages } from '../messages/index.js';
-import { IdleThrottle } from '../program/idle-throttle.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import type { Views } from './views.js';
 
-interface BenchViewProps {
+export interface BenchViewProps {
   readonly session: Session;
   readonly views: Views;
   readonly write: WriteFlow;
@@ -23,11 +22,7 @@ export function BenchView({ session, views, write, bench, follow }: BenchViewPro
     <>
       <h1>{names.bench}</h1>
       {hasProgram ? (
-        <BenchPanel
-          {...{ session, write, bench, follow }}
-          expert={views.expert.value}
-          motor={<IdleThrottle session={session} />}
-        />
+        <BenchPanel {...{ session, write, bench, follow }} expert={views.expert.value} />
       ) : (
         <p class="hint">{noTimer.bench}</p>
       )}
