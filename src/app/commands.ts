@@ -52,6 +52,7 @@ function timerCommands({ session, memories, leaving }: AppModels): Command[] {
     if (engaged.value) return [];
     return [
       ...(link.unavailable ? [] : [{ name: header.connect, run: () => void session.connect() }]),
+      ...(editor.identity.value ? [{ name: header.putAway, run: () => session.putAway() }] : []),
       ...SIMULATED_CLASSES.map((timerClass) => ({
         name: messages.value.start.simulated(messages.value.classNames[timerClass] ?? timerClass),
         run: () => void session.trySimulated(timerClass),

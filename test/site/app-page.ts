@@ -92,7 +92,8 @@ export class AppPage {
   /** Goes to a view. The link to the line is there only for experts, so its address is taken. */
   async goTo(view: 'Program' | 'Memories' | 'Bench' | 'Library' | 'Line' | 'Settings'): Promise<void> {
     if (view === 'Line') await this.page.evaluate(() => location.assign('#line'));
-    else await this.page.getByRole('navigation', { name: 'Views' }).getByRole('link', { name: view }).click();
+    // The start has no way to the other views but that to the settings.
+    else await this.page.getByRole('link', { name: view, exact: true }).click();
     await this.page.locator(`.${view.toLowerCase()}-view`).waitFor();
   }
 

@@ -5,12 +5,13 @@ import { edited, edits, held } from './edited.js';
 describe('finding the timer', () => {
   test('one that answers only at 19200 baud is found by itself, and asked there first from then on', async () => {
     const app = await AppPage.open({ bench: { granted: true, answersAt: 19200 } });
-    await app.page.getByRole('heading', { name: 'Known adapters' }).waitFor();
+    await app.goTo('Settings');
     await app.button('Connect to FTDI adapter').click();
-    await app.hasRead();
+    await app.isReady();
     expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200]);
     await app.button('Disconnect').click();
     await app.text('last at 19200 baud').waitFor();
+    await app.goTo('Program');
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200, 19200]);
 
@@ -47,11 +48,13 @@ describe('finding the timer', () => {
 
   test('settings by hand reach the port', async () => {
     const app = await AppPage.open({ bench: {} });
+    await app.goTo('Settings');
     await app.text('Serial settings').click();
     await app.page.getByRole('combobox', { name: 'Rate' }).selectOption('57600 baud');
     await app.page.getByRole('combobox', { name: 'Parity' }).selectOption('Even');
     await app.page.getByRole('combobox', { name: 'Stop bits' }).selectOption('2');
     await app.page.getByRole('combobox', { name: 'DTR' }).selectOption('Off');
+    await app.goTo('Program');
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([57600]);
     expect(await app.bench(({ opened }) => opened)).toMatchObject({ baudRate: 57600, parity: 'even', stopBits: 2 });
@@ -60,10 +63,12 @@ describe('finding the timer', () => {
 
   test('a known adapter is forgotten: the browser asks again', async () => {
     const app = await AppPage.open({ bench: { granted: true } });
+    await app.goTo('Settings');
     await app.button('Forget FTDI adapter').click();
     await app.page.getByRole('heading', { name: 'Known adapters' }).waitFor({ state: 'detached' });
     expect(await app.page.evaluate(async () => (await navigator.serial.getPorts()).length)).toBe(0);
     await app.bench((bench) => bench.dismissChooser());
+    await app.goTo('Program');
     await app.button('Connect').click();
     await app.says('No port was chosen.');
   });

@@ -77,8 +77,10 @@ test('every screen can be used by everyone', async () => {
 
 test('what the link says can be used by everyone', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
+  await app.goTo('Settings');
   await app.text('Serial settings').click();
   await isWellMade(app, 'known adapters and settings');
+  await app.goTo('Program');
   await app.bench((bench) => bench.sleep());
   await app.button('Connect').click();
   await app.text(/^No answer for /).waitFor();

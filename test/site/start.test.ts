@@ -1,5 +1,7 @@
 import { expect, inject, test } from 'vitest';
+import { AppPage } from './app-page.js';
 import { newPage } from './page.js';
+import { isWellMade } from './well-made.js';
 
 test('a newer storage has its own sentence', async () => {
   const page = await newPage();
@@ -48,4 +50,56 @@ test('inside of a frame the page does not work, and says where it does', async (
     document.documentElement.getAttribute('data-theme'),
   ]);
   expect(left).toEqual([0, 0, 0, 0, 0, 'light']);
+});
+
+/** Makes a program as the dialog offers it. */
+async function make(app: AppPage): Promise<void> {
+  await app.button('New program…').click();
+  await app.button('Make the program').click();
+  await app.table.waitFor();
+}
+
+test('a program is made without a timer, survives a reload, and is written by way of Connect', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await make(app);
+  await app.text('New program, in no timer yet').waitFor();
+  await app.type('Function 4, S2', '70');
+  await app.kept();
+  await app.reload();
+  await app.says('Your program is back.');
+  expect(await app.valueOf('Function 4, S2')).toBe('70');
+  expect(await app.bench(({ sets, rates }) => [sets, rates]), 'no port was opened').toEqual([[], []]);
+  await app.button('Connect and write…').click();
+  await app.dialog.getByRole('checkbox', { name: /^The propeller is off/ }).check();
+  await app.dialog.getByRole('button', { name: /^Write \d+ changes$/ }).click();
+  await app.result('Verified.');
+  const { times, positions } = await app.bench(({ content }) => content);
+  expect([times[10], positions[1]?.[4], positions[1]?.[5]]).toEqual([18000, 70, 65]);
+});
+
+test('the start, the dialog of a new program and what is kept can be used by everyone', async () => {
+  const app = await AppPage.open({ bench: {} });
+  await isWellMade(app, 'start');
+  await app.button('New program…').click();
+  await isWellMade(app, 'new program');
+  await app.button('Make the program').click();
+  await app.table.waitFor();
+  await app.button('Close program').click();
+  await app.button(/^Open F1Q, new/).waitFor();
+  await isWellMade(app, 'kept programs');
+  await app.button(/^Delete F1Q/).click();
+  await app.page.getByRole('listitem').getByRole('button', { name: 'Delete', exact: true }).click();
+  await app.text('Make one without a timer, and write it later.').waitFor();
+});
+
+test('what is told while a timer is looked for holds the stage, and another port is one click away', async () => {
+  const app = await AppPage.open({ bench: {} });
+  await app.bench((bench) => bench.sleep());
+  await app.button('Connect').click();
+  await app.page.getByRole('heading', { name: 'Press the switch of the timer briefly' }).waitFor();
+  expect(await app.page.evaluate(() => document.activeElement?.tagName)).toBe('H1');
+  expect(await app.page.getByRole('button').allInnerTexts()).toEqual(['Choose another port', 'Stop']);
+  await isWellMade(app, 'the stage');
+  await app.button('Stop').click();
+  await app.button('Connect').waitFor();
 });

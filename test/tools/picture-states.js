@@ -112,6 +112,21 @@ export const states = {
       await page.getByRole('button', { name: 'Connect' }).first().waitFor();
     },
   },
+  'new-program': {
+    title: 'Making a program without a timer',
+    reach: async (page) => {
+      await press(page, 'New program…');
+      await page.getByRole('dialog', { name: 'New program' }).waitFor();
+    },
+  },
+  made: {
+    title: 'A program that is in no timer yet',
+    reach: async (page) => {
+      await press(page, 'New program…');
+      await press(page, 'Make the program');
+      await enter(page, 'Function 4, S2', '70');
+    },
+  },
   program: {
     title: 'What the timer holds',
     reach: async (page) => {
@@ -290,6 +305,7 @@ export const states = {
     title: 'A known adapter, and the settings of its port',
     bench: { granted: true },
     reach: async (page) => {
+      await page.getByRole('link', { name: 'Settings' }).click();
       await page.getByText('Serial settings').click();
     },
   },
