@@ -39,9 +39,12 @@ test('the flight is played by keys alone, and the timeline shows where it is', a
   expect(await cursor.count(), 'nothing is played').toBe(0);
   await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('60×');
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
-  await preview(app).getByText('DT at 3:00').waitFor();
+  await preview(app).getByText('3:03').waitFor();
   await cursor.first().waitFor();
-  await preview(app).getByRole('button', { name: 'Previous event' }).press('Enter');
+  const back = preview(app).getByRole('button', { name: 'Previous event' });
+  await back.press('Enter');
+  await preview(app).getByText('3:00', { exact: true }).waitFor();
+  await back.press('Enter');
   await preview(app).getByText('Function 9 at 20.00 s').waitFor();
 });
 
