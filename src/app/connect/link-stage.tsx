@@ -31,8 +31,13 @@ export function LinkStage({ session, platform }: LinkStageProps) {
     help: null,
   };
   const title = useRef<HTMLHeadingElement>(null);
-  // What was clicked is gone: who hears the page hears what has come in its place.
-  useEffect(() => title.current?.focus({ preventScroll: true }), []);
+  // What was clicked is gone: who hears the page hears what has come in its place, and goes on from there afterwards.
+  useEffect(() => {
+    title.current?.focus({ preventScroll: true });
+    return () => {
+      if (document.activeElement === document.body) document.querySelector('main')?.focus({ preventScroll: true });
+    };
+  }, []);
   const share = job?.progress && { value: job.progress.done, max: job.progress.total };
   return (
     <section class="link-stage" aria-labelledby="stage-title">

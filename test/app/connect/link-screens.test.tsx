@@ -131,6 +131,8 @@ describe('what to do while no timer answers', () => {
     await asleep();
     expect(document.activeElement).toBe(screen.getByRole('heading', { level: 1 }));
     expect(within(screen.getByRole('heading', { level: 1 })).getByRole('status')).toBeTruthy();
+    await press('Stop');
+    expect(document.activeElement, 'what was pressed is gone').toBe(screen.getByRole('main'));
   });
 
   it('offers another port, and asks on at this one until one is chosen', async () => {
