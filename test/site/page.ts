@@ -19,22 +19,31 @@ const PATIENCE = 120_000;
 let browser: Promise<Browser> | undefined;
 
 /**
- * A page in a profile of its own, with nothing stored, for one test. The test fails, too, when this page, or another of
- * the same profile, reports an error; whatever the content security policy stops is one.
- * @param faults given, the errors are put there instead, for the test to judge
+ * A page in a profile of its own, with nothing stored.
+ * @param found where the errors are put that it reports, or another page of the same profile; whatever the content
+ * security policy stops is one
  */
-export async function newPage(options?: BrowserContextOptions, faults?: string[]): Promise<Page> {
+export async function newProfile(found: string[], options?: BrowserContextOptions): Promise<Page> {
   browser ??= chromium.launch(inject('launch'));
   const context = await (await browser).newContext(options);
   context.setDefaultTimeout(PATIENCE);
-  const found = faults ?? [];
   context.on('weberror', (error) => found.push(error.error().message));
   context.on('console', (message) => message.type() === 'error' && found.push(message.text()));
+  return context.newPage();
+}
+
+/**
+ * A page in a profile of its own, with nothing stored, for one test. The test fails, too, when an error is reported.
+ * @param faults given, the errors are put there instead, for the test to judge
+ */
+export async function newPage(options?: BrowserContextOptions, faults?: string[]): Promise<Page> {
+  const found = faults ?? [];
+  const page = await newProfile(found, options);
   onTestFinished(async () => {
-    await context.close();
+    await page.context().close();
     if (!faults) expect(found).toEqual([]);
   });
-  return context.newPage();
+  return page;
 }
 
 /** A phone that is held in one hand. */
