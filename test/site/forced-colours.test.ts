@@ -1,0 +1,30 @@
+import type { Locator } from 'playwright';
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+
+test('where colours are forced on the page, what is chosen and ticked can be seen', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, forcedColors: 'active', colorScheme: 'dark' });
+  const grounds = (found: Locator, part?: string): Promise<string[]> =>
+    found.evaluateAll((all, pseudo) => all.map((each) => getComputedStyle(each, pseudo).backgroundColor), part);
+  const strokes = (found: Locator): Promise<string[]> =>
+    found.evaluateAll((all) => all.map((each) => getComputedStyle(each).stroke));
+  await app.connect();
+  const [chosen, ...others] = await grounds(app.page.locator('.memories label > span'));
+  expect(others).not.toContain(chosen);
+  const ink = await app.page.evaluate(() => getComputedStyle(document.body).color);
+  expect(new Set(await strokes(app.page.locator('.servo-line.front path'))), 'lines are drawn in the ink').toEqual(
+    new Set([ink]),
+  );
+  await app.page.locator('.presets button', { hasText: '3 min' }).click();
+  const presets = await grounds(app.page.locator('.presets button'));
+  expect(presets.filter((ground) => ground === chosen)).toHaveLength(1);
+
+  await app.page.goto(new URL('#settings', app.page.url()).href);
+  const expert = app.page.getByRole('checkbox', { name: /^Expert/ });
+  await expert.check();
+  const [box] = await grounds(expert);
+  const [tick] = await grounds(expert, '::before');
+  expect(tick).not.toBe(box);
+  const colours = app.page.getByRole('group', { name: 'Colours' }).locator('label');
+  expect((await grounds(colours)).filter((ground) => ground === chosen)).toHaveLength(1);
+});
