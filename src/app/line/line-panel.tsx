@@ -20,7 +20,7 @@ export function LinePanel({ session, view, form }: LinePanelProps) {
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the button beside it takes a file too
     <div
-      class="line line-body"
+      class="line-body"
       onDragOver={(event) => event.preventDefault()}
       onDrop={(event) => {
         event.preventDefault();
@@ -30,9 +30,10 @@ export function LinePanel({ session, view, form }: LinePanelProps) {
     >
       <h1>{messages.value.line.title}</h1>
       <LineTools session={session} view={view} />
+      {/* Above the log, which goes on as long as one scrolls. */}
+      {!unused && <SendFrame form={form} connected={session.connection.value !== null} />}
       <RecordingBar session={session} view={view} />
       {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineTable view={view} />}
-      {!unused && <SendFrame form={form} connected={session.connection.value !== null} />}
     </div>
   );
 }

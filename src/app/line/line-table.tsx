@@ -12,7 +12,7 @@ export function LineTable({ view }: { readonly view: LineView }) {
   const shown = view.shownCount.value;
   const timeText = view.recording.value ? sinceBegin : clockTime;
   return (
-    <>
+    <div class="line-log">
       <table class="line-rows" aria-label={line.title}>
         <thead>
           <tr>
@@ -28,7 +28,7 @@ export function LineTable({ view }: { readonly view: LineView }) {
       </table>
       {found === 0 && <p class="hint line-end">{line.empty}</p>}
       {found > shown && <Older key={shown} view={view} />}
-    </>
+    </div>
   );
 }
 

@@ -110,11 +110,13 @@ function Choice({ label, count, chosen, other, onChoose }: ChoiceProps) {
     <label>
       {label}
       <select value={String(chosen)} onChange={(event) => onChoose(Number(event.currentTarget.value))}>
-        {Array.from({ length: count }, (_, memory) => (
-          <option key={memory} value={String(memory)} disabled={memory === other}>
-            {memoryName(memory)}
-          </option>
-        ))}
+        {Array.from({ length: count }, (_, memory) => memory)
+          .filter((memory) => memory !== other)
+          .map((memory) => (
+            <option key={memory} value={String(memory)}>
+              {memoryName(memory)}
+            </option>
+          ))}
       </select>
     </label>
   );
