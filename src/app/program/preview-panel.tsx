@@ -1,3 +1,4 @@
+import { batch, useSignal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { Session } from '../session/session.js';
@@ -19,16 +20,24 @@ export function PreviewPanel({ session, program, player, selected }: PreviewPane
   const { servoUses } = session;
   const key = selected && fieldKey(selected);
   const time = selected && timeOf(program, selected);
-  // After the picture of what was pressed.
-  useEffect(() => {
-    if (time !== null) player.take(time);
-  }, [player, key, time]);
+  const drawn = useSignal(program);
+  // After the picture of what was pressed; the program and its time together: else a mark that is moved is on both
+  // sides of what it stands for, in turn.
+  useEffect(
+    () =>
+      batch(() => {
+        if (time !== null) player.take(time);
+        drawn.value = program;
+      }),
+    [player, key, time, program],
+  );
+  const shown = drawn.value.identity === program.identity ? drawn.value : program;
   const named = servoUses.named.value;
   return (
     // Not drawn again for another cell: what changes then, follows the player.
     <Kept
-      on={[program, player, named, servoUses]}
-      draw={() => <FlightPreview {...{ program, player, named }} onName={(uses) => servoUses.say(uses)} />}
+      on={[shown, player, named, servoUses]}
+      draw={() => <FlightPreview {...{ player, named }} program={shown} onName={(uses) => servoUses.say(uses)} />}
     />
   );
 }

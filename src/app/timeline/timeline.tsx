@@ -143,6 +143,7 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
   }, [selectedKey]);
 
   const { height } = measures;
+  const least = `max(var(--picture), ${leastHeightOf(program)}px)`;
   return (
     <section
       class={`timeline ${overlay?.uncertain ? 'uncertain-behind' : ''}`}
@@ -152,7 +153,12 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
         <Moment program={program} model={model} cursor={cursor} selected={selected} />
         <Tools model={model} anchor={anchor} />
       </div>
-      <div class="timeline-room" ref={room} style={{ minHeight: `max(var(--picture), ${leastHeightOf(program)}px)` }}>
+      <div
+        class="timeline-room"
+        ref={room}
+        // What stands below it may need more or less room meanwhile: what is in hand stays under the finger.
+        style={held ? { flex: 'none', height: `${height}px` } : { minHeight: least }}
+      >
         {/* biome-ignore lint/a11y/useSemanticElements: a picture with handles in it is no fieldset */}
         <svg
           ref={svg}

@@ -103,6 +103,24 @@ describe('the timeline', () => {
     expect(drawn.filter((name) => name === 'ProgramRow')).toHaveLength(2);
   });
 
+  it('shows in the preview the mark that is moved, and at no moment another one', async () => {
+    await opened();
+    act(() => (handle('DT time') as SVGElement).focus());
+    await idle(100);
+    const facts = document.querySelector('.preview-facts') as Element;
+    const comesDown = () => facts.querySelector('.preview-dt') !== null;
+    expect(comesDown()).toBe(true);
+    const seen: boolean[] = [];
+    const observer = new MutationObserver(() => seen.push(comesDown()));
+    observer.observe(facts, { subtree: true, childList: true, characterData: true });
+    await key('DT time', 'ArrowRight');
+    await idle(100);
+    observer.disconnect();
+    expect(facts.querySelector('.preview-clock')?.textContent).toBe('3:01');
+    expect(seen.length).toBeGreaterThan(0);
+    expect(seen).not.toContain(false);
+  });
+
   it('is found as it was left when the view comes back', async () => {
     const app = await opened();
     app.editor.type(S1, '99');

@@ -263,6 +263,18 @@ describe('the mouse', () => {
     expect(placeOf(handle('Function 3, S1'))).not.toEqual(before);
   });
 
+  it('keeps the height of the picture while a handle is held, whatever comes below it', async () => {
+    shown();
+    const style = () => (document.querySelector('.timeline-room') as HTMLElement).style;
+    expect([style().flex, style().height]).toEqual(['', '']);
+    const release = await hold('Function 2 time', 12, 0);
+    await drawn();
+    expect(style().height).toBe(`${picture().getAttribute('height')}px`);
+    expect(style().flex).toMatch(/^(none|0 0 auto)$/);
+    await release();
+    expect([style().flex, style().height]).toEqual(['', '']);
+  });
+
   it('goes on beyond the edge for as long as it stays there', async () => {
     const { log } = shown();
     const release = await hold('DT time', 80, 0);
