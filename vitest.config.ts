@@ -15,6 +15,7 @@ const parts = {
   include: ['test/app/**/*.test.{ts,tsx}'],
   setupFiles: ['test/app/setup.ts'],
   testTimeout: 600_000,
+  hookTimeout: 600_000,
   maxWorkers,
 };
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
