@@ -179,7 +179,10 @@ export class AppPage {
   async entries(): Promise<Readonly<Record<string, string>>> {
     const fields = this.table.getByRole('textbox');
     const all = await fields.evaluateAll((inputs) =>
-      inputs.map((input) => [input.ariaLabel ?? '', (input as HTMLInputElement).value] as const),
+      inputs
+        // The tools of a row have a field of their own.
+        .filter((input) => !input.closest('.row-menu'))
+        .map((input) => [input.ariaLabel ?? '', (input as HTMLInputElement).value] as const),
     );
     return Object.fromEntries(all);
   }
@@ -240,7 +243,8 @@ export class AppPage {
     const before = await this.page.evaluate(() => location.hash);
     await this.openLine();
     const older = this.line.getByRole('button', { name: 'Show older' });
-    while (await older.isVisible()) await older.click();
+    // They also come by themselves where their place is in sight.
+    while (await older.isVisible()) await older.evaluate((button: HTMLElement) => button.click()).catch(() => {});
     const names = await this.line
       .locator('tbody tr.out .name')
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());

@@ -124,11 +124,11 @@ test('by keyboard alone: try, edit DT, write, verify', async () => {
   await tabTo(/^Try a simulated F1Q timer$/);
   await keyboard.press('Enter');
   await app.hasRead();
-  await tabTo(/^DT$/);
+  await tabTo(/^DT time$/);
   await keyboard.type('240');
   await tabTo(/^240 s, 4:00$/);
   await keyboard.press('Enter');
-  await tabTo(/^Write…$/);
+  await tabTo(/^Write 1…$/);
   await keyboard.press('Enter');
   await app.dialog.waitFor();
   await tabTo(/^The propeller is off/);

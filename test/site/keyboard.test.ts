@@ -49,7 +49,7 @@ test('by keyboard alone: a whole program from a sheet, shifted, undone to the st
   await trail.goForward(() => keys.press('Control+Shift+z'));
   await app.text('44 changes').waitFor();
 
-  await keys.enter(/^Write…$/);
+  await keys.enter(/^Write \d+…$/);
   await app.dialog.waitFor();
   expect(await app.difference()).toHaveLength(44);
   await keys.tabTo(/^The propeller is off/);
@@ -70,11 +70,11 @@ test('the focus stays while the timer is read, and comes back from the dialog', 
   await app.isReady();
   await expect.poll(() => keys.focused()).toBe('Read again');
   await app.field('Function 2, S1').fill('7');
-  await keys.enter(/^Write…$/);
+  await keys.enter(/^Write \d+…$/);
   await app.dialog.waitFor();
   await keys.press('Escape');
   await app.dialog.waitFor({ state: 'hidden' });
-  await expect.poll(() => keys.focused()).toBe('Write…');
+  await expect.poll(() => keys.focused()).toBe('Write 1…');
   await keys.press('Enter');
   await app.dialog.waitFor();
   await keys.tabTo(/^The propeller is off/);
@@ -83,5 +83,5 @@ test('the focus stays while the timer is read, and comes back from the dialog', 
   await app.result('Verified.');
   await keys.enter(/^Close$/);
   await app.dialog.waitFor({ state: 'hidden' });
-  await expect.poll(() => keys.focused()).toBe('Write…');
+  await expect.poll(() => keys.focused()).toBe('Write 1…');
 });

@@ -51,7 +51,7 @@ async function change(page, reach = connect) {
 /** @param {Page} page */
 async function review(page) {
   await change(page);
-  await press(page, 'Write…');
+  await press(page, /^Write( \d+)?…$/);
   await page.getByRole('dialog').waitFor();
 }
 
@@ -86,7 +86,7 @@ async function conflict(page) {
   await page.evaluate(() => {
     window.workbench.content.times[10] = 21000;
   });
-  await press(page, 'Write…');
+  await press(page, /^Write( \d+)?…$/);
   await page.getByRole('dialog').waitFor();
 }
 
@@ -218,7 +218,7 @@ export const states = {
     bench: { granted: true, quirks: { servoNeedsMove: true } },
     reach: async (page) => {
       await change(page, connectPort);
-      await press(page, 'Write…');
+      await press(page, /^Write( \d+)?…$/);
       await promise(page);
       await page.getByRole('button', { name: 'Write 2 changes' }).click();
       await page.getByRole('button', { name: 'Write again…' }).click();
@@ -364,7 +364,7 @@ export const states = {
     bench: { granted: true },
     reach: async (page) => {
       await change(page, connectPort);
-      await press(page, 'Write…');
+      await press(page, /^Write( \d+)?…$/);
       await page.evaluate(() => window.workbench.unplugAt('SETTIMERS'));
       await promise(page);
       await page.getByRole('button', { name: 'Write 2 changes' }).click();
