@@ -19,7 +19,7 @@ describe('finding the timer', () => {
     await app.connect();
     expect(await app.bench(({ rates }) => rates)).toEqual([19200]);
     await app.showAbout();
-    await app.text('19200 baud').waitFor();
+    await app.page.getByRole('definition').filter({ hasText: '19200 baud' }).waitFor();
   });
 
   test('one that sleeps is asked quietly, and read as soon as its switch is pressed', async () => {
