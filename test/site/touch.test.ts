@@ -1,8 +1,13 @@
+import type { Locator } from 'playwright';
 import { describe, expect, test } from 'vitest';
 import { AppPage, FIRST_POSITIONS } from './app-page.js';
 import { PHONE } from './page.js';
 import { positionField, ROWS, SHEET, SHIFTED, Trail, timeField } from './sheet.js';
-import { isWellMade, SIZES } from './well-made.js';
+import { isWellMade, SIZES, showTheme } from './well-made.js';
+
+/** The keys that come up for a field. */
+const keysFor = (app: AppPage, field: string): Locator =>
+  app.page.getByRole('region', { name: `Keys for ${field}`, exact: true });
 
 test('by thumb alone: a whole program from a sheet, shifted, undone to the start, redone, written, verified', async () => {
   const app = await AppPage.open({ bench: {}, ...PHONE });
@@ -10,40 +15,47 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
   await app.button('Connect').tap();
   await app.hasRead();
   const trail = new Trail(app);
-  const fill = async (field: string, text: string): Promise<void> => {
-    await app.field(field).tap();
+  /** Presses keys of the sheet, one after the other. What is done at one field is one step to undo. */
+  const press = async (field: string, keys: readonly string[]): Promise<void> => {
     await trail.note();
-    // What the thumb types on: an empty hint would bring up a keyboard of letters.
-    expect(await app.field(field).getAttribute('inputmode')).toMatch(/^(decimal|numeric)$/);
-    await app.page.keyboard.type(text);
+    for (const name of keys) {
+      await keysFor(app, field).getByRole('button', { name, exact: true }).tap();
+    }
   };
-  /** Taps that follow each other at one field are one step to undo. */
-  const tap = async (...names: string[]): Promise<void> => {
-    await trail.note();
-    for (const name of names) await app.button(name).tap();
-  };
+  const write = (field: string, text: string): Promise<void> => press(field, [...text.replace(',', '.')]);
+  const go = (from: string, to: string): Promise<void> =>
+    keysFor(app, from)
+      .getByRole('button', { name: `Go to ${to} ›`, exact: true })
+      .tap();
 
-  await fill('Motor stop', '7.8');
-  await tap('Step up Motor stop', 'Step up Motor stop');
-  for (const [row, time] of SHEET.times.entries()) {
-    if (row > 0 && row < SHEET.times.length - 1) await fill(timeField(row), time);
-  }
-  await tap('DT 4 min');
-  for (const [servo, positions] of SHEET.positions.entries()) {
-    for (const row of ROWS.keys()) {
+  await app.field('Motor stop time').tap();
+  // No keyboard of the screen comes up as well.
+  expect(await app.field('Motor stop time').getAttribute('inputmode')).toBe('none');
+  await press('Motor stop time', ['7', '.', '8', '+0.1 s', '+0.1 s']);
+  for (const row of ROWS.keys()) {
+    const isFunction = row > 0 && row < ROWS.length - 1;
+    await app.field(isFunction ? timeField(row) : positionField(row, 0)).tap();
+    if (isFunction) await write(timeField(row), SHEET.times[row] ?? '');
+    if (isFunction) await go(timeField(row), 'S1');
+    for (const [servo, positions] of SHEET.positions.entries()) {
       const field = positionField(row, servo);
-      await fill(field, field === 'DT, S3' ? '21' : (positions[row] ?? ''));
+      if (servo > 0) await go(positionField(row, servo - 1), `S${servo + 1}`);
+      await write(field, field === 'DT, S3' ? '21' : (positions[row] ?? ''));
     }
   }
   // To the 20 of the sheet.
-  await tap('Step down DT, S3', 'Step down DT, S3', 'Step up DT, S3');
+  await press('DT, S3', ['−1', '−1', '+1']);
   expect(await app.page.evaluate(() => document.activeElement?.ariaLabel), 'the keys stay').toBe('DT, S3');
+  await keysFor(app, 'DT, S3').getByRole('button', { name: 'Done' }).tap();
+  await trail.note();
+  await app.page.locator('.strip-figures').tap();
+  await app.button('DT 4 min').tap();
+  await app.page.locator('.strip-close').tap();
 
-  // A tap beside the fields puts the step keys away, which lie over what follows.
-  await app.page.getByRole('heading', { name: 'Checks' }).tap();
   await app.button('Tools for Function 4').tap();
   await app.page.getByRole('textbox', { name: 'By, in seconds' }).fill('1.5');
-  await tap('Later');
+  await trail.note();
+  await app.button('Later').tap();
   await trail.note();
   await app.button('Done').tap();
 
@@ -172,5 +184,55 @@ describe('a finger on the table', () => {
     await app.button('Paste…').tap();
     await app.page.getByRole('dialog', { name: 'Paste' }).getByRole('button', { name: 'Paste' }).tap();
     expect((await app.positions('S3')).slice(5, 9)).toEqual(['25', '35', '45', '95']);
+  });
+});
+
+describe('the keys of a finger leave in sight what is edited, with all that stands in its row', () => {
+  /** What of a field and its row is not seen, and which keys do not fit. */
+  const faults = (app: AppPage): Promise<string[]> =>
+    app.page.evaluate(() => {
+      const sheet = document.querySelector('.edit-sheet');
+      const input = document.activeElement;
+      const row = input?.closest('tr');
+      if (!sheet || !row) return ['there is no sheet'];
+      const box = sheet.getBoundingClientRect();
+      const outside = box.left < 0 || box.top < 0 || box.right > innerWidth || box.bottom > innerHeight + 0.5;
+      const covered = [...row.querySelectorAll('th, td')].filter((cell) => {
+        const { left, top, width, height } = cell.getBoundingClientRect();
+        const at = (y: number) => document.elementFromPoint(left + width / 2, y);
+        return width > 0 && ![top + 2, top + height - 3].every((y) => at(y)?.closest('tr') === row);
+      });
+      const cut = [...sheet.querySelectorAll('button, output')].filter((key) => key.scrollWidth > key.clientWidth);
+      return [
+        ...(outside ? [`the sheet stands over the edge: ${JSON.stringify(box)}`] : []),
+        ...covered.map((cell) => `covered: ${cell.textContent} ${cell.querySelector('input')?.ariaLabel}`),
+        ...cut.map((key) => `cut: ${key.textContent}`),
+      ];
+    });
+
+  test.each([
+    ['a phone', 390, 844],
+    ['a small phone', 360, 740],
+    ['the smallest phone', 320, 568],
+    ['a phone on its side', 844, 390],
+    ['a tablet', 820, 1180],
+    ['a tablet on its side', 1180, 820],
+    ['a laptop at 200 %', 640, 400],
+    ['a laptop with a touch screen', 1366, 650],
+  ])('on %s', async (_, width, height) => {
+    const app = await AppPage.open({ bench: { granted: true }, viewport: { width, height }, hasTouch: true });
+    await app.connect();
+    for (const theme of ['light', 'sun']) {
+      await showTheme(app, theme);
+      for (const field of ['Start, S1', 'Motor stop time', 'Function 5, S2', 'Function 9 time', 'DT, S3', 'DT time']) {
+        await app.field(field).tap();
+        await keysFor(app, field).waitFor();
+        await expect.poll(() => faults(app), { message: `${field}, ${theme}` }).toEqual([]);
+      }
+      await app.button('+10 s').tap();
+      expect(await faults(app), 'a value with its old one').toEqual([]);
+      await app.button('Put back').tap();
+      await app.button('Done').tap();
+    }
   });
 });
