@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { Identity } from '../../protocol/index.js';
+import { media } from '../browser/doors.js';
 import { formatInterval } from '../editing/units.js';
 import { messages } from '../messages/index.js';
 import type { RowTools } from './row-tools.js';
@@ -73,9 +74,11 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
     // In the lower half there is more room above.
     const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
     current.classList.toggle('above', top > innerHeight / 2);
-    const first = current.querySelector<HTMLElement>('input') ?? current.querySelector('button');
-    first?.focus({ preventScroll: true });
-    if (first instanceof HTMLInputElement) first.select();
+    // On a touch screen a field with the focus would bring up a keyboard, which nobody has asked for.
+    const byTouch = media('(pointer: coarse)')?.matches ?? false;
+    const first = byTouch ? null : current.querySelector('input');
+    first?.select();
+    (first ?? current.querySelector('button'))?.focus({ preventScroll: true });
     const away = ({ target }: Event): void => {
       if (target instanceof Node && !current.parentElement?.contains(target)) tools.close();
     };
@@ -95,7 +98,8 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
     >
       <p class="row-panel-title">{shifts ? shift.from(name, isDt) : name}</p>
       {shifts && <ShiftFields tools={tools} isDt={isDt} />}
-      <div class="buttons">
+      <div class="row-panel-foot">
+        {shifts && <Moved tools={tools} />}
         {revert && (
           <button
             type="button"
@@ -115,11 +119,10 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
   );
 }
 
-/** This row and all that come after it, to earlier or later. It says how far they have gone so far. */
+/** This row and all that come after it, to earlier or later. */
 function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt: boolean }) {
   const { shift } = messages.value.edits;
   const { value: problem } = tools.problem;
-  const { value: moved } = tools.moved;
   return (
     <>
       <div class="shift-fields">
@@ -149,15 +152,21 @@ function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt:
           {shift.moveDt}
         </label>
       )}
-      {problem ? (
+      {problem && (
         <p class="bad-text" role="alert">
           {problem}
         </p>
-      ) : (
-        <p class="hint" role="status">
-          {moved !== 0 && shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
-        </p>
       )}
     </>
+  );
+}
+
+/** How far all has gone since the tools were opened. */
+function Moved({ tools }: { readonly tools: RowTools }) {
+  const { value: moved } = tools.moved;
+  return (
+    <p class="hint" role="status">
+      {moved !== 0 && messages.value.edits.shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
+    </p>
   );
 }
