@@ -110,6 +110,7 @@ export const edits = {
     revertRow: (slot: string) => `Put back ${slot} with its positions`,
   },
   shift: {
+    open: 'Shift…',
     /** What is shifted: a row and what comes after it; DT is the last. */
     from: (row: string, isLast: boolean) => (isLast ? row : `${row} and all after`),
     by: 'By, in seconds',

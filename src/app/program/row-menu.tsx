@@ -74,6 +74,7 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
     // In the lower half there is more room above.
     const { top = 0 } = opener.current?.getBoundingClientRect() ?? {};
     current.classList.toggle('above', top > innerHeight / 2);
+    current.scrollIntoView?.({ block: 'nearest' });
     // On a touch screen a field with the focus would bring up a keyboard, which nobody has asked for.
     const byTouch = media('(pointer: coarse)')?.matches ?? false;
     const first = byTouch ? null : current.querySelector('input');

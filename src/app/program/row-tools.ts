@@ -1,4 +1,5 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import type { ProgramField } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
@@ -32,6 +33,13 @@ export class RowTools {
       this.#moved.value = 0;
       this.#problem.value = null;
     });
+  }
+
+  /** Those of the row in hand; with none, or at the start, those of the motor stop or, without one, of function 1. */
+  showFor(field: ProgramField | null): void {
+    const slot = field && 'slot' in field ? field.slot : 0;
+    const isStart = slot === 0 && this.#editor.identity.value?.timerClass !== 'Q';
+    this.show(isStart ? 1 : slot);
   }
 
   close(): void {

@@ -16,13 +16,15 @@ interface CommandBarProps {
   readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
+  /** Opens what shifts the row in hand and all after it; null where there is no room for it. */
+  readonly onShift: (() => void) | null;
   /** Where there is no room for it beside the table: whether the picture is shown in its place. */
   readonly picture: { readonly open: boolean; readonly onToggle: () => void } | null;
 }
 
 /** How the program stands to the timer, and the way to it and back. */
-export function CommandBar({ session, write, bench, follow, picture }: CommandBarProps) {
-  const { program } = messages.value;
+export function CommandBar({ session, write, bench, follow, onShift, picture }: CommandBarProps) {
+  const { program, edits } = messages.value;
   const { editor } = session;
   const bar = useRef<HTMLElement>(null);
   useHeight(bar, '--bar');
@@ -31,6 +33,11 @@ export function CommandBar({ session, write, bench, follow, picture }: CommandBa
       <FollowNote session={session} write={write} bench={bench} follow={follow} />
       <BlockedNote editor={editor} />
       <UndoButtons session={session} write={write} />
+      {onShift && (
+        <button type="button" class="quiet" onClick={onShift}>
+          {edits.shift.open}
+        </button>
+      )}
       {picture && (
         <button type="button" class="quiet" aria-pressed={picture.open} onClick={picture.onToggle}>
           {picture.open ? program.table : program.picture}

@@ -1,5 +1,5 @@
 import { useComputed, useSignal } from '@preact/signals';
-import { useCallback } from 'preact/hooks';
+import { useCallback, useMemo } from 'preact/hooks';
 import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
@@ -11,6 +11,7 @@ import { ChecksPanel } from '../program/checks-panel.js';
 import { DtPresets } from '../program/presets.js';
 import type { ProgramPicture } from '../program/program-picture.js';
 import { ProgramTable } from '../program/program-table.js';
+import { RowTools } from '../program/row-tools.js';
 import { TimelinePanel } from '../program/timeline-panel.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
@@ -48,6 +49,7 @@ export function ProgramView(props: ProgramViewProps) {
   const looking = memories.looking.value;
   const isNarrow = useQuery(NARROW).value;
   const picture = useSignal(false);
+  const tools = useMemo(() => new RowTools(session.editor), [session]);
   // What was read of a timer that is not connected any more may be something else by now.
   const isPast = session.link.state.value.status === 'off' && session.editor.madeAt.value === null;
   if (!identity) return null;
@@ -75,7 +77,7 @@ export function ProgramView(props: ProgramViewProps) {
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
-            <ProgramTable session={session} bench={bench} follow={follow} marked={marked} />
+            <ProgramTable {...{ session, bench, follow, marked, tools }} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
           </div>
         ) : (
@@ -90,6 +92,7 @@ export function ProgramView(props: ProgramViewProps) {
       {looking === null && (
         <CommandBar
           {...{ session, write, bench, follow }}
+          onShift={isNarrow ? null : () => tools.showFor(selected.peek())}
           picture={isNarrow ? { open: picture.value, onToggle: () => (picture.value = !picture.value) } : null}
         />
       )}

@@ -136,6 +136,25 @@ describe('the tools of a row', () => {
     expect(editor.dirty.value).toBe(false);
   });
 
+  it.each([
+    ['Function 7, S2', 'Function 7'],
+    ['DT time', 'DT'],
+    ['Start, S1', 'Motor stop'],
+    ['Motor stop time', 'Motor stop'],
+  ])('are opened by Shift… for the row in hand: at %s those of %s', async (name, row) => {
+    await connected();
+    field(name).focus();
+    await press('Shift…');
+    const [panel] = screen.getAllByRole('form');
+    expect(panel?.closest('tr')?.querySelector('.row-name')?.textContent).toBe(row);
+  });
+
+  it('are opened by Shift… where no row is in hand: at the motor stop, and where there is none at function 1', async () => {
+    await connected({ identity: { timerClass: 'B' } });
+    await press('Shift…');
+    expect(screen.getByRole('form', { name: 'Function 1 and all after' })).toBeTruthy();
+  });
+
   it('keep their setting from row to row, and give way to a press elsewhere', async () => {
     await connected();
     await press('Tools for Function 2');
