@@ -23,6 +23,8 @@ export type Severity = 'error' | 'serious' | 'warning';
  * - `time-outside-manual` (min, max): not in the range that the maker's manual gives.
  * - `time-too-fine` (step): finer than the steps that the manual gives; the timer may round it.
  * - `dt-short` (limit): a short DT, good for trimming, lost for a contest flight.
+ * - `dt-moves-nothing`: every servo stands at DT where it stood before; nothing that this timer does brings the model
+ *   down.
  * - `throttle-unusual` (limit): more than 100; the unit is not known.
  * - `class-unknown` (timerClass): the timer's letter is not B, Q or E, so no rule of a class was checked.
  */
@@ -42,6 +44,7 @@ export type FindingCode =
   | 'time-outside-manual'
   | 'time-too-fine'
   | 'dt-short'
+  | 'dt-moves-nothing'
   | 'throttle-unusual'
   | 'class-unknown';
 
@@ -86,6 +89,7 @@ export function checkProgram(program: TimerProgram, options: CheckOptions = {}):
     ...motor(program, wrong),
     ...manual(program, wrong),
     ...(wrong.has(program.identity.functions) ? [] : dethermaliser(program, options.shortDt ?? SHORT_DT)),
+    ...dtPositions(program),
     ...throttle(program),
     ...timerClass(program.identity),
   ];
@@ -192,6 +196,13 @@ function dethermaliser({ identity, times }: TimerProgram, limit: number): Findin
   const at = identity.functions;
   if ((times[at] as number) >= limit) return [];
   return [{ severity: 'warning', code: 'dt-short', field: { kind: 'time', slot: at }, params: { limit } }];
+}
+
+/** A warning and no more: something else may bring it down, such as a radio DT. */
+function dtPositions({ identity, positions }: TimerProgram): Finding[] {
+  const at = identity.functions;
+  if (positions.some((row) => row[at] !== row[at - 1])) return [];
+  return [{ severity: 'warning', code: 'dt-moves-nothing', field: { kind: 'time', slot: at }, params: {} }];
 }
 
 function throttle({ idleThrottle }: TimerProgram): Finding[] {

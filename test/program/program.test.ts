@@ -179,6 +179,13 @@ describe('the check', () => {
     expect(found(edited(read, [], [[1, 4, 201]]), read)).toEqual(['error position-out-of-range position:1:4']);
   });
 
+  it('warns of a DT at which no servo moves, however many are elsewhere', () => {
+    const still = CAPTURED_POSITIONS.with(10, CAPTURED_POSITIONS[9] as number);
+    const positioned = (...positions: (readonly number[])[]) => found({ ...usual('Q'), positions });
+    expect(positioned(still, still, still)).toEqual(['warning dt-moves-nothing time:10']);
+    expect(positioned(still, CAPTURED_POSITIONS, still)).toEqual([]);
+  });
+
   it('weighs the idle throttle', () => {
     expect(found({ ...usual('Q'), idleThrottle: 101 })).toEqual(['warning throttle-unusual idleThrottle']);
     expect(found({ ...usual('Q'), idleThrottle: 256 })).toEqual(['error throttle-out-of-range idleThrottle']);

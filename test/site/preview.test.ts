@@ -1,6 +1,7 @@
+import type { Locator } from 'playwright';
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
-import { isWellMade, SIZES } from './well-made.js';
+import { SIZES } from './well-made.js';
 
 const preview = ({ page }: AppPage) => page.getByRole('region', { name: 'Flight preview' });
 
@@ -9,6 +10,17 @@ const turned = (app: AppPage, surface: string): Promise<string> =>
   preview(app)
     .locator(`[data-surface=${surface}]`)
     .evaluate((element) => (element as SVGElement).style.transform);
+
+/** What a finger would miss. */
+const tooSmall = (part: Locator): Promise<string[]> =>
+  part.locator('button, select, input').evaluateAll((controls) =>
+    controls
+      .filter((control) => {
+        const { width, height } = control.getBoundingClientRect();
+        return width > 0 && (width < 44 || height < 44);
+      })
+      .map((control) => control.outerHTML),
+  );
 
 test('the model stands under the timeline, both in one window, at the time of the cell in hand', async () => {
   const app = await AppPage.open({ viewport: SIZES.desktop });
@@ -29,7 +41,8 @@ test('the model stands under the timeline, both in one window, at the time of th
   expect(await turned(app, 'tailplane'), 'all the way up').toBe('rotate(-42deg)');
   await app.type('DT, S2', '56');
   await app.field('DT time').focus();
-  await preview(app).getByText('No servo moves at DT').waitFor();
+  await preview(app).getByText('No servo moves at DT', { exact: true }).waitFor();
+  await app.text('No servo moves at DT: this timer does not bring the model down.').first().waitFor();
 });
 
 test('the flight is played by keys alone, and the timeline shows where it is', async () => {
@@ -39,11 +52,11 @@ test('the flight is played by keys alone, and the timeline shows where it is', a
   expect(await cursor.count(), 'nothing is played').toBe(0);
   await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('60×');
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
-  await preview(app).getByText('3:03').waitFor();
+  await preview(app).getByText('3:03 min', { exact: true }).waitFor();
   await cursor.first().waitFor();
   const back = preview(app).getByRole('button', { name: 'Previous event' });
   await back.press('Enter');
-  await preview(app).getByText('3:00', { exact: true }).waitFor();
+  await preview(app).getByText('3:00 min', { exact: true }).waitFor();
   await back.press('Enter');
   await preview(app).getByText('Function 9 at 20.00 s').waitFor();
 });
@@ -52,7 +65,6 @@ test('the pilot names the servos once: on the sketch, in the lanes, and after a 
   const app = await AppPage.open({ viewport: SIZES.desktop });
   await app.trySimulated('F1Q');
   await app.button('Name the servos…').click();
-  await isWellMade(app, 'the names of the servos', { desktop: SIZES.desktop });
   await app.page.getByRole('combobox', { name: 'S1 moves' }).selectOption('Something else');
   await app.page.getByRole('textbox', { name: 'Name for what S1 moves' }).fill('Left flap');
   await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('131');
@@ -78,7 +90,9 @@ test('on a phone the picture has the preview, for a finger', async () => {
   await app.trySimulated('F1B');
   await app.button('Picture').click();
   await preview(app).getByText('Launch').waitFor();
-  await isWellMade(app, 'the picture of a phone', { phone: SIZES.phone });
+  expect(await tooSmall(preview(app))).toEqual([]);
+  await app.expectNoSidewaysScrolling();
   await app.button('Name the servos…').tap();
-  await isWellMade(app, 'the names of the servos on a phone', { phone: SIZES.phone });
+  expect(await tooSmall(app.page.getByRole('dialog'))).toEqual([]);
+  await app.expectNoSidewaysScrolling();
 });

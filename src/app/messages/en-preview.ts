@@ -20,7 +20,7 @@ export const preview = {
   motor: { true: 'Climb, motor runs', false: 'Glide, motor stopped' },
   flies: 'In flight',
   comesDown: 'DT: the model comes down',
-  nothingAtDt: 'No servo moves at DT: nothing brings the model down',
+  nothingAtDt: 'No servo moves at DT',
   duties: {
     rudder: 'Rudder',
     tailplane: 'Tailplane',

@@ -94,6 +94,12 @@ export function presetText(value: number): string {
   return inUnit(formatFigure(value, 100));
 }
 
+/** A time of a flight: “10.60 s”, “3:00 min”. */
+export function momentText(hundredths: number): string {
+  const text = formatTime(hundredths);
+  return inUnit({ text, unit: text.includes(':') ? 'min' : 's' });
+}
+
 function inUnit({ text, unit }: Figure): string {
   const { figure, units } = messages.value.times;
   return figure(text, units[unit]);

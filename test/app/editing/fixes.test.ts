@@ -38,6 +38,7 @@ describe('what the pilot has to decide', () => {
   it.each([
     ['a motor that stops after DT', { ...held, times: held.times.with(0, 19000) }, 'motor-stop-after-dt'],
     ['a short DT', timed(5, 2000), 'dt-short'],
+    ['a DT at which nothing moves', { ...held, positions: [Array(6).fill(50), Array(6).fill(50)] }, 'dt-moves-nothing'],
     ['a DT before the function before it', timed(4, 35000), 'time-falls'],
     ['a DT at the function before it', timed(4, 18000), 'position-never-reached'],
     [

@@ -4,10 +4,13 @@ import { checkProgram, requireShape } from '../../../src/program/index.js';
 import { requireIdentity } from '../../../src/protocol/index.js';
 
 describe('a new program', () => {
-  it.each(CLASSES)('of class %s with usual times is nothing that the checks find unusual', (timerClass) => {
-    const program = newProgram({ timerClass, ...USUAL_LAYOUT, from: 'usual' });
-    expect(checkProgram(program)).toEqual([]);
-  });
+  it.each(CLASSES)(
+    'of class %s with usual times is nothing unusual, but for a DT that moves nothing until the pilot says what',
+    (timerClass) => {
+      const program = newProgram({ timerClass, ...USUAL_LAYOUT, from: 'usual' });
+      expect(checkProgram(program).map(({ code }) => code)).toEqual(['dt-moves-nothing']);
+    },
+  );
 
   it.each(CLASSES)('of class %s has the shape of every layout, and its functions rise', (timerClass) => {
     for (const functions of LAYOUTS.functions) {

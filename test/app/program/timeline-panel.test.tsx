@@ -169,7 +169,7 @@ describe('the timeline', () => {
     expect(document.querySelector('.timeline-panel .crosshair')).toBeNull();
     fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
     await idle(0);
-    expect(happened()).toBe('DT at 3:00');
+    expect(happened()).toBe('DT at 3:00 min');
     expect(document.querySelector('.timeline-panel .crosshair')).toBeTruthy();
   });
 

@@ -2,8 +2,7 @@ import { computed, useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
-import { formatTime } from '../../editing/units.js';
-import { dutyName, messages, slotLabel } from '../../messages/index.js';
+import { dutyName, messages, momentText, slotLabel } from '../../messages/index.js';
 import type { ServoUse } from '../../session/servo-uses.js';
 import { servoClass } from '../servo-class.js';
 import { endOf, eventsBetween, type FlightEvent, motorStopOf, reachedAt } from './flight.js';
@@ -136,7 +135,7 @@ function AtDt({ moved }: { readonly moved: readonly number[] }) {
 }
 
 function Clock({ player }: { readonly player: Player }) {
-  return <strong class="preview-clock">{messages.value.seconds(formatTime(player.shown.value))}</strong>;
+  return <strong class="preview-clock">{momentText(player.shown.value)}</strong>;
 }
 
 /** What came last. It is said when it comes in a flight that is gone through, and not of what is only looked at. */
@@ -156,12 +155,12 @@ function Happening({ program, player }: ShownProps) {
 
 /** What happened last up to a time; all of it, where several things happened at once. */
 function lastText(program: TimerProgram, time: number): string {
-  const { preview, seconds } = messages.value;
+  const { preview } = messages.value;
   const events = eventsBetween(program, -1, time);
   const last = events.at(-1);
   if (!last) return preview.launch;
   const names = events.filter((event) => event.time === last.time).map((event) => eventName(program, event));
-  return preview.at(names.join(', '), seconds(formatTime(last.time)));
+  return preview.at(names.join(', '), momentText(last.time));
 }
 
 function eventName({ identity }: TimerProgram, event: FlightEvent): string {

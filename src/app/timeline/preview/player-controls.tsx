@@ -1,8 +1,7 @@
 import { effect, useSignal } from '@preact/signals';
 import { useEffect, useMemo } from 'preact/hooks';
 import type { TimerProgram } from '../../../program/index.js';
-import { formatTime } from '../../editing/units.js';
-import { messages } from '../../messages/index.js';
+import { messages, momentText } from '../../messages/index.js';
 import { stretchedScale } from '../scale.js';
 import { Icon } from '../tools.js';
 import { endOf, eventsBetween, marksOf } from './flight.js';
@@ -114,7 +113,7 @@ const PLACES = 500;
 const MIN_GAP = 0.05;
 
 function Scrubber({ program, player }: PlayerControlsProps) {
-  const { preview, seconds } = messages.value;
+  const { preview } = messages.value;
   const scale = useMemo(() => stretchedScale(marksOf(program), { minGap: MIN_GAP, runOut: MIN_GAP }), [program]);
   const time = player.shown.value;
   return (
@@ -125,7 +124,7 @@ function Scrubber({ program, player }: PlayerControlsProps) {
       max={PLACES}
       value={Math.round(scale.place(time) * PLACES)}
       aria-label={preview.time}
-      aria-valuetext={seconds(formatTime(time))}
+      aria-valuetext={momentText(time)}
       onInput={(event) => player.seek(Math.round(scale.time(Number(event.currentTarget.value) / PLACES)))}
     />
   );
