@@ -34,7 +34,8 @@ export function BenchPanel({ session, write, bench, follow, expert }: BenchPanel
     <div class="bench">
       <p class="hint">{connected ? words.lead : words.notConnected}</p>
       {connected && <SafetyCheck safety={session.safety} />}
-      <FollowNote session={session} write={write} bench={bench} follow={follow} />
+      {/* That they follow says the switch. */}
+      {!follow.on.value && <FollowNote session={session} write={write} bench={bench} follow={follow} />}
       <div class="bench-stage">
         <div class="bench-work">
           <Said bench={bench} identity={identity} />
