@@ -6,7 +6,8 @@ export const settings = {
   title: 'Settings',
   look: 'Look',
   expert: 'Expert: show the line',
-  expertHint: 'The line shows every byte between this page and the timer.',
+  expertHint:
+    'The line shows every byte between this page and the timer. The bench offers a jump that is not documented.',
   kept: 'What this device keeps',
 };
 
