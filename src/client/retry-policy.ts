@@ -104,12 +104,33 @@ export function overtime({ baudRate }: LineTiming): number {
   return wireTime(LONGEST_FRAME, baudRate) + SILENCE;
 }
 
+/** Several exchanges one after another: how many, and the bytes of all their requests and replies. */
+export interface Exchanges {
+  readonly count: number;
+  readonly bytes: number;
+}
+
+/** These exchanges with a timer; with one that has not said what it is, each may have the longest frames. */
+export function exchangesOf(names: readonly CommandName[], identity: Identity | null): Exchanges {
+  let bytes = 0;
+  for (const name of names) {
+    const size = identity ? exchangeSize(name, identity) : { request: LONGEST_FRAME, reply: LONGEST_FRAME };
+    bytes += size.request + size.reply;
+  }
+  return { count: names.length, bytes };
+}
+
 /**
- * Milliseconds that one exchange takes at most: its own answer does not come, and something else does until the end.
+ * Milliseconds that these exchanges take at most: the own answer of each does not come, and something else does until
+ * the end.
  */
+export function longestExchanges({ count, bytes }: Exchanges, timing: LineTiming): number {
+  return wireTime(bytes, timing.baudRate) + count * (timing.margin + overtime(timing) + SILENCE);
+}
+
+/** The same for one. */
 export function longestExchange(name: CommandName, identity: Identity | null, timing: LineTiming): number {
-  const { request, reply } = identity ? exchangeSize(name, identity) : { request: LONGEST_FRAME, reply: LONGEST_FRAME };
-  return replyTime(request + reply, timing) + overtime(timing) + SILENCE;
+  return longestExchanges(exchangesOf([name], identity), timing);
 }
 
 /**

@@ -1,8 +1,17 @@
 import type { Clock } from '../line/index.js';
-import { type CommandName, exchangeSize, type Identity } from '../protocol/index.js';
+import type { CommandName, Identity } from '../protocol/index.js';
 import { tell } from './callback.js';
 import type { OnProgress, Progress } from './progress.js';
-import { KEPT_FOR_THE_END, type LineTiming, LOST_TO_DAMAGE, longestExchange } from './retry-policy.js';
+import {
+  type Exchanges,
+  exchangesOf,
+  KEPT_FOR_THE_END,
+  type LineTiming,
+  LOST_TO_DAMAGE,
+  longestExchanges,
+} from './retry-policy.js';
+
+const NONE: Exchanges = { count: 0, bytes: 0 };
 
 /** A part of a job: what it asks when nothing goes wrong. */
 export interface Part {
@@ -31,6 +40,8 @@ export class Schedule {
   readonly #clock: Clock;
   readonly #timing: LineTiming;
   #job: PlannedJob = { parts: [], identity: null };
+  /** All that the job asks. */
+  #whole = NONE;
   #begin = Number.POSITIVE_INFINITY;
   /** Milliseconds that the caller's own callbacks took. */
   #waited = 0;
@@ -39,7 +50,7 @@ export class Schedule {
   #left: CommandName[] = [];
   #stage: Progress['stage'] | undefined;
   /** What the job has to do at its end, whatever happens before. */
-  readonly #kept = new Set<readonly CommandName[]>();
+  readonly #kept = new Set<Exchanges>();
   #repeats = 0;
   #repeatsBefore = 0;
 
@@ -55,12 +66,13 @@ export class Schedule {
 
   /** The clock's time at which this job has ended at the latest: nothing is begun for which there is no time left. */
   get endsBy(): number {
-    const names = this.#job.parts.flatMap((part) => part.names);
-    return this.#begin + this.#waited + this.#timeFor(names) + LOST_TO_DAMAGE;
+    return this.#begin + this.#waited + this.#timeFor(this.#whole) + LOST_TO_DAMAGE;
   }
 
   begin(job: PlannedJob): void {
     this.#job = job;
+    const names = job.parts.flatMap((part) => part.names);
+    this.#whole = exchangesOf(names, job.identity);
     this.#begin = this.#clock.now();
     this.#waited = 0;
     this.memory = null;
@@ -99,17 +111,19 @@ export class Schedule {
 
   /** Whether something that takes so many milliseconds at most may still begin. */
   hasTimeFor(ms: number): boolean {
-    const kept = [...this.#kept].reduce((sum, names) => sum + this.#timeFor(names) + KEPT_FOR_THE_END, 0);
+    let kept = 0;
+    for (const exchanges of this.#kept) kept += this.#timeFor(exchanges) + KEPT_FOR_THE_END;
     return this.#clock.now() + ms <= this.endsBy - kept;
   }
 
   /** Does a part of the job in such a way that time is left for these exchanges after it. */
   async keepTimeFor<T>(names: readonly CommandName[], work: () => Promise<T>): Promise<T> {
-    this.#kept.add(names);
+    const kept = exchangesOf(names, this.#job.identity);
+    this.#kept.add(kept);
     try {
       return await work();
     } finally {
-      this.#kept.delete(names);
+      this.#kept.delete(kept);
     }
   }
 
@@ -127,28 +141,18 @@ export class Schedule {
    * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may
    * have to be read twice, and what was written be put right and read back again.
    */
-  #timeFor(names: readonly CommandName[]): number {
-    const { identity } = this.#job;
-    return names.reduce((sum, name) => sum + 2 * longestExchange(name, identity, this.#timing), 0);
+  #timeFor(exchanges: Exchanges): number {
+    return 2 * longestExchanges(exchanges, this.#timing);
   }
 
   #report(): void {
-    const { parts, onProgress } = this.#job;
+    const { parts, onProgress, identity } = this.#job;
     if (this.#stage === undefined || !onProgress) return;
-    const behind = parts.slice(this.#at + 1).flatMap(({ names }) => names);
-    const total = this.#bytes(parts.flatMap(({ names }) => names));
-    const done = total - this.#bytes([...this.#left, ...behind]);
+    const left = [...this.#left, ...parts.slice(this.#at + 1).flatMap(({ names }) => names)];
+    // Nothing is known of the sizes before the timer has said what it is.
+    const total = identity ? this.#whole.bytes : 0;
+    const done = identity ? total - exchangesOf(left, identity).bytes : 0;
     const { memory, endsBy } = this;
     tell(onProgress, { stage: this.#stage, done, total, memory, repeats: this.#repeats, endsBy });
-  }
-
-  /** Bytes of the line that these exchanges take. */
-  #bytes(names: readonly CommandName[]): number {
-    const { identity } = this.#job;
-    if (!identity) return 0;
-    return names.reduce((sum, name) => {
-      const { request, reply } = exchangeSize(name, identity);
-      return sum + request + reply;
-    }, 0);
   }
 }
