@@ -136,8 +136,9 @@ export class AppPage {
   }
 
   async readAgain(): Promise<void> {
-    if ((await this.actions.getByRole('button', { name: 'Read again' }).count()) === 0) await this.showFigures();
-    await this.button('Read again').click();
+    const button = this.page.locator('.actions, .strip-panel').getByRole('button', { name: 'Read again' });
+    if ((await button.count()) === 0) await this.showFigures();
+    await button.click();
     await this.isReady();
   }
 
@@ -194,7 +195,8 @@ export class AppPage {
 
   /** The text of the status line above the program, once it says this. */
   async says(sentence: string | RegExp): Promise<void> {
-    await this.page.locator('.notices').getByText(sentence).waitFor();
+    // While a timer is looked for at the start, that holds the stage.
+    await this.page.locator('.notices, .link-stage').getByText(sentence).first().waitFor();
   }
 
   async review(): Promise<void> {

@@ -1,11 +1,18 @@
 import { messages } from '../messages/index.js';
 import { type Session, SIMULATED_CLASSES } from '../session/session.js';
 
+interface ConnectButtonsProps {
+  readonly session: Session;
+  readonly large?: boolean;
+  /** Where there is no room for all of them: `first` is the one that is wanted most. Default: all. */
+  readonly part?: 'first' | 'rest';
+}
+
 /**
  * Connect, or Read where the first reading failed; the simulated timer again where the program is of it; Choose a port
  * for when the one used before is the wrong one; and where a program is on the screen, the way back to the start.
  */
-export function ConnectButtons({ session, large = false }: { readonly session: Session; readonly large?: boolean }) {
+export function ConnectButtons({ session, large = false, part }: ConnectButtonsProps) {
   const { header, program } = messages.value;
   const notice = session.notices.current.value;
   const timerClass = session.editor.working.value?.identity.timerClass;
@@ -14,7 +21,7 @@ export function ConnectButtons({ session, large = false }: { readonly session: S
   const choice = failed || session.link.ports.value.length > 0;
   return (
     <>
-      {!session.link.unavailable && (
+      {part !== 'rest' && !session.link.unavailable && (
         <button
           type="button"
           class={large ? 'primary large' : 'primary'}
@@ -24,17 +31,17 @@ export function ConnectButtons({ session, large = false }: { readonly session: S
           {session.connection.value ? program.read : header.connect}
         </button>
       )}
-      {again && (
+      {part !== 'first' && again && (
         <button type="button" disabled={session.engaged.value} onClick={() => void session.trySimulated(again)}>
           {header.simulatedTimer}
         </button>
       )}
-      {choice && (
+      {part !== 'first' && choice && (
         <button type="button" disabled={session.engaged.value} onClick={() => void session.connect(true)}>
           {header.choosePort}
         </button>
       )}
-      {timerClass && !session.connection.value && (
+      {part !== 'first' && timerClass && !session.connection.value && (
         <button type="button" class="quiet" disabled={session.engaged.value} onClick={() => session.putAway()}>
           {header.putAway}
         </button>

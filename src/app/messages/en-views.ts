@@ -31,7 +31,7 @@ export const strip = {
   shortChanges: (count: number) => String(count),
   asInTimer: '✓',
   notCertain: 'not certain',
-  asRead: 'as last read',
+  asRead: 'last read',
   /** Of a program that was made here, and is in no timer. */
   made: 'new',
   changes: (count: number) => plural(count, 'change', 'changes'),

@@ -50,6 +50,11 @@ export function ProgramView(props: ProgramViewProps) {
   const isNarrow = useQuery(NARROW).value;
   const picture = useSignal(false);
   const tools = useMemo(() => new RowTools(session.editor), [session]);
+  const toggle = (): void => {
+    picture.value = !picture.value;
+    // Each of the two begins at its top.
+    document.documentElement.scrollTop = 0;
+  };
   // What was read of a timer that is not connected any more may be something else by now.
   const isPast = session.link.state.value.status === 'off' && session.editor.madeAt.value === null;
   if (!identity) return null;
@@ -93,7 +98,7 @@ export function ProgramView(props: ProgramViewProps) {
         <CommandBar
           {...{ session, write, bench, follow }}
           onShift={isNarrow ? null : () => tools.showFor(selected.peek())}
-          picture={isNarrow ? { open: picture.value, onToggle: () => (picture.value = !picture.value) } : null}
+          picture={isNarrow ? { open: picture.value, onToggle: toggle } : null}
         />
       )}
     </div>

@@ -56,7 +56,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
   }, [isOpen, close]);
   const actions = (
     <div class="top-actions">
-      {status === 'off' && identity && <ConnectButtons session={session} />}
+      {status === 'off' && identity && <ConnectButtons session={session} {...(isNarrow ? { part: 'rest' } : {})} />}
       {status === 'on' && (
         <button type="button" class="quiet" onClick={() => void leaving.disconnect()}>
           {header.disconnect}
@@ -72,7 +72,11 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
           <img src="./favicon.svg" alt="" width="32" height="32" />
           {!identity && <span>{name}</span>}
         </p>
-        <LinkState link={session.link} />
+        {isNarrow && identity && status === 'off' && !session.link.unavailable ? (
+          <ConnectButtons session={session} part="first" />
+        ) : (
+          <LinkState link={session.link} />
+        )}
         {!isNarrow && choice}
         {identity && (
           <button
