@@ -79,7 +79,7 @@ export default defineConfig({
           include: ['test/site/**/*.test.ts'],
           globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
           // A journey mostly waits for the line: several can run side by side, and share a browser one after another.
-          maxWorkers: 3 * maxWorkers,
+          maxWorkers: Math.min(3 * maxWorkers, 8),
           isolate: false,
           // Its turn comes when the other floors are done.
           sequence: { groupOrder: 1 },
