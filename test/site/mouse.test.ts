@@ -64,6 +64,7 @@ describe('a drag with the mouse selects and moves no value', () => {
     const app = await opened();
     const { mouse } = app.page;
     const before = await app.entries();
+    await app.showFigures();
     await app.field('DT').selectText();
     const dt = await app.field('DT').boundingBox();
     const motorStop = await app.field('Motor stop').boundingBox();
@@ -87,7 +88,7 @@ describe('a drag with the mouse selects and moves no value', () => {
 });
 
 test('the wheel over the field that has the focus moves the page, and with Alt the value', async () => {
-  const app = await AppPage.open({ bench: {}, viewport: { width: 1280, height: 700 } });
+  const app = await AppPage.open({ bench: {}, viewport: { width: 1280, height: 520 } });
   await app.connect();
   const { mouse, keyboard } = app.page;
   const input = app.field('Function 2, S1');
