@@ -168,6 +168,23 @@ describe('two memories', () => {
     expect(screen.getByText('They hold the same.')).toBeTruthy();
   });
 
+  it('stand in the grid of the program when much differs, with what has no place there below', async () => {
+    const { session } = await read();
+    const m2 = session.knowledge.of(1);
+    if (m2.state !== 'read') throw new Error('not read');
+    const positions = m2.program.positions.map((row) => row.map((position) => position + 1));
+    session.knowledge.read({ ...m2.program, positions, idleThrottle: 77 });
+    await press('Compare with M1: M2');
+    expect(screen.getByText('35 values differ.')).toBeTruthy();
+    const grid = within(screen.getByRole('table', { name: 'M2 and M1 compared' }));
+    const row = (name: string) =>
+      [...(grid.getByRole('rowheader', { name }).parentElement?.children ?? [])].map(({ textContent }) => textContent);
+    expect(row('Motor stop')).toEqual(['Motor stop', '10.0 s', '']);
+    expect(row('Start')).toEqual(['Start', '', 'M2 16 M1 15', 'M2 16 M1 15', 'M2 16 M1 15']);
+    expect(row('DT')[1]).toBe('M2 3:30 min M1 3:00 min');
+    expect(cells(), 'the idle throttle').toEqual(['77', '30']);
+  });
+
   it('are read there where one has not been', async () => {
     await atMemories();
     await press('Compare with M2: M1');

@@ -1,0 +1,76 @@
+import { type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { slotCount } from '../../protocol/index.js';
+import { figureText, messages, slotLabel } from '../messages/index.js';
+import './comparison-grid.css';
+
+interface ComparisonGridProps {
+  readonly first: TimerProgram;
+  readonly second: TimerProgram;
+  /** What the two are called. */
+  readonly names: readonly [string, string];
+}
+
+/** Two programs in one grid: a value that both hold stands once, one that differs twice. */
+export function ComparisonGrid({ first, second, names }: ComparisonGridProps) {
+  const { overview: words, program: titles, servoName } = messages.value;
+  const { identity } = first;
+  const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
+  const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
+  return (
+    <div class="comparison-grid">
+      <table>
+        <caption class="visually-hidden">{words.compared(...names)}</caption>
+        <thead>
+          <tr>
+            <th scope="col">
+              {names[0]} <small>{names[1]}</small>
+            </th>
+            <th scope="col">{titles.time}</th>
+            {servos.map((servo) => (
+              <th scope="col" key={servo}>
+                {servoName(servo)}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {identity.timerClass === 'Q' && (
+            <tr class="motor-stop">
+              <th scope="row">{titles.motorStop}</th>
+              <Cell {...{ first, second, names }} field={{ kind: 'time', slot: 0 }} />
+              <td colSpan={servos.length} />
+            </tr>
+          )}
+          {slots.map((slot) => (
+            <tr key={slot}>
+              <th scope="row">{slotLabel(identity, slot)}</th>
+              {slot === 0 ? <td /> : <Cell {...{ first, second, names }} field={{ kind: 'time', slot }} />}
+              {servos.map((servo) => (
+                <Cell key={servo} {...{ first, second, names }} field={{ kind: 'position', servo, slot }} />
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+interface CellProps extends ComparisonGridProps {
+  readonly field: ProgramField;
+}
+
+function Cell({ first, second, names, field }: CellProps) {
+  const [one, other] = [first, second].map((program) => {
+    const value = valueAt(program, field);
+    return value === null ? '' : figureText(program.identity, field, value);
+  });
+  if (one === other) return <td>{one}</td>;
+  return (
+    <td class="differs">
+      <span class="visually-hidden">{names[0]} </span>
+      {one} <span class="visually-hidden">{names[1]} </span>
+      <small>{other}</small>
+    </td>
+  );
+}
