@@ -46,9 +46,11 @@ export function LinkStage({ session, platform }: LinkStageProps) {
       ) : (
         <span class={`stage-ring ${waiting.step === null ? '' : 'slow'}`} />
       )}
-      <h1 id="stage-title" ref={title} tabIndex={-1}>
-        <span role="status">{waiting.said.title}</span>
-      </h1>
+      <div role="status">
+        <h1 id="stage-title" ref={title} tabIndex={-1}>
+          {waiting.said.title}
+        </h1>
+      </div>
       <p class="stage-lead">
         {waiting.step !== null && words.stages.noAnswer(seconds)} {waiting.said.advice}
       </p>

@@ -62,15 +62,8 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
   }
   return (
     <li class="kept-program">
-      <button
-        type="button"
-        class="quiet open"
-        aria-label={words.open(what, when)}
-        disabled={session.engaged.value}
-        onClick={() => session.showKept(draft)}
-      >
-        <strong>{what}</strong>
-        <span>{when}</span>
+      <button type="button" class="quiet open" disabled={session.engaged.value} onClick={() => session.showKept(draft)}>
+        <span class="visually-hidden">{words.open}</span> <strong>{what}</strong> <span>{when}</span>{' '}
         <span class="figure-of">{dt && `${dt.label} ${dt.text}`}</span>
       </button>
       <button type="button" class="quiet" aria-label={words.removeOf(what, when)} onClick={() => (asked.value = true)}>

@@ -34,7 +34,8 @@ export const start = {
     /** Changes that no timer has. */
     changesOf: (timer: string) => `${timer}, changes`,
     changedAt: (time: string) => `changed ${time}`,
-    open: (what: string, when: string) => `Open ${what}, ${when}`,
+    /** Before its name, for who hears it. */
+    open: 'Open',
     remove: 'Delete',
     removeOf: (what: string, when: string) => `Delete ${what}, ${when}`,
     sure: 'Delete it for good?',

@@ -78,7 +78,7 @@ describe('what this device keeps', () => {
     await type('DT time', '4:00');
     await press('Close program');
     expect(card('My programs').getByText('DT 4:00 min')).toBeTruthy();
-    await press(/^Open F1Q, new, made \d\d:\d\d$/);
+    await press(/^Open F1Q, new made \d\d:\d\d DT 4:00 min$/);
     expect(field('DT time').value).toBe('4:00');
     await press('Close program');
     await press(/^Delete F1Q/);
@@ -93,7 +93,7 @@ describe('what this device keeps', () => {
     await type('Function 2, S1', '7');
     await run(bench.session.disconnect());
     await press('Close program');
-    await press(/^Open F1Q, M1, changes, changed/);
+    await press(/^Open F1Q, M1, changes changed/);
     expect(field('Function 2, S1').value).toBe('7');
   });
 
