@@ -73,8 +73,9 @@ describe('a drag with the mouse selects and moves no value', () => {
     await mouse.down();
     await mouse.move(motorStop.x + 20, motorStop.y + motorStop.height / 2, { steps: 8 });
     await mouse.up();
-    await app.page.evaluate(() => getSelection()?.selectAllChildren(document.querySelector('h2') as Element));
-    const heading = await app.page.locator('h2').first().boundingBox();
+    const checks = app.page.getByRole('heading', { name: 'Checks' });
+    await checks.evaluate((element) => getSelection()?.selectAllChildren(element));
+    const heading = await checks.boundingBox();
     if (!heading) throw new Error('There is no heading.');
     for (const place of [await textOf(cell(app, 'Function 2, S1')), { x: dt.x + 20, y: dt.y + dt.height / 2 }]) {
       await mouse.move(heading.x + 10, heading.y + heading.height / 2);
