@@ -15,6 +15,8 @@ interface Seen {
 async function opened(options: AppOptions = {}): Promise<Seen> {
   const app = await AppPage.open({ bench: {}, ...options });
   await app.connect();
+  // On a phone the picture takes the place of the table.
+  if (options.isMobile) await app.button('Picture').click();
   const mark = app.page.getByRole('group', { name: 'Servo positions over time' }).getByRole('slider', { name: FIELD });
   await mark.scrollIntoViewIfNeeded();
   return { app, mark };
@@ -36,12 +38,13 @@ const stands = (mark: Locator, time: number): Promise<void> =>
  * A mark that was moved: by whole steps of 0.1 s, in the table with the old value, and in one step that can be undone.
  */
 async function isMoved({ app, mark }: Seen): Promise<void> {
-  const value = await cell(app).inputValue();
-  const hundredths = Math.round(Number(value) * 100);
+  const hundredths = Math.round(Number(await mark.getAttribute('aria-valuenow')) * 100);
   expect(hundredths).toBeGreaterThan(1150);
   expect(hundredths, 'before its neighbour').toBeLessThan(1200);
-  expect(hundredths % 10, `steps of 0.1 s: ${value}`).toBe(0);
-  await stands(mark, hundredths / 100);
+  expect(hundredths % 10, `steps of 0.1 s: ${hundredths}`).toBe(0);
+  if (await app.button('Table').isVisible()) await app.button('Table').click();
+  const value = (hundredths / 100).toFixed(2);
+  expect(await cell(app).inputValue()).toBe(value);
   expect(await cell(app).getAttribute('aria-describedby'), 'the old value is said with it').not.toBeNull();
   await app.table.getByText('was 11.50 s').waitFor();
   await app.text('1 change').waitFor();
@@ -91,10 +94,23 @@ describe('the mark of a function is moved', () => {
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
       devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
     await touch('touchStart', { x, y });
-    for (let way = 2; way <= 12; way += 2) await touch('touchMove', { x: x + way, y: y + way });
+    for (let way = 2; way <= 16; way += 2) await touch('touchMove', { x: x + way, y: y + way });
     await touch('touchEnd');
     expect(await scrolled()).toBe(before);
     await isMoved(seen);
+  });
+
+  test('by finger, step by step where it is far from the mark', async () => {
+    const { app, mark } = await opened(PHONE);
+    const { x, y } = await middleOf(mark);
+    const devTools = await app.page.context().newCDPSession(app.page);
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...touchPoints: { x: number; y: number }[]) =>
+      devTools.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', { x, y });
+    for (let way = 1; way <= 16; way++) await touch('touchMove', { x: x + way, y: y + 220 });
+    await app.text('Step by step').waitFor();
+    await touch('touchEnd');
+    await stands(mark, 11.6);
   });
 
   test('by keyboard: each key is a step of its own, and a key that is held is one', async () => {
