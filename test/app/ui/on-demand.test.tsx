@@ -1,0 +1,37 @@
+import { render, screen } from '@testing-library/preact';
+import { expect, it } from 'vitest';
+import { onDemand } from '../../../src/app/ui/on-demand.js';
+
+const Text = ({ text }: { readonly text: string }) => <p>{text}</p>;
+
+it('is fetched once when it is first shown, and says so meanwhile', async () => {
+  let fetched = 0;
+  const { Part, fetch } = onDemand(async () => {
+    fetched++;
+    return Text;
+  });
+  render(<Part text="here" />);
+  expect(screen.getByText('Loading')).toBeTruthy();
+  expect([(await screen.findByText('here')).tagName, screen.queryByText('Loading')]).toEqual(['P', null]);
+  await fetch();
+  expect(fetched).toBe(1);
+});
+
+it('that does not come says so, and is asked for again', async () => {
+  let broken = true;
+  const { Part } = onDemand(async () => {
+    if (broken) throw new Error('no network');
+    return Text;
+  });
+  render(<Part text="here" />);
+  await screen.findByText('This part of the page could not be loaded.');
+  broken = false;
+  screen.getByRole('button', { name: 'Try again' }).click();
+  await screen.findByText('here');
+});
+
+it('leaves nothing in its place where it is a dialog', () => {
+  const { Part } = onDemand(() => new Promise<typeof Text>(() => {}), { silent: true });
+  const { container } = render(<Part text="here" />);
+  expect(container.innerHTML).toBe('');
+});

@@ -1,0 +1,94 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { PHONE } from './page.js';
+
+const VIEWS = ['Program', 'Memories', 'Bench', 'Library', 'Line', 'Settings'] as const;
+
+const heading = (app: AppPage): Promise<string> =>
+  app.page.getByRole('main').getByRole('heading', { level: 1 }).innerText();
+
+test('each view has an address: Back leads through them, and a reload shows the same', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  for (const view of VIEWS) {
+    await app.goTo(view);
+    await expect.poll(() => heading(app)).toContain(view);
+    const named = view === 'Program' ? 'Sidus Timer' : `${view} · Sidus Timer`;
+    expect([new URL(app.page.url()).hash, await app.page.title()]).toEqual([`#${view.toLowerCase()}`, named]);
+  }
+  for (const view of [...VIEWS].reverse().slice(1)) {
+    await app.page.goBack();
+    await expect.poll(() => heading(app)).toContain(view);
+  }
+  await app.goTo('Memories');
+  await app.reload();
+  await expect.poll(() => heading(app)).toBe('Memories');
+});
+
+test('a view is found as it was left: the focus, how far it was scrolled, and what was typed', async () => {
+  const app = await AppPage.open({ bench: { granted: true }, viewport: { width: 900, height: 560 } });
+  await app.connect();
+  await app.field('Function 9, S2').fill('7');
+  const scrolled = await app.page.evaluate(() => scrollY);
+  expect(scrolled).toBeGreaterThan(0);
+  await app.goTo('Memories');
+  await expect.poll(() => app.page.evaluate(() => scrollY)).toBe(0);
+  await app.page.goBack();
+  const inHand = app.field('Function 9, S2');
+  await expect.poll(() => inHand.evaluate((input) => input === document.activeElement)).toBe(true);
+  expect([await app.page.evaluate(() => scrollY), await inHand.inputValue()]).toEqual([scrolled, '7']);
+  await app.text('1 change').first().waitFor();
+});
+
+test('every action is found by its name and done by Enter, where it can be done', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  const palette = app.page.getByRole('dialog', { name: 'Commands' });
+  const command = async (words: string): Promise<void> => {
+    await app.page.keyboard.press('Control+k');
+    await palette.waitFor();
+    await app.page.keyboard.type(words);
+    await app.page.keyboard.press('Enter');
+    await palette.waitFor({ state: 'hidden' });
+  };
+  await command('connect');
+  await app.hasRead();
+  await command('dt 4');
+  expect(await app.valueOf('DT time')).toBe('4:00');
+  await command('undo');
+  expect(await app.valueOf('DT time')).toBe('3:00');
+  await command('go memo');
+  await expect.poll(() => heading(app)).toBe('Memories');
+  await command('colours dark');
+  await expect.poll(() => app.page.locator('html').getAttribute('data-theme')).toBe('dark');
+
+  await app.page.keyboard.press('Control+k');
+  await app.page.keyboard.type('write');
+  await palette.getByRole('option', { name: 'Write…' }).waitFor();
+  await app.page.keyboard.type(' nothing like this');
+  await palette.getByRole('status').getByText('Nothing is called that').waitFor();
+  await app.page.keyboard.press('Escape');
+  await palette.waitFor({ state: 'hidden' });
+  // It is closed over no question: nothing may hide what is asked.
+  await app.goTo('Program');
+  await app.type('DT time', '5:00');
+  await app.review();
+  await app.page.keyboard.press('Control+k');
+  expect(await palette.count()).toBe(0);
+});
+
+test('the strip says in every view what flies next, DT, motor stop and what is known', async () => {
+  for (const size of [PHONE, {}]) {
+    const app = await AppPage.open({ bench: { granted: true }, ...size });
+    await app.connect();
+    const strip = app.page.locator('.strip-line');
+    for (const view of VIEWS) {
+      await app.goTo(view);
+      const said = (await strip.innerText()).replace(/\s+/g, ' ');
+      for (const what of ['F1Q', 'M1', 'DT 3:00', '10.0']) expect(said).toContain(what);
+      await strip.getByText(/As in the timer, read \d\d:\d\d/).waitFor({ state: 'attached' });
+    }
+    await app.goTo('Program');
+    await app.type('DT time', '0:20');
+    await expect.poll(() => strip.innerText()).toMatch(/Short DT/i);
+  }
+});
