@@ -12,8 +12,12 @@ export function useSheetPlace(sheet: RefObject<HTMLElement | null>, input: HTMLI
     sheet.current?.showPopover?.();
     documentElement.setAttribute('data-sheet', '');
     return () => {
-      documentElement.removeAttribute('data-sheet');
-      documentElement.style.removeProperty('--sheet');
+      // What has put it away is a tap, which ends where it began: nothing moves under it.
+      requestAnimationFrame(() => {
+        if (document.querySelector('.edit-sheet')) return;
+        documentElement.removeAttribute('data-sheet');
+        documentElement.style.removeProperty('--sheet');
+      });
     };
   }, [sheet]);
   useLayoutEffect(() => {
