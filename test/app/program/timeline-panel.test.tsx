@@ -115,7 +115,7 @@ describe('the timeline', () => {
     await key('DT time', 'ArrowRight');
     await idle(100);
     observer.disconnect();
-    expect(facts.querySelector('.preview-clock')?.textContent).toBe('3:01');
+    expect(facts.querySelector('.preview-clock')?.textContent).toBe('3:01 min');
     expect(
       removed.map(({ textContent }) => textContent),
       'that it comes down was never not so',
