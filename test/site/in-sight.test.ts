@@ -67,6 +67,7 @@ test('nothing stands over the edge of the smallest phone: five memories, and thr
     const box = await place.boundingBox();
     expect((box?.x ?? 0) + (box?.width ?? 0), String(place)).toBeLessThan(320);
   };
+  await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
   await app.goTo('Memories');
   await app.button('Copy to…: M1').click();

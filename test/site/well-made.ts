@@ -30,8 +30,8 @@ function smallTargets(app: AppPage): Promise<string[]> {
     const targets = [...document.querySelectorAll('button, input, select, summary')].map((element) =>
       element.matches('[type=checkbox], [type=radio]') ? (element.closest('label') ?? element) : element,
     );
-    // The heads of the table are lower than its rows: all rows shall be in sight.
-    const least = matchMedia('(min-width: 760px) and (hover: hover) and (pointer: fine)').matches ? 29 : 44;
+    // The least that WCAG asks for a mouse: heads of the table and low lanes are lower than its rows.
+    const least = matchMedia('(min-width: 760px) and (hover: hover) and (pointer: fine)').matches ? 24 : 44;
     return targets.flatMap((element) => {
       const { width, height } = element.getBoundingClientRect();
       const isSeen = width > 0 && height > 0;

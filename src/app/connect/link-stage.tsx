@@ -3,6 +3,7 @@ import type { LinkState } from '../../serial/index.js';
 import type { Platform } from '../browser/platform.js';
 import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { disturbedText } from '../ui/progress-line.js';
 import { ConnectionHelp } from './connection-help-view.js';
 import { StepList } from './step-list.js';
 import { WAIT_STEPS, type Waiting, waitingFor } from './waiting.js';
@@ -38,7 +39,9 @@ export function LinkStage({ session, platform }: LinkStageProps) {
       if (document.activeElement === document.body) document.querySelector('main')?.focus({ preventScroll: true });
     };
   }, []);
-  const share = job?.progress && { value: job.progress.done, max: job.progress.total };
+  const progress = job?.progress ?? null;
+  const share = progress && progress.total > 0 && { value: progress.done, max: progress.total };
+  const disturbed = disturbedText(progress);
   return (
     <section class="link-stage" aria-labelledby="stage-title">
       {share ? (
@@ -54,6 +57,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
       <p class="stage-lead">
         {waiting.step !== null && words.stages.noAnswer(seconds)} {waiting.said.advice}
       </p>
+      {disturbed && <p class="hint">{disturbed}</p>}
       {waiting.step !== null && <Steps session={session} waiting={waiting} />}
       <div class="buttons">
         {waiting.step === null && waiting.canChoose && <ChooseAnother session={session} />}

@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals';
-import { useEffect, useId, useRef } from 'preact/hooks';
+import { useEffect, useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { Modal } from '../ui/modal.js';
 import './palette.css';
@@ -49,8 +49,6 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
   const text = useSignal('');
   const at = useSignal(0);
   const list = useId();
-  const input = useRef<HTMLInputElement>(null);
-  useEffect(() => input.current?.focus(), []);
   const found = commands().filter(({ name }) => matches(name, text.value));
   const last = found.length - 1;
   const chosen = Math.min(at.value, last);
@@ -71,8 +69,8 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
   return (
     <div class="palette">
       <input
-        ref={input}
-        type="search"
+        autofocus
+        type="text"
         list={undefined}
         // biome-ignore lint/a11y/noRedundantRoles: without a list of its own it is none
         role="combobox"

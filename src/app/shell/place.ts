@@ -5,13 +5,15 @@ export interface Place {
   readonly focus: { readonly tag: string; readonly at: number } | null;
 }
 
-/** Where somebody is in a view now. */
-export function placeIn(view: HTMLElement): Place {
-  const { activeElement: active } = view.ownerDocument;
+/**
+ * Where somebody is in a view now.
+ * @param last what has had the focus last in it: the link to another view may have it by now.
+ */
+export function placeIn(view: HTMLElement, last: Element | null): Place {
   const scroll = view.ownerDocument.documentElement.scrollTop;
-  if (!active || active === view || !view.contains(active)) return { scroll, focus: null };
-  const tag = active.tagName;
-  return { scroll, focus: { tag, at: [...view.querySelectorAll(tag)].indexOf(active) } };
+  if (!last || last === view || !view.contains(last)) return { scroll, focus: null };
+  const tag = last.tagName;
+  return { scroll, focus: { tag, at: [...view.querySelectorAll(tag)].indexOf(last) } };
 }
 
 /**

@@ -15,23 +15,32 @@ interface ViewFrameProps {
 export function ViewFrame({ views, busy, children }: ViewFrameProps) {
   const main = useRef<HTMLElement>(null);
   const places = useRef(new Map<View, Place>());
-  const last = useRef<View | null>(null);
+  const before = useRef<View | null>(null);
+  const inHand = useRef<Element | null>(null);
   const byTouch = useQuery('(pointer: coarse)');
   const shown = views.shown.value;
   useLayoutEffect(
     () =>
       views.onLeave((view) => {
-        if (main.current) places.current.set(view, placeIn(main.current));
+        if (main.current) places.current.set(view, placeIn(main.current, inHand.current));
       }),
     [views],
   );
   useLayoutEffect(() => {
     // At the start there is nothing to put back: the browser has the say.
-    if (last.current !== null && main.current) putBack(main.current, places.current.get(shown), byTouch.peek());
-    last.current = shown;
+    if (before.current !== null && main.current) putBack(main.current, places.current.get(shown), byTouch.peek());
+    before.current = shown;
   }, [shown, byTouch]);
   return (
-    <main ref={main} class={`view ${shown}-view`} tabIndex={-1} aria-busy={busy}>
+    <main
+      ref={main}
+      class={`view ${shown}-view`}
+      tabIndex={-1}
+      aria-busy={busy}
+      onFocusCapture={({ target }) => {
+        if (target instanceof Element) inHand.current = target;
+      }}
+    >
       {children}
     </main>
   );

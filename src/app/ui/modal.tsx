@@ -29,7 +29,7 @@ function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<Moda
     const { current: opened } = dialog;
     opened?.showModal();
     // A browser gives the focus to the first button and scrolls there: it begins at its top.
-    heading.current?.focus({ preventScroll: true });
+    first(dialog.current, heading.current)?.focus({ preventScroll: true });
     opened?.scrollTo?.(0, 0);
     return () => {
       // Closed before it goes: a browser then gives the focus back to what had it. Nobody is told of that any more.
@@ -39,7 +39,7 @@ function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<Moda
   }, []);
   useLayoutEffect(() => {
     // What had the focus may have gone with the step before; a button of this one might be pressed unawares.
-    if (!dialog.current?.contains(document.activeElement)) heading.current?.focus();
+    if (!dialog.current?.contains(document.activeElement)) first(dialog.current, heading.current)?.focus();
   });
   return (
     <dialog
@@ -67,4 +67,9 @@ function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<Moda
       {children}
     </dialog>
   );
+}
+
+/** What has the focus at first: a field that is there to be typed in at once, else the title. */
+function first(dialog: HTMLElement | null, title: HTMLElement | null): HTMLElement | null {
+  return dialog?.querySelector<HTMLElement>('[autofocus]') ?? title;
 }

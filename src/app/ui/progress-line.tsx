@@ -2,6 +2,12 @@ import type { Progress } from '../../client/index.js';
 import { messages } from '../messages/index.js';
 import './progress-line.css';
 
+/** What a bad line costs; null on a good one, where nobody needs to know for how long a bad one is borne. */
+export function disturbedText(progress: ProgressLineProps['progress']): string | null {
+  if (!progress?.repeats || !progress.endsBy) return null;
+  return messages.value.disturbed(progress.repeats, Math.max(0, Math.ceil((progress.endsBy - Date.now()) / 1000)));
+}
+
 interface ProgressLineProps {
   readonly label: string;
   /** Null while it is not known how much there is to do. */
@@ -12,11 +18,7 @@ interface ProgressLineProps {
 /** A job under way: what it is, how far it has come, and how to stop it. */
 export function ProgressLine({ label, progress, onStop }: ProgressLineProps) {
   const share = progress && progress.total > 0 ? { value: progress.done, max: progress.total } : {};
-  // On a good line nobody needs to know for how long a bad one is borne.
-  const disturbed =
-    progress?.repeats && progress.endsBy
-      ? messages.value.disturbed(progress.repeats, Math.max(0, Math.ceil((progress.endsBy - Date.now()) / 1000)))
-      : null;
+  const disturbed = disturbedText(progress);
   return (
     <div class="progress-line">
       <span role="status">{label}</span>
