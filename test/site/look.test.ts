@@ -133,6 +133,8 @@ test('every tool can be used by everyone', async () => {
   await app.button('Change presets').click();
   await app.button('Tools for Function 4').click();
   await isWellMade(app, 'the tools of the table');
+  await app.goTo('Settings');
+  await app.page.getByRole('checkbox', { name: /^Expert/ }).check();
   await app.goTo('Bench');
   await open('Experimental');
   await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
@@ -142,7 +144,7 @@ test('every tool can be used by everyone', async () => {
   await app.goTo('Program');
   await app.button('Stop following').first().waitFor();
   await app.type('Function 2, S1', '7');
-  await app.text('Tried: 1 position').first().waitFor();
+  await app.text('1 tried in the timer').first().waitFor();
   await isWellMade(app, 'following');
   await app.button('Stop following').first().click();
   await app.button('Keep it').first().waitFor();

@@ -35,8 +35,9 @@ function PortRow({ session, port }: { readonly session: Session; readonly port: 
         disabled={session.engaged.value}
         onClick={() => void session.connectTo(port.port)}
       >
-        <strong>{name}</strong> {rate && <span class="hint">{link.lastRate(rate)}</span>}
+        <strong>{name}</strong>
       </button>
+      {rate && <span class="hint">{link.lastRate(rate)}</span>}
       {port.port.forget && (
         <button
           type="button"
