@@ -69,6 +69,7 @@ test('nothing stands over the edge of the smallest phone: five memories, and thr
   };
   await app.showFigures();
   await isIn(app.page.locator('.memories label').last());
+  await app.button('Close the large figures').click();
   await app.goTo('Memories');
   await app.button('Copy to…: M1').click();
   await isIn(app.button('Copy M1 to M5…'));

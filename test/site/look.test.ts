@@ -136,7 +136,6 @@ test('every tool can be used by everyone', async () => {
   await app.goTo('Settings');
   await app.page.getByRole('checkbox', { name: /^Expert/ }).check();
   await app.goTo('Bench');
-  await open('Experimental');
   await app.page.getByRole('checkbox', { name: /^The propeller/ }).check();
   await app.button('Function 2').click();
   await app.text('Servos at function 2').first().waitFor();
