@@ -20,13 +20,8 @@ async function enter(page, field, text) {
   await box.press('Enter');
 }
 
-/** @param {Page} page @param {string} title */
-async function open(page, title) {
-  const summary = page.locator('summary', { hasText: title }).first();
-  await summary.click();
-  await summary.evaluate((element) => element.scrollIntoView({ block: 'start' }));
-  await page.evaluate(() => scrollBy(0, -80));
-}
+/** @param {Page} page @param {string} view */
+const goTo = (page, view) => page.evaluate((hash) => location.assign(hash), `#${view}`);
 
 /** @param {Page} page */
 const toTop = (page) => page.evaluate(() => scrollTo(0, 0));
@@ -43,7 +38,7 @@ async function connect(page) {
 /** @param {Page} page @param {(page: Page) => Promise<void>} reach the timer that is changed */
 async function change(page, reach = connect) {
   await reach(page);
-  await enter(page, 'DT', '6:00');
+  await enter(page, 'DT time', '6:00');
   await enter(page, 'Function 4, S2', '70');
   await toTop(page);
 }
@@ -65,13 +60,14 @@ const promise = (page) =>
 /** @param {Page} page */
 async function follow(page) {
   await connect(page);
-  await open(page, 'Bench');
+  await goTo(page, 'bench');
   await promise(page);
   await page.getByRole('switch', { name: 'Servos follow' }).click();
   await page.getByRole('switch', { name: 'Servos follow', checked: true }).waitFor();
+  await goTo(page, 'program');
   await enter(page, 'Function 4, S1', '60');
   await press(page, 'Move the servos to function 4');
-  await page.getByText('Tried: 1 position').first().waitFor();
+  await page.getByText('1 tried in the timer').first().waitFor();
 }
 
 /** Where a workbench is in the place of the browser's serial ports. @param {Page} page */
@@ -160,7 +156,7 @@ export const states = {
       await connect(page);
       await enter(page, 'Function 3 time', '10.5');
       await enter(page, 'Function 5, S1', '999');
-      await enter(page, 'DT', '0:50');
+      await enter(page, 'DT time', '0:50');
       await page.getByRole('heading', { name: 'Checks' }).scrollIntoViewIfNeeded();
     },
   },
@@ -243,7 +239,7 @@ export const states = {
     title: 'The bench',
     reach: async (page) => {
       await connect(page);
-      await open(page, 'Bench');
+      await goTo(page, 'bench');
       await promise(page);
       await press(page, 'Next function');
       await page.getByText('Servos at start').waitFor();
@@ -257,7 +253,7 @@ export const states = {
     title: 'What was tried: keep it or put it back',
     reach: async (page) => {
       await follow(page);
-      await page.getByRole('switch', { name: 'Servos follow' }).click();
+      await press(page, 'Stop following');
       await page.getByRole('button', { name: 'Keep it' }).first().waitFor();
       await settled(page);
     },
@@ -395,7 +391,7 @@ export const states = {
     reach: async (page) => {
       await page.evaluate(() => window.workbench.damageAfter(20));
       await connectPort(page);
-      await open(page, 'Line');
+      await goTo(page, 'line');
     },
   },
 };
