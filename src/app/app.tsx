@@ -1,4 +1,4 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { messages } from './messages/index.js';
@@ -15,13 +15,15 @@ import './app.css';
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
   const { preferences, density, programPicture, keeping, aside, update, portHolder, line, installation } = models;
-  const { name, views: words } = messages.value;
+  const { views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
   const isStart = !hasProgram && shown === 'program';
+  // As the page came with it.
+  const title = useRef(document.title);
   useEffect(() => {
-    document.title = shown === 'program' ? name : words.window(words.names[shown], name);
-  }, [shown, name, words]);
+    document.title = shown === 'program' ? title.current : words.window(words.names[shown], title.current);
+  }, [shown, words]);
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
       hasProgram ? (

@@ -118,7 +118,7 @@ test('what is kept is what the page needs; letters of another language from when
 describe('what was kept and is gone', () => {
   test.for(['.js', '.css', 'index.html'])('is fetched again: %s', async (ending) => {
     const { page } = await visited();
-    expect(await lose(page, ending)).toBe(1);
+    expect(await lose(page, ending)).toBeGreaterThan(0);
     await page.reload();
     await isDrawn(page);
     await page.context().setOffline(true);
@@ -132,7 +132,7 @@ describe('what was kept and is gone', () => {
     host.files.delete(script);
     host.files.set('assets/next.js', body);
     host.files.set('index.html', String(host.files.get('index.html')).replace(script, 'assets/next.js'));
-    expect(await lose(page, '.js')).toBe(1);
+    expect(await lose(page, '.js')).toBeGreaterThan(0);
     await page.reload();
     await isDrawn(page);
   });
