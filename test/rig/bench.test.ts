@@ -15,7 +15,7 @@ async function atTheBench(options: RigOptions = {}): Promise<{ rig: Rig; pilot: 
   const pilot = new Pilot(await rig.open());
   await pilot.clickConnect();
   await pilot.isConnected();
-  await pilot.page.getByText(en.bench.title, { exact: true }).click();
+  await pilot.goTo('bench');
   await pilot.page.getByRole('checkbox', { name: en.write.safety }).check();
   return { rig, pilot };
 }
@@ -41,6 +41,7 @@ describe('servos that follow', () => {
     expect(sent(rig, 'SETSERVO'), 'nothing has changed yet').toBe(0);
     const begin = rig.frames.length;
 
+    await pilot.goTo('program');
     // A key that is held: 60 positions of one servo, where they stand.
     await pilot.field('Function 2, S1').focus();
     await keyboard.down('Alt');
@@ -82,7 +83,9 @@ describe('servos that follow', () => {
     await expect.poll(stand).toEqual([5, [65, 70, 65]]);
 
     // Or for the switch.
+    await pilot.goTo('bench');
     await pilot.page.getByRole('switch', { name: en.bench.going }).click();
+    await pilot.goTo('program');
     await pilot.field('DT, S3').fill('12');
     await pilot.field('DT, S3').blur();
     await pilot.sees(en.bench.triedAndWaiting(3, 0));
@@ -105,6 +108,7 @@ describe('servos that follow', () => {
     await pilot.startWriting();
     expect(await pilot.result()).toContain(en.write.verified.title);
     expect(core.content.positions).toEqual(before);
+    await pilot.goTo('bench');
     expect(await toggle.getAttribute('aria-checked')).toBe('false');
     expect(sent(rig, 'MOVETOFUNC'), 'a write moves nothing').toBe(asked);
   });
@@ -120,6 +124,7 @@ describe('servos that follow', () => {
       encodeFrame(COMMANDS.SETSERVO.request, [2, 0, 70]).length + encodeFrame(COMMANDS.MOVETOFUNC.request, [2]).length,
       'fromPage',
     );
+    await pilot.goTo('program');
     await pilot.field('Function 2, S1').fill('70');
     await pilot.field('Function 2, S1').blur();
     await covered;

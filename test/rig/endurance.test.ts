@@ -34,7 +34,8 @@ test(`connected, read and disconnected ${CYCLES} times, the heap of the page sta
           new Promise((resolve) => {
             const find = (text: string) =>
               [...document.querySelectorAll('button')].find(
-                ({ textContent, disabled }) => textContent === text && !disabled,
+                ({ textContent, disabled, ariaDisabled }) =>
+                  textContent === text && !disabled && ariaDisabled !== 'true',
               );
             const look = (): boolean => {
               const button = find(name);

@@ -18,6 +18,11 @@ export class Pilot {
     return this.page.getByRole('table', { name: en.program.tableCaption }).getByRole('textbox', { name, exact: true });
   }
 
+  async goTo(view: 'program' | 'bench' | 'settings'): Promise<void> {
+    await this.page.evaluate((hash) => location.assign(hash), `#${view}`);
+    await this.page.locator(`.${view}-view`).waitFor();
+  }
+
   async clickConnect(): Promise<void> {
     await this.button(en.header.connect).click();
   }
@@ -25,7 +30,7 @@ export class Pilot {
   /** Waits until the timer is connected and has been read. */
   async isConnected(): Promise<void> {
     await this.button(en.header.disconnect).waitFor();
-    await this.page.getByRole('button', { name: en.program.read, exact: true, disabled: false }).waitFor();
+    await this.page.locator('#app:has(.link-state.on) > main[aria-busy=false]').waitFor();
   }
 
   /** Waits until the page says that the port is gone. */

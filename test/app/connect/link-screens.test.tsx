@@ -38,7 +38,7 @@ describe('the adapters that are known', () => {
     await goTo('settings');
     expect(screen.getByRole('heading', { name: 'Known adapters' })).toBeTruthy();
     const known = screen.getByRole('button', { name: /^Connect to FTDI adapter/ });
-    expect(known.textContent).toContain('last at 19200 baud');
+    expect(known.parentElement?.textContent).toContain('last at 19200 baud');
     fireEvent.click(known);
     await idle();
     await goTo('program');
