@@ -1,5 +1,3 @@
-import { plural } from './plural.js';
-
 /** The views of the page, and the way from one to the other. */
 export const views = {
   title: 'Views',
@@ -21,20 +19,14 @@ export const views = {
 
 /** What stands in every view: the timer, its memory, DT, motor stop, and what is known. */
 export const strip = {
-  title: 'Status',
-  motor: 'Motor',
-  /** The button over the figures. */
-  open: (what: string) => `${what}. Show the large figures`,
   close: 'Close the large figures',
   panel: 'Large figures',
-  nextMemory: (memory: string) => `${memory}, flies next`,
   shortChanges: (count: number) => String(count),
   asInTimer: '✓',
   notCertain: 'not certain',
   asRead: 'last read',
   /** Of a program that was made here, and is in no timer. */
   made: 'new',
-  changes: (count: number) => plural(count, 'change', 'changes'),
 };
 
 export const library = {

@@ -106,7 +106,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
 
 /** The current memory, where there is no room to choose one. */
 function MemoryNow({ session }: { readonly session: Session }) {
-  const { memoryName, strip } = messages.value;
+  const { memoryName, nextFlight } = messages.value;
   const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
   if (memory === null) return null;
   const flies = session.connection.value !== null && !session.nextFlight.open.value;
@@ -114,7 +114,7 @@ function MemoryNow({ session }: { readonly session: Session }) {
     <span class="strip-memory">
       {flies ? (
         <>
-          <span class="visually-hidden">{strip.nextMemory(memoryName(memory))}</span>
+          <span class="visually-hidden">{nextFlight.named(memoryName(memory))}</span>
           <span aria-hidden="true">{memoryName(memory)}</span> <PlaneIcon />
         </>
       ) : (
