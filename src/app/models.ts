@@ -76,7 +76,10 @@ export function createModels({
   const keeping = new Keeping(options.tab, lacks);
   const storage = limited(options.storage, keeping);
   const session = new Session({ ...options, storage });
-  keeping.onReturn(() => void session.keptWork.bringBack());
+  keeping.onReturn(() => {
+    void session.keptWork.bringBack();
+    void session.library.keepAgain();
+  });
   const write = new WriteFlow(session);
   const memories = new Memories(session);
   const bench = new Bench(session);

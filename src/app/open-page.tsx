@@ -34,6 +34,7 @@ export function openPage(root: HTMLElement): AppModels | null {
     plugRecording: async (entries) => (await fetchSimulated()).plugRecording(entries),
     platform: platformOf(nameplate()),
     channel: doors.channel,
+    libraryChannel: doors.libraryChannel,
     lacks: lacksOf(doors),
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
@@ -64,6 +65,7 @@ export function openPage(root: HTMLElement): AppModels | null {
   addEventListener('pagehide', () => {
     session.keptWork.keepNow();
     session.backups.flush();
+    session.library.flush();
   });
   // A page that is put away on a phone may be ended without another word.
   document.addEventListener('visibilitychange', () => document.hidden && session.keptWork.keepNow());

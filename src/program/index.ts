@@ -11,6 +11,22 @@ export {
 export { type Change, changeRequests, differences } from './difference.js';
 export { type PartOfWrite, partWritten, type WriteExtent } from './interrupted.js';
 export {
+  DUTIES,
+  type Duty,
+  type Flight,
+  LIMITS,
+  type Library,
+  type Model,
+  requireFlight,
+  requireModel,
+  requireProgram,
+  requireSetting,
+  type ServoUse,
+  type Setting,
+  type SettingSource,
+  SOURCES,
+} from './library.js';
+export {
   fieldKey,
   fieldsOf,
   type ProgramField,

@@ -10,6 +10,8 @@
  * - `bad-identity`: a version reply that no timer can have sent; the error carries its bytes.
  * - `identity-needed`: the layout of these bytes is known only together with the timer's identity.
  * - `bad-capture`: a text is no capture; the field says in which line.
+ * - `wrong-type`: what a pilot keeps is not of the kind that its field wants: a text, a list, a number.
+ * - `unknown-word`: a field has only some words, and this is none of them.
  */
 export type CodecErrorCode =
   | 'not-an-integer'
@@ -20,7 +22,9 @@ export type CodecErrorCode =
   | 'unexpected-reply'
   | 'bad-identity'
   | 'identity-needed'
-  | 'bad-capture';
+  | 'bad-capture'
+  | 'wrong-type'
+  | 'unknown-word';
 
 /** Facts that go with a {@link CodecError}, for the sentence that is shown to a person. */
 export interface CodecErrorDetails {

@@ -18,6 +18,7 @@ export interface Doors {
   readonly surroundings: Surroundings;
   readonly locks: Service<'locks'> | null;
   readonly channel: TabChannel | null;
+  readonly libraryChannel: TabChannel | null;
   /** Whether the system is dark. */
   readonly dark: Query | null;
   /** Whether small choices can be kept. */
@@ -33,7 +34,8 @@ export function openDoors(): Doors {
       policyAllows: tried(serialAllowed) ?? undefined,
     },
     locks: service('locks'),
-    channel: tried(openTabChannel),
+    channel: tried(() => openTabChannel()),
+    libraryChannel: tried(() => openTabChannel('library')),
     dark: media('(prefers-color-scheme: dark)'),
     settings: keepsSettings(),
   };

@@ -69,12 +69,13 @@ type Question = Extract<Message, { kind: 'who' | 'release' }>;
 type Reply = Exclude<Message, Question>;
 
 /**
- * The channel between the tabs of this page; null where the browser has none.
+ * A channel between the tabs of this page; null where the browser has none.
+ * @param about `tabs`: who holds which port; `library`: it was changed.
  * @throws what the browser says where it does not hand it out.
  */
-export function openTabChannel(): TabChannel | null {
+export function openTabChannel(about: 'tabs' | 'library' = 'tabs'): TabChannel | null {
   const Channel = service('BroadcastChannel');
-  const channel = Channel && new Channel('sidus-timer tabs');
+  const channel = Channel && new Channel(`sidus-timer ${about}`);
   // One that cannot be listened to is none.
   channel?.addEventListener('message', () => {});
   return channel;

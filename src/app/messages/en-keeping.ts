@@ -42,7 +42,7 @@ export const removed = {
 };
 
 const places = {
-  storage: 'drafts, backups and notes of writes',
+  storage: 'the library, drafts, backups and notes of writes',
   settings: 'colours, presets and other choices',
   ports: 'the right to use serial ports',
   offline: 'the page for use without a network',
@@ -54,6 +54,9 @@ export const erase = {
   title: 'Delete everything on this device',
   lead: 'This is deleted from this browser, in all its tabs. It cannot be undone. What timers hold stays as it is.',
   counts: {
+    models: (count: string) => `Models: ${count}`,
+    settings: (count: string) => `Settings of the library: ${count}`,
+    flights: (count: string) => `Flights: ${count}`,
     drafts: (count: string) => `Edits that are not written: ${count}`,
     backups: (count: string) => `Backups: ${count}`,
     unfinished: (count: string) => `Notes of interrupted writes: ${count}`,

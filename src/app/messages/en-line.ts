@@ -60,6 +60,8 @@ const unreadable: Record<CodecErrorCode, string> = {
   'bad-identity': 'no timer can describe itself like this',
   'identity-needed': 'the timer has not yet said how many functions and servos it has',
   'bad-capture': 'it is not a recording',
+  'wrong-type': 'a value is of the wrong kind',
+  'unknown-word': 'a word in it is not known',
 };
 
 const filters = {

@@ -1,29 +1,8 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
+import { DUTIES, LIMITS, type ServoUse } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
-
-/**
- * What a servo does: it turns a surface; or it lets go of something, as a disc lets arms go one after another and a
- * line the tailplane at DT; or something that only the pilot has a name for; or there is none.
- */
-export const DUTIES = ['rudder', 'tailplane', 'wing', 'release', 'other', 'none'] as const;
-export type Duty = (typeof DUTIES)[number];
-
-/** The longest name of a duty, in characters: it stands in the lanes of the timeline. */
-export const LONGEST_NAME = 16;
-
-/** What the pilot has said of a servo. */
-export interface ServoUse {
-  readonly duty: Duty;
-  /** Of an `other` duty; else empty. */
-  readonly name: string;
-  /** The ends of the way that it uses, in steps, `low` below `high`. */
-  readonly low: number;
-  readonly high: number;
-  /** More steps turn the trailing edge down, of a rudder to the left; else up, or to the right. */
-  readonly reversed: boolean;
-}
 
 /** What is said of the servos belongs to the timer of one model: a kind of timer is as near as one can come to it. */
 export interface ServosAtHand {
@@ -36,7 +15,7 @@ const step = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_POSIT
 const schema = v.array(
   v.object({
     duty: v.picklist(DUTIES),
-    name: v.pipe(v.string(), v.maxLength(LONGEST_NAME)),
+    name: v.pipe(v.string(), v.maxLength(LIMITS.servoName)),
     low: step,
     high: step,
     reversed: v.boolean(),

@@ -9,6 +9,7 @@ import {
   type Surroundings,
   type TimerConnection,
 } from '../../serial/index.js';
+import type { TabChannel } from '../browser/other-tabs.js';
 import type { TabNumber } from '../browser/tab-number.js';
 import { replaceAll } from '../editing/edit.js';
 import { Editor } from '../editing/editor.js';
@@ -20,6 +21,7 @@ import { JobRunner } from './job-runner.js';
 import { KeptPrograms } from './kept-programs.js';
 import { KeptWork } from './kept-work.js';
 import { Knowledge } from './knowledge.js';
+import { Library } from './library.js';
 import { LineLog } from './line-log.js';
 import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
@@ -41,6 +43,8 @@ export interface SessionOptions {
   readonly surroundings: Surroundings;
   readonly storage: Storage;
   readonly tab: TabNumber;
+  /** Between the tabs of this page, of the library; null where there is none. */
+  readonly libraryChannel?: TabChannel | null;
   readonly plugSimulated: (timerClass: SimulatedClass) => SerialPortLike | Promise<SerialPortLike>;
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike | Promise<SerialPortLike>;
 }
@@ -55,6 +59,8 @@ export class Session {
   readonly aside: SetAside;
   readonly keptWork: KeptWork;
   readonly keptPrograms: KeptPrograms;
+  /** The pilot's models, their settings and the flights. */
+  readonly library: Library;
   /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
   readonly knowledge: Knowledge;
   /** How far the program that was read last can be called what the timer holds. */
@@ -84,6 +90,7 @@ export class Session {
     this.#options = options;
     this.backups = new Backups(storage.backups);
     this.aside = new SetAside(storage.aside);
+    this.library = new Library(storage, options.libraryChannel);
     this.link = new Link({
       surroundings,
       ports: storage.ports,

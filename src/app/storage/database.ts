@@ -6,7 +6,7 @@ import { withPresentNames } from './former-names.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
 
-const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside'] as const;
+const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
 
 /** The shelves of the browser's storage; each record stands under its own key. */
 export type StoreName = (typeof STORES)[number];
@@ -17,6 +17,9 @@ interface Schema extends DBSchema {
   backups: { key: string; value: unknown };
   ports: { key: string; value: unknown };
   aside: { key: string; value: unknown };
+  models: { key: string; value: unknown };
+  settings: { key: string; value: unknown };
+  flights: { key: string; value: unknown };
 }
 
 /** What the models need of a shelf, so that a test can put another in its place. */
@@ -34,7 +37,7 @@ export interface Keeper<T extends { readonly key: string }> {
 const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 
 /** The arrangement of the shelves. A browser refuses it when a newer version of this page has been here. */
-const VERSION = 4;
+const VERSION = 5;
 
 /**
  * Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds

@@ -7,8 +7,14 @@ import {
   backupSchema,
   type Draft,
   draftSchema,
+  type FlightRecord,
+  flightSchema,
+  type ModelRecord,
+  modelSchema,
   type PortRecord,
   portSchema,
+  type SettingRecord,
+  settingSchema,
   type Unfinished,
   unfinishedSchema,
 } from './records.js';
@@ -19,7 +25,10 @@ export type {
   AsideRecord,
   Backup,
   Draft,
+  FlightRecord,
+  ModelRecord,
   PortRecord,
+  SettingRecord,
   Unfinished,
   UnfinishedRoundTrip,
   UnfinishedWrite,
@@ -33,6 +42,9 @@ export interface Storage {
   readonly ports: Keeper<PortRecord>;
   /** What was found on the others and cannot be read. */
   readonly aside: Keeper<AsideRecord>;
+  readonly models: Keeper<ModelRecord>;
+  readonly settings: Keeper<SettingRecord>;
+  readonly flights: Keeper<FlightRecord>;
   /** Throws all of it away; nothing can be kept after that until the page is loaded again. */
   erase(): Promise<void>;
 }
@@ -43,10 +55,16 @@ export const SHELF_CALLS = { save: 'change', remove: 'change', load: 'read', all
   'read' | 'change'
 >;
 /** The shelves, by their names in {@link Storage}. */
-export const SHELVES = ['drafts', 'unfinished', 'backups', 'ports', 'aside'] as const satisfies readonly Exclude<
-  keyof Storage,
-  'erase'
->[];
+export const SHELVES = [
+  'drafts',
+  'unfinished',
+  'backups',
+  'ports',
+  'aside',
+  'models',
+  'settings',
+  'flights',
+] as const satisfies readonly Exclude<keyof Storage, 'erase'>[];
 
 export function browserStorage(name?: string): Storage {
   const opened = openStorage(name);
@@ -67,6 +85,9 @@ export function browserStorage(name?: string): Storage {
       load: (key) => aside.load(key),
       all: async () => [...(await aside.all()), ...left.values()],
     },
+    models: new Shelf(opened, 'models', modelSchema, 'strict', note),
+    settings: new Shelf(opened, 'settings', settingSchema, 'strict', note),
+    flights: new Shelf(opened, 'flights', flightSchema, 'strict', note),
     erase: () => deleteStorage(opened, name),
   };
 }
@@ -88,6 +109,9 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
     backups: inTime(storage.backups, 'backups'),
     ports: inTime(storage.ports, 'ports'),
     aside: inTime(storage.aside, 'aside'),
+    models: inTime(storage.models, 'models'),
+    settings: inTime(storage.settings, 'settings'),
+    flights: inTime(storage.flights, 'flights'),
     erase: () => new StorageQuestions(watch, 'all').ask('change', () => storage.erase()),
   };
 }

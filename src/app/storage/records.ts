@@ -1,5 +1,5 @@
 import * as v from 'valibot';
-import { sameLayout, type TimerProgram } from '../../program/index.js';
+import { requireFlight, requireModel, requireSetting, sameLayout, type TimerProgram } from '../../program/index.js';
 import { type Identity, MAX_TIME, requireIdentity, slotCount } from '../../protocol/index.js';
 import type { Content } from '../editing/content.js';
 import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
@@ -164,8 +164,46 @@ export const backupSchema = v.object({
   reason: v.picklist(['write', 'memories']),
   program: held,
   simulated: v.boolean(),
+  /** The model whose timer it was, by its id; absent where that was not known. */
+  model: v.exactOptional(key),
 });
 export type Backup = v.InferOutput<typeof backupSchema>;
+
+/** What one function of the program room takes for what it says. */
+const checked = <T>(require: (value: unknown) => T): v.GenericSchema<unknown, T> =>
+  v.pipe(
+    v.unknown(),
+    v.rawTransform(({ dataset, addIssue, NEVER }) => {
+      try {
+        return require(dataset.value);
+      } catch (cause) {
+        addIssue({ message: cause instanceof Error ? cause.message : String(cause) });
+        return NEVER;
+      }
+    }),
+  );
+/** The place in the order that the pilot has given: smaller comes first. */
+const order = v.pipe(v.number(), v.finite());
+
+/** A model of the library, under its id. */
+export const modelSchema = v.object({
+  key,
+  model: checked(requireModel),
+  order,
+  /** Milliseconds since 1970. */
+  changedAt: date,
+  /** What the memories of its timer held when they were last seen to be verified, each once. */
+  verified: v.pipe(v.array(v.object({ program: held, at: date })), v.maxLength(255)),
+});
+export type ModelRecord = v.InferOutput<typeof modelSchema>;
+
+/** A setting of the library, under its id. */
+export const settingSchema = v.object({ key, setting: checked(requireSetting), order, changedAt: date });
+export type SettingRecord = v.InferOutput<typeof settingSchema>;
+
+/** A flight of the log, under its id. */
+export const flightSchema = v.object({ key, flight: checked(requireFlight), changedAt: date });
+export type FlightRecord = v.InferOutput<typeof flightSchema>;
 
 /** What was tried on the bench and is neither kept nor put back yet, under the kind of timer and the memory. */
 export const trialsSchema = v.pipe(

@@ -8,8 +8,11 @@ import {
   type AsideRecord,
   type Backup,
   type Draft,
+  type FlightRecord,
   type Keeper,
+  type ModelRecord,
   type PortRecord,
+  type SettingRecord,
   SHELVES,
   type Storage,
   type Unfinished,
@@ -54,6 +57,9 @@ export class MemoryStore implements Storage {
   readonly backups = new MemoryShelf<Backup>(this);
   readonly ports = new MemoryShelf<PortRecord>(this);
   readonly aside = new MemoryShelf<AsideRecord>(this);
+  readonly models = new MemoryShelf<ModelRecord>(this);
+  readonly settings = new MemoryShelf<SettingRecord>(this);
+  readonly flights = new MemoryShelf<FlightRecord>(this);
   /** As in a browser whose storage is full or switched off. */
   broken = false;
 

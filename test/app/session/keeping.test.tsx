@@ -180,7 +180,7 @@ describe('everything on this device', () => {
     await press('Delete everything');
     await idle();
     expect(dialog().getByRole('alert').textContent).toMatch(
-      /could not be deleted: drafts, backups and notes of writes, the right to use serial ports, the page for use without/,
+      /could not be deleted: the library, drafts, backups and notes of writes, the right to use serial ports, the page for use without/,
     );
     expect(reload).not.toHaveBeenCalled();
   });

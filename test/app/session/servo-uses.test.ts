@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { type ServosAtHand, type ServoUse, ServoUses } from '../../../src/app/session/servo-uses.js';
+import { type ServosAtHand, ServoUses } from '../../../src/app/session/servo-uses.js';
+import type { ServoUse } from '../../../src/program/index.js';
 
 const TAILPLANE: ServoUse = { duty: 'tailplane', name: '', low: 20, high: 95, reversed: false };
 const FLAP: ServoUse = { duty: 'other', name: 'Flap', low: 0, high: 130, reversed: false };

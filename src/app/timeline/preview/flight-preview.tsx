@@ -1,9 +1,8 @@
 import { computed, useSignal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
-import type { TimerProgram } from '../../../program/index.js';
+import type { ServoUse, TimerProgram } from '../../../program/index.js';
 import { dutyName, messages, momentText, slotLabel } from '../../messages/index.js';
-import type { ServoUse } from '../../session/servo-uses.js';
 import { servoClass } from '../servo-class.js';
 import { endOf, eventsBetween, type FlightEvent, motorStopOf, reachedAt } from './flight.js';
 import { ModelSketch, type Turned } from './model-sketch.js';

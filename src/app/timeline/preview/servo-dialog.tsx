@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
+import { DUTIES, type Duty, LIMITS, type ServoUse } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 import { messages } from '../../messages/index.js';
-import { DUTIES, type Duty, LONGEST_NAME, type ServoUse } from '../../session/servo-uses.js';
 import { Modal } from '../../ui/modal.js';
 import { servoClass } from '../servo-class.js';
 import { SURFACES } from './surfaces.js';
@@ -110,7 +110,7 @@ function ServoRow({ servo, use, onChange }: ServoRowProps) {
           aria-label={words.name(name)}
           placeholder={words.namePlace}
           value={use.name}
-          maxLength={LONGEST_NAME}
+          maxLength={LIMITS.servoName}
           onInput={(event) => onChange({ name: event.currentTarget.value })}
         />
       )}

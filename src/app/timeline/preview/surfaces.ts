@@ -1,6 +1,5 @@
-import type { TimerProgram } from '../../../program/index.js';
+import type { Duty, ServoUse, TimerProgram } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
-import type { Duty, ServoUse } from '../../session/servo-uses.js';
 
 /** What the sketch of a model can turn. */
 export const SURFACES = ['rudder', 'tailplane', 'wing'] as const;

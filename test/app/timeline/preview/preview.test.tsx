@@ -1,9 +1,9 @@
 import { act, fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import type { ServoUse } from '../../../../src/app/session/servo-uses.js';
 import { FlightPreview, type FlightPreviewProps } from '../../../../src/app/timeline/preview/flight-preview.js';
 import { Player } from '../../../../src/app/timeline/preview/player.js';
 import { guessedUses } from '../../../../src/app/timeline/preview/surfaces.js';
+import type { ServoUse } from '../../../../src/program/index.js';
 import { programOf } from '../../programs.js';
 
 const PROGRAM = programOf(

@@ -1,6 +1,5 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { ServoUse } from '../../../../src/app/session/servo-uses.js';
 import {
   guessedUses,
   isLetGo,
@@ -9,6 +8,7 @@ import {
   servoOf,
   turnOf,
 } from '../../../../src/app/timeline/preview/surfaces.js';
+import type { ServoUse } from '../../../../src/program/index.js';
 import { exampleMemories } from '../../../../src/simulator/index.js';
 import { programOf } from '../../programs.js';
 

@@ -1,0 +1,127 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import type { Keeper } from '../storage/index.js';
+
+/** So long a deleted record can be put back, in milliseconds. */
+const UNDO_WAIT = 10_000;
+
+/**
+ * One list of the library: in memory as it is in the storage, and what was changed here is on the screen at once. What
+ * the browser does not keep stays for as long as the page is open, see `unsaved`.
+ */
+export class Collection<T extends { readonly key: string }> {
+  readonly #list = signal<readonly T[]>([]);
+  readonly #loaded = signal(false);
+  readonly #removed = signal<readonly T[]>([]);
+  readonly #unsaved = signal<ReadonlySet<string>>(new Set());
+  /** In their order, without those that were taken out. */
+  readonly list: ReadonlySignal<readonly T[]> = this.#list;
+  /** Whether the storage has been asked, and has answered in one way or another. */
+  readonly loaded: ReadonlySignal<boolean> = this.#loaded;
+  /** Taken out of the list, and not deleted yet. */
+  readonly removed: ReadonlySignal<readonly T[]> = this.#removed;
+  /** What this page has and the storage has not, by key. */
+  readonly unsaved: ReadonlySignal<ReadonlySet<string>> = this.#unsaved;
+  readonly #keeper: Keeper<T>;
+  readonly #inOrder: (a: T, b: T) => number;
+  readonly #onChange: () => void;
+  #deleting: ReturnType<typeof setTimeout> | undefined;
+  #loading: Promise<void> | null = null;
+
+  /** @param onChange called when the storage holds something else than before: for the other tabs. */
+  constructor(keeper: Keeper<T>, inOrder: (a: T, b: T) => number, onChange: () => void) {
+    this.#keeper = keeper;
+    this.#inOrder = inOrder;
+    this.#onChange = onChange;
+  }
+
+  get(key: string | null): T | undefined {
+    return key === null ? undefined : this.list.value.find((each) => each.key === key);
+  }
+
+  /** Reads what is kept, unless that is done. A browser that keeps nothing has none. */
+  load(): Promise<void> {
+    this.#loading ??= this.refresh();
+    return this.#loading;
+  }
+
+  /** Reads again what is kept: another tab has changed it. What is not saved here stays. */
+  async refresh(): Promise<void> {
+    const kept = await this.#keeper.all().catch(() => null);
+    if (kept) {
+      const mine = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
+      this.#show([...kept, ...mine]);
+    }
+    this.#loaded.value = true;
+  }
+
+  /**
+   * Keeps records; they are in the list at once.
+   * @returns whether the storage has all of them.
+   */
+  async save(...records: readonly T[]): Promise<boolean> {
+    this.#note(records, false);
+    this.#show([...this.#list.peek(), ...records]);
+    const saved = await Promise.all(
+      records.map(async (record) => {
+        const isKept = await this.#keeper.save(record).then(
+          () => true,
+          () => false,
+        );
+        // What was changed again meanwhile has its own turn.
+        if (isKept && this.#list.peek().includes(record)) this.#note([record], true);
+        return isKept;
+      }),
+    );
+    if (saved.includes(true)) this.#onChange();
+    return saved.every(Boolean);
+  }
+
+  /** Takes some out of the list, and deletes them for good when nobody has put them back for ten seconds. */
+  remove(...keys: readonly string[]): void {
+    clearTimeout(this.#deleting);
+    this.#removed.value = [...this.#removed.peek(), ...this.#list.peek().filter(({ key }) => keys.includes(key))];
+    this.#show(this.#list.peek());
+    this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
+  }
+
+  /** Puts back what was taken out, as long as it has not been deleted. */
+  undoRemove(): void {
+    clearTimeout(this.#deleting);
+    const back = this.#removed.peek();
+    this.#removed.value = [];
+    this.#show([...this.#list.peek(), ...back]);
+  }
+
+  /** Deletes for good what was taken out: the time to put it back is over, or the page is left. */
+  flush(): void {
+    clearTimeout(this.#deleting);
+    const gone = this.#removed.peek();
+    if (gone.length === 0) return;
+    this.#removed.value = [];
+    this.#note(gone, true);
+    const deleted = gone.map(({ key }) => this.#keeper.remove(key));
+    void Promise.allSettled(deleted).then(() => this.#onChange());
+  }
+
+  /** Tries again to keep what the browser has not kept. */
+  async keepAgain(): Promise<void> {
+    const waiting = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
+    if (waiting.length > 0) await this.save(...waiting);
+  }
+
+  /** In their order, each once, the last of one key. */
+  #show(records: readonly T[]): void {
+    const all = new Map(records.map((record) => [record.key, record]));
+    for (const { key } of this.#removed.peek()) all.delete(key);
+    this.#list.value = [...all.values()].sort(this.#inOrder);
+  }
+
+  #note(records: readonly T[], isSaved: boolean): void {
+    const unsaved = new Set(this.#unsaved.peek());
+    for (const { key } of records) {
+      if (isSaved) unsaved.delete(key);
+      else unsaved.add(key);
+    }
+    this.#unsaved.value = unsaved;
+  }
+}

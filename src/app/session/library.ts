@@ -1,0 +1,102 @@
+import { computed, type ReadonlySignal } from '@preact/signals';
+import type { Flight, Model, Setting } from '../../program/index.js';
+import type { TabChannel } from '../browser/other-tabs.js';
+import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
+import { Collection } from './collection.js';
+
+/** What the tabs say to each other when one of them has changed the library. */
+const CHANGED = 'library changed';
+
+/** A new record's id: it never comes twice, on this device or another. */
+export function newId(): string {
+  // Without https there is no crypto.randomUUID, and the page must work there too.
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+/** What a pilot keeps: models, their settings, and the log of flights. Without a timer, too; on this device alone. */
+export class Library {
+  readonly models: Collection<ModelRecord>;
+  readonly settings: Collection<SettingRecord>;
+  readonly flights: Collection<FlightRecord>;
+  /** Whether all that was typed would be there after a reload. */
+  readonly kept: ReadonlySignal<boolean>;
+  readonly #channel: TabChannel | null;
+
+  /** @param channel between the tabs of this page, of the library alone; null where there is none. */
+  constructor(storage: Pick<Storage, 'models' | 'settings' | 'flights'>, channel: TabChannel | null = null) {
+    const byOrder = (a: { order: number; key: string }, b: { order: number; key: string }): number =>
+      a.order - b.order || (a.key < b.key ? -1 : 1);
+    const latestFirst = (a: FlightRecord, b: FlightRecord): number =>
+      b.flight.at - a.flight.at || (a.key < b.key ? -1 : 1);
+    const tell = (): void => this.#tell();
+    this.models = new Collection(storage.models, byOrder, tell);
+    this.settings = new Collection(storage.settings, byOrder, tell);
+    this.flights = new Collection(storage.flights, latestFirst, tell);
+    this.kept = computed(() =>
+      [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
+    );
+    this.#channel = channel;
+    channel?.addEventListener('message', ({ data }) => {
+      if (data === CHANGED) void this.refresh();
+    });
+  }
+
+  /** Reads models and settings, unless that is done; the flights come when they are asked for. */
+  async load(): Promise<void> {
+    await Promise.all([this.models.load(), this.settings.load()]);
+  }
+
+  /** Reads again what has been read before. */
+  async refresh(): Promise<void> {
+    const read = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
+    await Promise.all(read.map((each) => each.refresh()));
+  }
+
+  /** A new model, at the end of the list, or one that has changed. @returns its record. */
+  async keepModel(model: Model, changes: Partial<ModelRecord> = {}): Promise<ModelRecord> {
+    const before = this.models.get(model.id);
+    const order = before?.order ?? nextOrder(this.models.list.peek());
+    const verified = before?.verified ?? [];
+    const record = { key: model.id, order, verified, ...changes, model, changedAt: Date.now() };
+    await this.models.save(record);
+    return record;
+  }
+
+  /** A new setting, at the end of the list, or one that has changed. @returns its record. */
+  async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
+    const order = this.settings.get(setting.id)?.order ?? nextOrder(this.settings.list.peek());
+    const record = { key: setting.id, order, ...changes, setting, changedAt: Date.now() };
+    await this.settings.save(record);
+    return record;
+  }
+
+  /** A new flight, or one that has changed. @returns its record. */
+  async keepFlight(flight: Flight): Promise<FlightRecord> {
+    const record = { key: flight.id, flight, changedAt: Date.now() };
+    await this.flights.save(record);
+    return record;
+  }
+
+  /** The page is left: what was taken out is deleted. */
+  flush(): void {
+    for (const each of [this.models, this.settings, this.flights]) each.flush();
+  }
+
+  /** Tries again to keep what the browser has not kept. */
+  async keepAgain(): Promise<void> {
+    await Promise.all([this.models, this.settings, this.flights].map((each) => each.keepAgain()));
+  }
+
+  #tell(): void {
+    try {
+      this.#channel?.postMessage(CHANGED);
+    } catch {
+      // Nobody hears it: other tabs see it when they are opened next.
+    }
+  }
+}
+
+function nextOrder(records: readonly { readonly order: number }[]): number {
+  return Math.max(0, ...records.map(({ order }) => order)) + 1;
+}

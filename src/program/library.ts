@@ -1,0 +1,321 @@
+import { CodecError, type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
+import { requireShape, type TimerProgram } from './program.js';
+
+/*
+ * What a pilot keeps beside the timer. The same shapes lie in files and in the page's storage; each is checked by one
+ * function here, wherever it comes from.
+ */
+
+/**
+ * What a servo does: it turns a surface; or it lets go of something, as a disc lets arms go one after another and a
+ * line the tailplane at DT; or something that only the pilot has a name for; or there is none.
+ */
+export const DUTIES = ['rudder', 'tailplane', 'wing', 'release', 'other', 'none'] as const;
+export type Duty = (typeof DUTIES)[number];
+
+/** What the pilot has said of a servo. */
+export interface ServoUse {
+  readonly duty: Duty;
+  /** Of an `other` duty, up to 16 characters; else empty. */
+  readonly name: string;
+  /** The ends of the way that it uses, in steps 0..130, `low` below `high`. */
+  readonly low: number;
+  readonly high: number;
+  /** More steps turn the trailing edge down, of a rudder to the left; else up, or to the right. */
+  readonly reversed: boolean;
+}
+
+/** A model aircraft with its timer. Nothing on the wire names it: what belongs to it is what the pilot says. */
+export interface Model {
+  /** Unique, and the same for ever: 1 to 64 of `A-Z a-z 0-9 - _`. */
+  readonly id: string;
+  /** 1 to 60 characters. */
+  readonly name: string;
+  /** The class of its timer; null while nobody has said. */
+  readonly timerClass: string | null;
+  /** Up to 5000 characters. */
+  readonly note: string;
+  /** What its servos move, one for each; empty where the pilot has not said. At most 255. */
+  readonly servos: readonly ServoUse[];
+  /** What the pilot calls its memories, such as “calm”; empty texts, or a shorter list, where they have no name. */
+  readonly memoryNames: readonly string[];
+  /** A picture as base64 of a JPEG file, up to 200,000 characters; null without one. */
+  readonly photo: string | null;
+  /** Put away: it is kept, and shown only when asked for. */
+  readonly archived: boolean;
+}
+
+/**
+ * Where the values of a setting come from: typed by the pilot; read from a timer, or a simulated one; kept before a
+ * write; a file; a link.
+ */
+export const SOURCES = ['typed', 'timer', 'simulated', 'backup', 'file', 'link'] as const;
+export type SettingSource = (typeof SOURCES)[number];
+
+/** A program that the pilot keeps under a name. */
+export interface Setting {
+  /** Unique, and the same for ever, as in {@link Model.id}. */
+  readonly id: string;
+  /** The model that it belongs to, by its id; null: to none. */
+  readonly model: string | null;
+  /** 1 to 60 characters. */
+  readonly name: string;
+  /** Up to 5000 characters. */
+  readonly note: string;
+  /** Up to 20, of 1 to 30 characters each. */
+  readonly tags: readonly string[];
+  /** When its values were read or changed last, in milliseconds since 1970. */
+  readonly at: number;
+  /** The values, with the identity of the timer that they are for. */
+  readonly program: TimerProgram;
+  readonly from: SettingSource;
+  /** Put away: it is kept, and shown only when asked for. */
+  readonly archived: boolean;
+}
+
+/** One flight in the pilot's log. It holds a copy of what was flown, so that it never changes. */
+export interface Flight {
+  /** Unique, and the same for ever, as in {@link Model.id}. */
+  readonly id: string;
+  /** When it was flown, in milliseconds since 1970. */
+  readonly at: number;
+  /** Up to 100 characters. */
+  readonly place: string;
+  /** The model by its id, and its name on that day; null and empty where it was none of the library. */
+  readonly model: string | null;
+  readonly modelName: string;
+  /** The setting by its id, and its name on that day; null and empty where it was none of the library. */
+  readonly setting: string | null;
+  readonly settingName: string;
+  /** What the timer held. */
+  readonly program: TimerProgram;
+  /** Metres per second, 0 to 50; null where it was not noted. */
+  readonly wind: number | null;
+  /** Degrees Celsius, -50 to 60; null where it was not noted. */
+  readonly temperature: number | null;
+  /** Such as `3` or `fly-off 1`, up to 30 characters. */
+  readonly round: string;
+  /** How long it was timed, in seconds, 0 to 36,000; null where it was not noted. */
+  readonly result: number | null;
+  /** Up to 5000 characters. */
+  readonly note: string;
+}
+
+/** All that a pilot keeps, or a part of it. The order of the lists is the order that the pilot has given them. */
+export interface Library {
+  readonly models: readonly Model[];
+  readonly settings: readonly Setting[];
+  readonly flights: readonly Flight[];
+}
+
+/** The longest texts, in characters, and lists. */
+export const LIMITS = {
+  name: 60,
+  servoName: 16,
+  note: 5000,
+  tag: 30,
+  tags: 20,
+  place: 100,
+  round: 30,
+  photo: 200_000,
+} as const;
+
+/** What has the fields of something, perhaps, with anything in them. */
+type Raw<T> = { readonly [Name in keyof T]?: unknown };
+
+/** The last millisecond that a calendar knows. */
+const LAST_DATE = 8.64e15;
+
+/**
+ * Makes sure that a value is a model.
+ * @param path where it stands, for the error: `models[3]`.
+ * @returns the same values without anything that does not belong to a model.
+ * @throws CodecError `wrong-type`, `out-of-range`, `not-an-integer`, `wrong-count`, `unknown-word`.
+ */
+export function requireModel(value: unknown, path = 'model'): Model {
+  const of = record<Model>(value, path);
+  const timerClass = of.timerClass ?? null;
+  if (timerClass !== null && (typeof timerClass !== 'string' || !/^[!-~]$/.test(timerClass))) {
+    refuse('wrong-type', `${path}.timerClass`, 'one printable character, or null', timerClass);
+  }
+  const photo = of.photo ?? null;
+  if (photo !== null) text(photo, `${path}.photo`, LIMITS.photo);
+  return {
+    id: id(of.id, `${path}.id`),
+    name: text(of.name, `${path}.name`, LIMITS.name, 1),
+    timerClass: timerClass as string | null,
+    note: text(of.note, `${path}.note`, LIMITS.note),
+    servos: list(of.servos, `${path}.servos`, 255).map((servo, at) => servoUse(servo, `${path}.servos[${at}]`)),
+    memoryNames: list(of.memoryNames, `${path}.memoryNames`, 255).map((name, at) =>
+      text(name, `${path}.memoryNames[${at}]`, LIMITS.name),
+    ),
+    photo: photo as string | null,
+    archived: flag(of.archived, `${path}.archived`),
+  };
+}
+
+/** Makes sure that a value is a setting; see {@link requireModel}. */
+export function requireSetting(value: unknown, path = 'setting'): Setting {
+  const of = record<Setting>(value, path);
+  return {
+    id: id(of.id, `${path}.id`),
+    model: of.model === null || of.model === undefined ? null : id(of.model, `${path}.model`),
+    name: text(of.name, `${path}.name`, LIMITS.name, 1),
+    note: text(of.note, `${path}.note`, LIMITS.note),
+    tags: list(of.tags, `${path}.tags`, LIMITS.tags).map((tag, at) => text(tag, `${path}.tags[${at}]`, LIMITS.tag, 1)),
+    at: date(of.at, `${path}.at`),
+    program: requireProgram(of.program, `${path}.program`),
+    from: word(of.from, `${path}.from`, SOURCES),
+    archived: flag(of.archived, `${path}.archived`),
+  };
+}
+
+/** Makes sure that a value is a flight; see {@link requireModel}. */
+export function requireFlight(value: unknown, path = 'flight'): Flight {
+  const of = record<Flight>(value, path);
+  return {
+    id: id(of.id, `${path}.id`),
+    at: date(of.at, `${path}.at`),
+    place: text(of.place, `${path}.place`, LIMITS.place),
+    model: of.model === null || of.model === undefined ? null : id(of.model, `${path}.model`),
+    modelName: text(of.modelName, `${path}.modelName`, LIMITS.name),
+    setting: of.setting === null || of.setting === undefined ? null : id(of.setting, `${path}.setting`),
+    settingName: text(of.settingName, `${path}.settingName`, LIMITS.name),
+    program: requireProgram(of.program, `${path}.program`),
+    wind: measured(of.wind, `${path}.wind`, 0, 50),
+    temperature: measured(of.temperature, `${path}.temperature`, -50, 60),
+    round: text(of.round, `${path}.round`, LIMITS.round),
+    result: measured(of.result, `${path}.result`, 0, 36_000),
+    note: text(of.note, `${path}.note`, LIMITS.note),
+  };
+}
+
+/**
+ * Makes sure that a value is a program that a timer can hold: positions and idle throttle up to 255, for a timer may
+ * hold what nobody should set.
+ * @throws CodecError as {@link requireModel}; also `bad-identity`.
+ */
+export function requireProgram(value: unknown, path = 'program'): TimerProgram {
+  const of = record<TimerProgram>(value, path);
+  const said = record<Identity>(of.identity, `${path}.identity`);
+  const identity = {
+    timerClass: said.timerClass,
+    firmware: said.firmware,
+    functions: said.functions,
+    memories: said.memories,
+    servos: said.servos,
+  } as Identity;
+  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${path}.identity.${name}`, 3);
+  within(path, () => requireIdentity(identity));
+  const program: TimerProgram = {
+    identity,
+    memory:
+      of.memory === null || of.memory === undefined
+        ? null
+        : whole(of.memory, `${path}.memory`, 0, identity.memories - 1),
+    times: list(of.times, `${path}.times`, 256).map((time, at) => whole(time, `${path}.times[${at}]`, 0, MAX_TIME)),
+    positions: list(of.positions, `${path}.positions`, 255).map((row, servo) =>
+      list(row, `${path}.positions[${servo}]`, 256).map((step, slot) =>
+        whole(step, `${path}.positions[${servo}][${slot}]`, 0, 255),
+      ),
+    ),
+    idleThrottle:
+      of.idleThrottle === null || of.idleThrottle === undefined
+        ? null
+        : whole(of.idleThrottle, `${path}.idleThrottle`, 0, 255),
+  };
+  within(path, () => requireShape(program));
+  return program;
+}
+
+function servoUse(value: unknown, path: string): ServoUse {
+  const of = record<ServoUse>(value, path);
+  return {
+    duty: word(of.duty, `${path}.duty`, DUTIES),
+    name: text(of.name, `${path}.name`, LIMITS.servoName),
+    low: whole(of.low, `${path}.low`, 0, MAX_POSITION),
+    high: whole(of.high, `${path}.high`, 0, MAX_POSITION),
+    reversed: flag(of.reversed, `${path}.reversed`),
+  };
+}
+
+/** What is wrong inside of something, with the place where that stands. */
+function within(path: string, check: () => void): void {
+  try {
+    check();
+  } catch (cause) {
+    if (!(cause instanceof CodecError)) throw cause;
+    throw new CodecError(cause.code, `${path}.${cause.field}`, `${path}.${cause.message}`, cause.details);
+  }
+}
+
+function refuse(code: 'wrong-type' | 'unknown-word', field: string, wanted: string, value: unknown): never {
+  throw new CodecError(code, field, `${field} must be ${wanted}`, { value });
+}
+
+function record<T>(value: unknown, path: string): Raw<T> {
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    refuse('wrong-type', path, 'an object', value);
+  return value;
+}
+
+function list(value: unknown, path: string, most: number): readonly unknown[] {
+  if (!Array.isArray(value)) refuse('wrong-type', path, 'a list', value);
+  if (value.length > most) {
+    throw new CodecError('wrong-count', path, `${path} must have at most ${most} entries`, {
+      value: value.length,
+      max: most,
+    });
+  }
+  return value;
+}
+
+function text(value: unknown, path: string, longest: number, shortest = 0): string {
+  if (typeof value !== 'string') refuse('wrong-type', path, 'a text', value);
+  if (value.length < shortest || value.length > longest) {
+    throw new CodecError('out-of-range', path, `${path} must have ${shortest} to ${longest} characters`, {
+      value: value.length,
+      min: shortest,
+      max: longest,
+    });
+  }
+  return value;
+}
+
+function id(value: unknown, path: string): string {
+  if (typeof value !== 'string' || !/^[A-Za-z0-9_-]{1,64}$/.test(value)) {
+    refuse('wrong-type', path, '1 to 64 letters, digits, - or _', value);
+  }
+  return value;
+}
+
+function flag(value: unknown, path: string): boolean {
+  if (typeof value !== 'boolean') refuse('wrong-type', path, 'true or false', value);
+  return value;
+}
+
+function date(value: unknown, path: string): number {
+  return whole(value, path, 0, LAST_DATE);
+}
+
+function whole(value: unknown, path: string, min: number, max: number): number {
+  if (!Number.isInteger(value)) {
+    throw new CodecError('not-an-integer', path, `${path} must be a whole number`, { value });
+  }
+  return measured(value, path, min, max) as number;
+}
+
+function measured(value: unknown, path: string, min: number, max: number): number | null {
+  if (value === null || value === undefined) return null;
+  if (typeof value !== 'number' || Number.isNaN(value)) refuse('wrong-type', path, 'a number, or null', value);
+  if (value < min || value > max) {
+    throw new CodecError('out-of-range', path, `${path} must be ${min} to ${max}`, { value, min, max });
+  }
+  return value;
+}
+
+function word<T extends string>(value: unknown, path: string, words: readonly T[]): T {
+  const found = words.find((each) => each === value);
+  if (found === undefined) refuse('unknown-word', path, `one of ${words.join(', ')}`, value);
+  return found;
+}
