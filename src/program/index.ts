@@ -26,6 +26,7 @@ export {
   type SettingSource,
   SOURCES,
 } from './library.js';
+export { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from './link-code.js';
 export {
   fieldKey,
   fieldsOf,

@@ -1,5 +1,6 @@
-import { CodecError, type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
+import { type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
 import { requireShape, type TimerProgram } from './program.js';
+import { date, flag, id, list, measured, record, refuse, text, whole, within, word } from './require.js';
 
 /*
  * What a pilot keeps beside the timer. The same shapes lie in files and in the page's storage; each is checked by one
@@ -120,12 +121,6 @@ export const LIMITS = {
   photo: 200_000,
 } as const;
 
-/** What has the fields of something, perhaps, with anything in them. */
-type Raw<T> = { readonly [Name in keyof T]?: unknown };
-
-/** The last millisecond that a calendar knows. */
-const LAST_DATE = 8.64e15;
-
 /**
  * Makes sure that a value is a model.
  * @param path where it stands, for the error: `models[3]`.
@@ -237,85 +232,4 @@ function servoUse(value: unknown, path: string): ServoUse {
     high: whole(of.high, `${path}.high`, 0, MAX_POSITION),
     reversed: flag(of.reversed, `${path}.reversed`),
   };
-}
-
-/** What is wrong inside of something, with the place where that stands. */
-function within(path: string, check: () => void): void {
-  try {
-    check();
-  } catch (cause) {
-    if (!(cause instanceof CodecError)) throw cause;
-    throw new CodecError(cause.code, `${path}.${cause.field}`, `${path}.${cause.message}`, cause.details);
-  }
-}
-
-function refuse(code: 'wrong-type' | 'unknown-word', field: string, wanted: string, value: unknown): never {
-  throw new CodecError(code, field, `${field} must be ${wanted}`, { value });
-}
-
-function record<T>(value: unknown, path: string): Raw<T> {
-  if (typeof value !== 'object' || value === null || Array.isArray(value))
-    refuse('wrong-type', path, 'an object', value);
-  return value;
-}
-
-function list(value: unknown, path: string, most: number): readonly unknown[] {
-  if (!Array.isArray(value)) refuse('wrong-type', path, 'a list', value);
-  if (value.length > most) {
-    throw new CodecError('wrong-count', path, `${path} must have at most ${most} entries`, {
-      value: value.length,
-      max: most,
-    });
-  }
-  return value;
-}
-
-function text(value: unknown, path: string, longest: number, shortest = 0): string {
-  if (typeof value !== 'string') refuse('wrong-type', path, 'a text', value);
-  if (value.length < shortest || value.length > longest) {
-    throw new CodecError('out-of-range', path, `${path} must have ${shortest} to ${longest} characters`, {
-      value: value.length,
-      min: shortest,
-      max: longest,
-    });
-  }
-  return value;
-}
-
-function id(value: unknown, path: string): string {
-  if (typeof value !== 'string' || !/^[A-Za-z0-9_-]{1,64}$/.test(value)) {
-    refuse('wrong-type', path, '1 to 64 letters, digits, - or _', value);
-  }
-  return value;
-}
-
-function flag(value: unknown, path: string): boolean {
-  if (typeof value !== 'boolean') refuse('wrong-type', path, 'true or false', value);
-  return value;
-}
-
-function date(value: unknown, path: string): number {
-  return whole(value, path, 0, LAST_DATE);
-}
-
-function whole(value: unknown, path: string, min: number, max: number): number {
-  if (!Number.isInteger(value)) {
-    throw new CodecError('not-an-integer', path, `${path} must be a whole number`, { value });
-  }
-  return measured(value, path, min, max) as number;
-}
-
-function measured(value: unknown, path: string, min: number, max: number): number | null {
-  if (value === null || value === undefined) return null;
-  if (typeof value !== 'number' || Number.isNaN(value)) refuse('wrong-type', path, 'a number, or null', value);
-  if (value < min || value > max) {
-    throw new CodecError('out-of-range', path, `${path} must be ${min} to ${max}`, { value, min, max });
-  }
-  return value;
-}
-
-function word<T extends string>(value: unknown, path: string, words: readonly T[]): T {
-  const found = words.find((each) => each === value);
-  if (found === undefined) refuse('unknown-word', path, `one of ${words.join(', ')}`, value);
-  return found;
 }

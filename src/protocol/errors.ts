@@ -12,6 +12,11 @@
  * - `bad-capture`: a text is no capture; the field says in which line.
  * - `wrong-type`: what a pilot keeps is not of the kind that its field wants: a text, a list, a number.
  * - `unknown-word`: a field has only some words, and this is none of them.
+ * - `bad-file`: a text is no library file, or its text is broken.
+ * - `bad-link`: a text carries no setting, or it has been cut or damaged on its way.
+ * - `newer-version`: a file or a link was made by a newer version of this program; the value is its number.
+ * - `too-large`: a text is longer, or nested deeper, than anything that a pilot keeps.
+ * - `duplicate`: a name or an id that must stand once stands twice.
  */
 export type CodecErrorCode =
   | 'not-an-integer'
@@ -24,7 +29,12 @@ export type CodecErrorCode =
   | 'identity-needed'
   | 'bad-capture'
   | 'wrong-type'
-  | 'unknown-word';
+  | 'unknown-word'
+  | 'bad-file'
+  | 'bad-link'
+  | 'newer-version'
+  | 'too-large'
+  | 'duplicate';
 
 /** Facts that go with a {@link CodecError}, for the sentence that is shown to a person. */
 export interface CodecErrorDetails {
@@ -36,6 +46,9 @@ export interface CodecErrorDetails {
   readonly max?: number;
   /** The bytes that could not be read. */
   readonly bytes?: Uint8Array;
+  /** Where it stands in a text, both counted from 1. */
+  readonly line?: number;
+  readonly column?: number;
 }
 
 /** The one error of the rooms that turn values into bytes and back. Its message is for developers. */

@@ -62,6 +62,11 @@ const unreadable: Record<CodecErrorCode, string> = {
   'bad-capture': 'it is not a recording',
   'wrong-type': 'a value is of the wrong kind',
   'unknown-word': 'a word in it is not known',
+  'bad-file': 'it is not a library file',
+  'bad-link': 'it is not a link to a setting, or not all of it',
+  'newer-version': 'a newer version of this page made it',
+  'too-large': 'it is too large',
+  duplicate: 'something in it stands twice',
 };
 
 const filters = {

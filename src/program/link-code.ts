@@ -1,0 +1,147 @@
+import { CodecError, type Identity, slotCount } from '../protocol/index.js';
+import { ByteReader, BytesError, ByteWriter, base64url, crc32, fromBase64url } from './bytes.js';
+import { LIMITS, requireSetting, type Setting } from './library.js';
+import { text } from './require.js';
+
+/** What a link carries: a setting, without what only the library of its sender knows of it. */
+export interface SharedSetting extends Pick<Setting, 'name' | 'note' | 'tags' | 'at' | 'program'> {
+  /** The name of the model, up to 60 characters; empty where it belongs to none. */
+  readonly modelName: string;
+}
+
+/** What stands before the code in the fragment of an address: `https://…/#s=AVE…`. */
+export const LINK_MARK = '#s=';
+
+const VERSION = 1;
+/** The checksum at the end. */
+const SUM = 4;
+/** No setting is longer: the longest note, all tags and the largest program in the widest characters. */
+const LONGEST_CODE = 60_000;
+/** The bits of the byte that says what may be missing. */
+const HAS_MEMORY = 1;
+const HAS_THROTTLE = 2;
+/** Shows that a note goes on where it came from. */
+const CUT = ' …';
+
+/**
+ * Packs a whole setting into the characters of base64url, `A-Z a-z 0-9 - _`: version, timer, values, texts and a
+ * checksum. docs/file-format.md shows the bytes. A setting of 44 values with 60 characters of text takes under 200.
+ * @param options.longest cuts the end of a longer note, so that the code has at most so many characters: a QR code has
+ * little room. Nothing else is ever cut; a code without any note may still be longer.
+ * @throws CodecError as {@link requireSetting} for what is no setting.
+ */
+export function encodeLink(shared: SharedSetting, options: { readonly longest?: number } = {}): string {
+  const setting = requireShared(shared);
+  const { longest = Number.POSITIVE_INFINITY } = options;
+  const whole = pack(setting);
+  if (whole.length <= longest) return whole;
+  // The longest beginning that fits, found by halving; characters are never cut in two.
+  const characters = [...setting.note];
+  const cutTo = (count: number): string => {
+    const note = count === 0 ? '' : characters.slice(0, count).join('').trimEnd() + CUT;
+    return pack({ ...setting, note });
+  };
+  let fits = 0;
+  let tooLong = Math.max(1, characters.length - CUT.length);
+  while (tooLong - fits > 1) {
+    const middle = Math.floor((fits + tooLong) / 2);
+    if (cutTo(middle).length <= longest) fits = middle;
+    else tooLong = middle;
+  }
+  return cutTo(fits);
+}
+
+/**
+ * Takes a setting out of a code, a fragment or a whole address with `#s=`. White space in it, as mail puts it there,
+ * does no harm.
+ * @throws CodecError `bad-link`: no setting, or cut or damaged; `newer-version`; `too-large`; and for a code that is
+ * whole, but says what no setting can hold, as {@link requireSetting}.
+ */
+export function decodeLink(link: string): SharedSetting {
+  const mark = link.lastIndexOf(LINK_MARK);
+  const given = mark < 0 ? link : link.slice(mark + LINK_MARK.length);
+  if (given.length > LONGEST_CODE) {
+    const details = { value: given.length, max: LONGEST_CODE };
+    throw new CodecError('too-large', 'link', `a link has at most ${LONGEST_CODE} characters`, details);
+  }
+  try {
+    return requireShared(unpack(fromBase64url(given.replaceAll(/\s/g, ''))));
+  } catch (cause) {
+    if (cause instanceof BytesError) throw new CodecError('bad-link', 'link', `no whole link: ${cause.message}`);
+    throw cause;
+  }
+}
+
+function pack({ name, note, tags, at, program, modelName }: SharedSetting): string {
+  const { identity, memory, times, positions, idleThrottle } = program;
+  const to = new ByteWriter();
+  to.byte(VERSION);
+  to.byte(identity.timerClass.charCodeAt(0));
+  to.pair(Number(identity.firmware));
+  to.byte(identity.functions);
+  to.byte(identity.memories);
+  to.byte(identity.servos);
+  to.byte((memory === null ? 0 : HAS_MEMORY) + (idleThrottle === null ? 0 : HAS_THROTTLE));
+  if (memory !== null) to.byte(memory);
+  if (idleThrottle !== null) to.byte(idleThrottle);
+  for (const time of times) to.pair(time);
+  for (const position of positions.flat()) to.byte(position);
+  to.number(at);
+  for (const each of [name, modelName, note]) to.text(each);
+  to.byte(tags.length);
+  for (const tag of tags) to.text(tag);
+  const sum = crc32(to.bytes);
+  to.pair(sum & 0xffff);
+  to.pair(sum >>> 16);
+  return base64url(to.bytes);
+}
+
+/** In every version the first byte is its number and the last four are the sum: what is newer is known from damage. */
+function unpack(bytes: Uint8Array): unknown {
+  const from = new ByteReader(bytes.subarray(0, -SUM));
+  const end = new ByteReader(bytes.subarray(-SUM));
+  if (bytes.length < SUM + 1) throw new BytesError('it is too short');
+  if (end.pair() + 0x1_0000 * end.pair() !== crc32(bytes.subarray(0, -SUM))) {
+    throw new BytesError('the checksum does not fit');
+  }
+  const version = from.byte();
+  if (version > VERSION) {
+    throw new CodecError('newer-version', 'link', `version ${version} is newer than ${VERSION}`, {
+      value: version,
+      max: VERSION,
+    });
+  }
+  if (version !== VERSION) throw new BytesError(`there is no version ${version}`);
+  const identity: Identity = {
+    timerClass: String.fromCharCode(from.byte()),
+    firmware: String(from.pair()).padStart(3, '0'),
+    functions: from.byte(),
+    memories: from.byte(),
+    servos: from.byte(),
+  };
+  const has = from.byte();
+  if (has > HAS_MEMORY + HAS_THROTTLE) throw new BytesError('it says that it holds what there is not');
+  const memory = has & HAS_MEMORY ? from.byte() : null;
+  const idleThrottle = has & HAS_THROTTLE ? from.byte() : null;
+  const slots = slotCount(identity);
+  const times = Array.from({ length: slots }, () => from.pair());
+  const positions = Array.from({ length: identity.servos }, () => [...from.take(slots)]);
+  const at = from.number();
+  const [name, modelName, note] = [from.text(), from.text(), from.text()];
+  const tags = Array.from({ length: from.byte() }, () => from.text());
+  if (from.left > 0) throw new BytesError('something follows its end');
+  return { name, modelName, note, tags, at, program: { identity, memory, times, positions, idleThrottle } };
+}
+
+/** As strict as what is kept: a link may come from anybody. */
+function requireShared(value: unknown): SharedSetting {
+  const shared = value as SharedSetting;
+  const { name, note, tags, at, program } = requireSetting({
+    ...shared,
+    id: 'link',
+    model: null,
+    from: 'link',
+    archived: false,
+  });
+  return { name, note, tags, at, program, modelName: text(shared.modelName, 'setting.modelName', LIMITS.name) };
+}

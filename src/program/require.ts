@@ -1,0 +1,99 @@
+import { CodecError } from '../protocol/index.js';
+
+/*
+ * Makes sure that a value from outside is of its kind. `path` is where it stands, for the error: `settings[3].name`.
+ */
+
+/** What has the fields of something, perhaps, with anything in them. */
+export type Raw<T> = { readonly [Name in keyof T]?: unknown };
+
+/** The last millisecond that a calendar knows. */
+export const LAST_DATE = 8.64e15;
+
+/** What is wrong inside of something, with the place where that stands. */
+export function within(path: string, check: () => void): void {
+  try {
+    check();
+  } catch (cause) {
+    if (!(cause instanceof CodecError)) throw cause;
+    throw new CodecError(cause.code, `${path}.${cause.field}`, `${path}.${cause.message}`, cause.details);
+  }
+}
+
+export function refuse(code: 'wrong-type' | 'unknown-word', field: string, wanted: string, value: unknown): never {
+  throw new CodecError(code, field, `${field} must be ${wanted}`, { value });
+}
+
+export function record<T>(value: unknown, path: string): Raw<T> {
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    refuse('wrong-type', path, 'an object', value);
+  return value;
+}
+
+export function list(value: unknown, path: string, most: number): readonly unknown[] {
+  if (!Array.isArray(value)) refuse('wrong-type', path, 'a list', value);
+  if (value.length > most) {
+    throw new CodecError('wrong-count', path, `${path} must have at most ${most} entries`, {
+      value: value.length,
+      max: most,
+    });
+  }
+  return value;
+}
+
+export function text(value: unknown, path: string, longest: number, shortest = 0): string {
+  if (typeof value !== 'string') refuse('wrong-type', path, 'a text', value);
+  const length = characters(value, longest);
+  if (length < shortest || length > longest) {
+    throw new CodecError('out-of-range', path, `${path} must have ${shortest} to ${longest} characters`, {
+      value: length,
+      min: shortest,
+      max: longest,
+    });
+  }
+  return value;
+}
+
+/** How many characters a text has, as a JSON Schema counts them; a text that is far too long is not gone through. */
+function characters(value: string, longest: number): number {
+  return value.length <= longest || value.length > 2 * longest ? value.length : [...value].length;
+}
+
+export function id(value: unknown, path: string): string {
+  if (typeof value !== 'string' || !/^[A-Za-z0-9_-]{1,64}$/.test(value)) {
+    refuse('wrong-type', path, '1 to 64 letters, digits, - or _', value);
+  }
+  return value;
+}
+
+export function flag(value: unknown, path: string): boolean {
+  if (typeof value !== 'boolean') refuse('wrong-type', path, 'true or false', value);
+  return value;
+}
+
+export function date(value: unknown, path: string): number {
+  return whole(value, path, 0, LAST_DATE);
+}
+
+export function whole(value: unknown, path: string, min: number, max: number): number {
+  if (!Number.isInteger(value)) {
+    throw new CodecError('not-an-integer', path, `${path} must be a whole number`, { value });
+  }
+  return measured(value, path, min, max) as number;
+}
+
+export function measured(value: unknown, path: string, min: number, max: number): number | null {
+  if (value === null || value === undefined) return null;
+  if (typeof value !== 'number' || Number.isNaN(value)) refuse('wrong-type', path, 'a number, or null', value);
+  if (value < min || value > max) {
+    throw new CodecError('out-of-range', path, `${path} must be ${min} to ${max}`, { value, min, max });
+  }
+  // No negative zero: it would not come back from a file.
+  return value + 0;
+}
+
+export function word<T extends string>(value: unknown, path: string, words: readonly T[]): T {
+  const found = words.find((each) => each === value);
+  if (found === undefined) refuse('unknown-word', path, `one of ${words.join(', ')}`, value);
+  return found;
+}

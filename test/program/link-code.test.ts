@@ -1,0 +1,176 @@
+import { readFileSync } from 'node:fs';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { crc32 } from '../../src/program/bytes.js';
+import { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
+import { CodecError } from '../../src/protocol/index.js';
+import { program, shared } from '../fuzz/kept.js';
+import { MODEL, SETTING } from './library-examples.js';
+
+const { name, note, tags, at, program: held } = SETTING;
+const SHARED: SharedSetting = { name, note, tags, at, program: held, modelName: MODEL.name };
+
+const bytesOf = (code: string): Uint8Array => Uint8Array.from(Buffer.from(code, 'base64url'));
+const codeOf = (bytes: Iterable<number>): string => Buffer.from([...bytes]).toString('base64url');
+/** The same bytes with the sum that fits. */
+const summed = (bytes: Iterable<number>): string => {
+  const sum = crc32(Uint8Array.from(bytes));
+  return codeOf([...bytes, sum & 0xff, (sum >> 8) & 0xff, (sum >> 16) & 0xff, sum >>> 24]);
+};
+const bodyOf = (of: SharedSetting): number[] => [...bytesOf(encodeLink(of))].slice(0, -4);
+
+/** The body of an example with another byte at one place. */
+const other = (at: number, byte: number): number[] => bodyOf(SHARED).map((old, index) => (index === at ? byte : old));
+
+const refusal = (link: string): string => {
+  try {
+    decodeLink(link);
+  } catch (error) {
+    return error instanceof CodecError ? `${error.code} ${error.field}` : String(error);
+  }
+  return 'taken';
+};
+
+describe('a link', () => {
+  it('has the bytes that docs/file-format.md shows', () => {
+    const small: SharedSetting = {
+      name: 'calm',
+      modelName: 'Lancer 07',
+      note: '',
+      tags: ['fly-off'],
+      at: 1_795_000_000_000,
+      program: {
+        identity: { timerClass: 'Q', firmware: '536', functions: 2, memories: 4, servos: 2 },
+        memory: 1,
+        times: [1000, 30, 18000],
+        positions: [
+          [15, 25, 115],
+          [20, 30, 120],
+        ],
+        idleThrottle: 12,
+      },
+    };
+    const page = readFileSync(new URL('../../docs/file-format.md', import.meta.url), 'utf8');
+    const [, shown = ''] = /```text link\n(.*?)```/s.exec(page) ?? [];
+    const lines = shown.split('\n');
+    const hex = lines.map((line) => /^(?:[0-9a-f]{2} )+/.exec(`${line.split('  ')[0]} `)?.[0] ?? '').join('');
+    const [code = ''] = lines.filter((line) => line.startsWith(LINK_MARK)).map((line) => line.slice(LINK_MARK.length));
+    expect(encodeLink(small)).toBe(code);
+    expect([...bytesOf(code)].map((byte) => byte.toString(16).padStart(2, '0')).join(' ')).toBe(hex.trim());
+    expect(decodeLink(encodeLink(small))).toEqual(small);
+  });
+
+  it('sums as the world does', () => {
+    expect(crc32(Buffer.from('123456789'))).toBe(0xcbf4_3926);
+  });
+
+  it('brings back whatever a pilot can share', () => {
+    fc.assert(
+      fc.property(shared, (setting) => {
+        const code = encodeLink(setting);
+        expect(code).toMatch(/^[\w-]+$/);
+        expect(decodeLink(code)).toEqual(setting);
+        expect(decodeLink(`https://example.org/sidus/?x=1${LINK_MARK}${code}`)).toEqual(setting);
+      }),
+    );
+  });
+
+  it('of 44 values is shorter than 200 characters, with its mark and 60 characters of text', () => {
+    const identity = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
+    const row = Array.from({ length: 11 }, () => 255);
+    const full = { identity, memory: 3, times: row.map(() => 65_535), positions: [row, row, row], idleThrottle: 255 };
+    const setting = { ...SHARED, program: full, name: 'x'.repeat(20), modelName: 'y'.repeat(20), note: 'z'.repeat(20) };
+    const spoken = `${LINK_MARK}${encodeLink({ ...setting, tags: [] })}`;
+    expect(spoken.length).toBeLessThan(200);
+  });
+
+  it.each(['', LINK_MARK, 'https://example.org/#library', 'hello', 'A', '====', 'Ä', `${LINK_MARK}%41`])(
+    'is not %j',
+    (text) => expect(refusal(text)).toBe('bad-link link'),
+  );
+
+  it('is found in what mail makes of it', () => {
+    const code = encodeLink(SHARED);
+    expect(decodeLink(` https://example.org/\n ${LINK_MARK}${code.replaceAll(/.{20}/g, '$&\r\n ')} \n`)).toEqual(
+      SHARED,
+    );
+  });
+
+  it('that was cut anywhere, or has another character anywhere, says so', () => {
+    const code = encodeLink(SHARED);
+    for (let cut = 0; cut < code.length; cut++) {
+      expect(refusal(code.slice(0, cut))).toBe('bad-link link');
+      expect(refusal(code.slice(cut + 1))).toBe('bad-link link');
+      for (const wrong of 'A_9z*') {
+        if (code[cut] === wrong) continue;
+        expect(refusal(code.slice(0, cut) + wrong + code.slice(cut + 1))).toBe('bad-link link');
+      }
+    }
+  });
+
+  it.each([
+    ['a newer version', [2, 1, 2, 3], 'newer-version link'],
+    ['version 0', [0, ...bodyOf(SHARED).slice(1)], 'bad-link link'],
+    ['nothing in it', [1], 'bad-link link'],
+    ['something behind its end', [...bodyOf(SHARED), 0], 'bad-link link'],
+    ['more than it can say', other(7, 4), 'bad-link link'],
+    ['a class that is no letter', other(1, 0x20), 'bad-identity setting.program.identity.timerClass'],
+    ['more servos than bytes', other(6, 255), 'bad-link link'],
+    ['a firmware of four digits', other(3, 255), 'out-of-range setting.program.identity.firmware'],
+    ['a memory that the timer has not', other(8, 4), 'out-of-range setting.program.memory'],
+  ])('with %s and the right sum is refused', (_, body, expected) => {
+    expect(refusal(summed(body))).toBe(expected);
+  });
+
+  it('whose texts are no UTF-8, or not in their shortest form, is refused', () => {
+    const end = bodyOf({ ...SHARED, name: 'ab', modelName: '', note: '', tags: [] });
+    const before = end.slice(0, -6);
+    expect(end.slice(-6)).toEqual([2, 0x61, 0x62, 0, 0, 0]);
+    for (const wrong of [
+      [0xc1, 0x81],
+      [0x80, 0x61],
+      [0x61, 0xc3],
+      [0xf8, 0x61],
+      [0xc3, 0x61],
+    ]) {
+      expect(refusal(summed([...before, 2, ...wrong, 0, 0, 0]))).toBe('bad-link link');
+    }
+    expect(refusal(summed([...before, 0x82, 0, 0x61, 0x62, 0, 0, 0]))).toBe('bad-link link');
+    expect(refusal(summed([...before, 4, 0xf4, 0x90, 0x80, 0x80, 0, 0, 0]))).toBe('bad-link link');
+    expect(refusal(summed([...before, 0, 0, 0, 0]))).toBe('out-of-range setting.name');
+  });
+
+  it('that is far too long is not looked at', () => {
+    expect(refusal('A'.repeat(60_001))).toBe('too-large link');
+    expect(refusal(`${' '.repeat(1_000_000)}${encodeLink(SHARED)}`)).toBe('too-large link');
+  });
+
+  it('carries no more of a note than it has room for, and says so', () => {
+    const long = { ...SHARED, note: '🛩️ '.repeat(1600) };
+    const whole = encodeLink(long);
+    expect(decodeLink(whole)).toEqual(long);
+    fc.assert(
+      fc.property(fc.integer({ min: 150, max: whole.length - 1 }), (longest) => {
+        const code = encodeLink(long, { longest });
+        expect(code.length).toBeLessThanOrEqual(longest);
+        expect(code.length).toBeGreaterThan(longest - 30);
+        const { note: cut, ...rest } = decodeLink(code);
+        expect({ ...rest, note: long.note }).toEqual(long);
+        expect(cut.endsWith('…')).toBe(true);
+        expect(long.note.startsWith(cut.slice(0, -2))).toBe(true);
+      }),
+      { numRuns: 50 },
+    );
+    expect(encodeLink(long, { longest: whole.length })).toBe(whole);
+    expect(decodeLink(encodeLink(long, { longest: 0 })).note).toBe('');
+  });
+
+  it('is not made of what is no setting', () => {
+    fc.assert(
+      fc.property(program, (of) => {
+        expect(() => encodeLink({ ...SHARED, program: { ...of, times: of.times.slice(1) } })).toThrow(CodecError);
+      }),
+      { numRuns: 20 },
+    );
+  });
+});
