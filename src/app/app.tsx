@@ -41,7 +41,7 @@ export function App({ models }: { readonly models: AppModels }) {
     bench: () => <parts.bench.Part {...{ session, views, write, bench, follow }} />,
     library: () => <parts.library.Part />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
-    settings: () => <parts.settings.Part {...{ session, theme, density, erase, views }} />,
+    settings: () => <parts.settings.Part {...{ session, preferences, theme, density, erase, views }} />,
   };
   return (
     <>

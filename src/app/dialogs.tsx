@@ -1,5 +1,5 @@
 import { commandsOf } from './commands.js';
-import { LeaveDialog } from './memories/leave-dialog.js';
+import { GoOn, LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
 import { EraseDialog } from './settings/erase-dialog.js';
@@ -11,7 +11,7 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
   const { session, write, memories, leaving, erase } = models;
   return (
     <>
-      <WriteDialog session={session} write={write} />
+      <WriteDialog session={session} write={write} after={<GoOn write={write} leaving={leaving} />} />
       <MemoriesDialog session={session} jobs={memories.jobs} />
       <LeaveDialog session={session} leaving={leaving} />
       <EraseDialog session={session} erase={erase} />

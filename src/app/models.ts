@@ -91,7 +91,7 @@ export function createModels({
     erase: new Erase(session, storage, erasers, reload),
     write,
     memories,
-    leaving: new Leaving(session, memories),
+    leaving: new Leaving(session, memories, write),
     bench,
     follow: new Follow(session, bench),
     line: { view: new LineView(session.log), form: new FrameForm(session) },

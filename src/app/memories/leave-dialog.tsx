@@ -1,12 +1,16 @@
-import { messages } from '../messages/index.js';
+import { messages, presetText } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { RunningStep } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-band.js';
+import type { WriteFlow } from '../write/write-flow.js';
 import type { Leaving } from './leaving.js';
 import { nextFlightText } from './next-flight-line.js';
 
-/** Says once more which memory will fly when it is not the one of the time of connect, before the connection ends. */
+/**
+ * Says once more, before the connection ends, which memory will fly where it is not the one of the time of connect, and
+ * that its DT is a short one.
+ */
 export function LeaveDialog({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
   const question = leaving.question.value;
   return (
@@ -16,7 +20,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
       titleId="leave-title"
       head={<UncertainNote session={session} />}
       held={question?.goingBack === true}
-      onEscape={() => leaving.stay()}
+      onEscape={() => void leaving.escape()}
     >
       <Question session={session} leaving={leaving} />
     </Modal>
@@ -24,7 +28,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
 }
 
 function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
-  const { nextFlight: words, memoryName, program } = messages.value;
+  const { nextFlight: words, memoryName, program, shortDt } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;
   if (!question) return null;
@@ -39,6 +43,10 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
   }
   const originalName = original.value === null ? null : memoryName(original.value);
   const canGoBack = word.value !== null && originalName !== null && session.runner.ready.value;
+  const short = session.shortDt.held.value;
+  const dt = short && presetText(short.dt);
+  const asksMemory = word.value !== null || short === null;
+  const blocked = session.editor.blocked.value;
   return (
     <>
       {question.failed && originalName && (
@@ -46,18 +54,39 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
           {words.leaving.failed(originalName)}
         </p>
       )}
-      <p role="status">
-        <strong>
-          {word.value ? nextFlightText(word.value, 'will') : originalName && words.leaving.as(originalName)}
-        </strong>
-      </p>
+      <div role="status">
+        {asksMemory && (
+          <p>
+            <strong>
+              {word.value ? nextFlightText(word.value, 'will') : originalName && words.leaving.as(originalName)}
+            </strong>
+          </p>
+        )}
+        {short && dt && (
+          <p>
+            <strong>{shortDt.held(short.memory === null ? null : memoryName(short.memory), dt)}</strong>{' '}
+            {shortDt.ask(presetText(short.back))}
+          </p>
+        )}
+        {short && blocked && <p class="hint">{shortDt.blocked}</p>}
+      </div>
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => leaving.stay()}>
           {words.leaving.stay}
         </button>
         <button type="button" onClick={() => void leaving.disconnectAsItIs()}>
-          {words.leaving.disconnect}
+          {dt ? shortDt.flyWith(dt) : words.leaving.disconnect}
         </button>
+        {short && (
+          <button
+            type="button"
+            class={canGoBack ? undefined : 'primary'}
+            disabled={blocked || !session.runner.ready.value}
+            onClick={() => void leaving.putBack()}
+          >
+            {shortDt.putBack(presetText(short.back))}
+          </button>
+        )}
         {canGoBack && (
           <button type="button" class="primary" onClick={() => void leaving.backAndDisconnect()}>
             {words.leaving.back(originalName)}
@@ -65,5 +94,21 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         )}
       </div>
     </>
+  );
+}
+
+/** Under the result of the write that has put DT back: the pilot was about to disconnect. */
+export function GoOn({ write, leaving }: { readonly write: WriteFlow; readonly leaving: Leaving }) {
+  if (!leaving.puttingBack.value) return null;
+  const goOn = (): void => {
+    write.dismiss();
+    void leaving.disconnect();
+  };
+  return (
+    <div class="buttons">
+      <button type="button" class="primary" onClick={goOn}>
+        {messages.value.nextFlight.leaving.disconnect}
+      </button>
+    </div>
   );
 }

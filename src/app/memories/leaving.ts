@@ -1,6 +1,9 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
+import { fieldKey, type ProgramField } from '../../program/index.js';
+import { setValues } from '../editing/edit.js';
 import type { JobKind } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
+import type { WriteFlow } from '../write/write-flow.js';
 import type { Memories } from './memories.js';
 
 /** What the pilot is asked before the connection ends. */
@@ -14,30 +17,39 @@ export interface Question {
 /** Jobs that select memories. */
 const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 
-/** Ends the connection, and not before the pilot knows which memory will fly. */
+/** Ends the connection, and not before the pilot knows which memory will fly, and whether its DT is a short one. */
 export class Leaving {
   /** Null while there is nothing to ask. */
   readonly question: ReadonlySignal<Question | null>;
+  /** The pilot wanted to go, and puts DT back first: the write that is shown now is for that. */
+  readonly puttingBack: ReadonlySignal<boolean>;
   readonly #question = signal<Question | null>(null, { name: 'leaving' });
+  readonly #puttingBack = signal(false, { name: 'puttingBack' });
   readonly #session: Session;
   readonly #memories: Memories;
+  readonly #write: WriteFlow;
 
-  constructor(session: Session, memories: Memories) {
+  constructor(session: Session, memories: Memories, write: WriteFlow) {
     this.#session = session;
     this.#memories = memories;
+    this.#write = write;
     this.question = this.#question;
+    this.puttingBack = this.#puttingBack;
     effect(() => {
       if (session.link.state.value.status === 'off') this.#question.value = null;
     });
+    effect(() => {
+      if (write.current.value === null) this.#puttingBack.value = false;
+    });
   }
 
-  /** Disconnects; asks before where another memory flies next than at connect. */
+  /** Disconnects; asks before where another memory flies next than at connect, or one with a short DT. */
   async disconnect(): Promise<void> {
-    const { runner, nextFlight } = this.#session;
+    const { runner } = this.#session;
     const job = runner.job.value;
     // What has selected another memory is given the time to come back: the port would be closed on its way.
     if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
-    if (nextFlight.word.value) this.#question.value = { goingBack: false, failed: false };
+    if (this.#hasToAsk()) this.#question.value = { goingBack: false, failed: false };
     else await this.#session.disconnect();
   }
 
@@ -48,19 +60,49 @@ export class Leaving {
     if (this.#question.value?.goingBack !== false || original.value === null) return;
     this.#question.value = { goingBack: true, failed: false };
     await this.#memories.fly(original.value);
-    if (!nextFlight.word.value) await this.#session.disconnect();
+    if (!this.#hasToAsk()) await this.#session.disconnect();
     // The connection may have ended meanwhile.
-    else if (this.#question.value) this.#question.value = { goingBack: false, failed: true };
+    else if (this.#question.value) {
+      this.#question.value = { goingBack: false, failed: nextFlight.word.value !== null };
+    }
   }
 
-  /** Disconnects: the pilot knows which memory flies next. */
+  /** Disconnects: the pilot knows which memory flies next, and with which DT. */
   async disconnectAsItIs(): Promise<void> {
     if (this.#question.value?.goingBack === false) await this.#session.disconnect();
+  }
+
+  /** Puts a short DT back to the long one from before, as an edit, and shows it as any write is shown. */
+  async putBack(): Promise<void> {
+    const { editor, shortDt } = this.#session;
+    const short = shortDt.held.value;
+    const identity = editor.identity.value;
+    if (this.#question.value?.goingBack !== false || !short || !identity) return;
+    this.#question.value = null;
+    const field: ProgramField = { kind: 'time', slot: identity.functions };
+    editor.apply(setValues({ code: 'preset', params: { field: fieldKey(field) } }, [{ field, value: short.back }]));
+    await this.#write.open();
+    this.#puttingBack.value = this.#write.current.value !== null;
   }
 
   /** Stays connected; while the way back is under way, stops it. */
   stay(): void {
     if (this.#question.value?.goingBack) void this.#session.runner.stop();
     else this.#question.value = null;
+  }
+
+  /**
+   * Escape was pressed. Where a short DT alone is in question it disconnects, as was wanted: in a hurry nothing holds
+   * anybody here. Where another memory would fly it stays connected.
+   */
+  async escape(): Promise<void> {
+    if (this.#session.nextFlight.word.value || this.#question.value?.goingBack) this.stay();
+    else await this.disconnectAsItIs();
+  }
+
+  /** While a write is under way its end decides: nothing is said of the DT before that. */
+  #hasToAsk(): boolean {
+    const { nextFlight, shortDt, runner } = this.#session;
+    return nextFlight.word.value !== null || (shortDt.held.value !== null && !runner.writing.value);
   }
 }

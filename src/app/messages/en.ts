@@ -12,6 +12,7 @@ import { connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
 import { backups, recovery } from './en-recovery.js';
 import { density, settings, theme } from './en-settings.js';
+import { shortDt } from './en-short-dt.js';
 import { newProgram, start } from './en-start.js';
 import { library, palette, parts, strip, views } from './en-views.js';
 
@@ -261,6 +262,7 @@ export const en = {
   settings,
   views,
   strip,
+  shortDt,
   library,
   palette,
   density,

@@ -19,10 +19,13 @@ export class Preferences {
   readonly #presets = signal<readonly number[]>(loadSetting('dt-presets', times) ?? USUAL_PRESETS);
   /** In rising order. */
   readonly presets: ReadonlySignal<readonly number[]> = this.#presets;
+  /** A DT below this is called short. */
+  readonly shortDt: ReadonlySignal<number>;
   readonly #editor: Editor;
 
   constructor(editor: Editor) {
     this.#editor = editor;
+    this.shortDt = editor.shortDt;
     const shortDt = loadSetting('short-dt', time);
     if (shortDt !== null) editor.callShort(shortDt);
   }

@@ -32,6 +32,7 @@ import { Safety } from './safety.js';
 import { ServoMoves } from './servo-moves.js';
 import { ServoUses } from './servo-uses.js';
 import { SetAside } from './set-aside.js';
+import { ShortDt } from './short-dt.js';
 import { type Standing, standingOf } from './standing.js';
 import { UnfinishedRecords } from './unfinished.js';
 
@@ -75,6 +76,8 @@ export class Session {
   readonly servoUses: ServoUses;
   /** Which memory flies next, and whether it is the one of the time of connect. */
   readonly nextFlight = new NextFlight();
+  /** Whether a DT for trimming flies next, and what it can be put back to. */
+  readonly shortDt: ShortDt;
   /** It is open how this timer writes its times: the pilot has to choose before they are written. */
   readonly byteOrderOpen: ReadonlySignal<boolean>;
   /** Whether the program on the screen is of the simulated timer. */
@@ -117,6 +120,13 @@ export class Session {
     this.#reader = reader;
     this.simulated = reader.simulated;
     this.byteOrderOpen = reader.byteOrderOpen;
+    this.shortDt = new ShortDt({
+      editor,
+      standing: this.standing,
+      nextFlight,
+      simulated: reader.simulated,
+      model: () => null,
+    });
     this.keptWork = new KeptWork(this, drafts, (draft) => reader.showDraft(draft));
     this.keptPrograms = new KeptPrograms(drafts);
     this.engaged = computed(() => runner.busy.value || link.waiting.value);

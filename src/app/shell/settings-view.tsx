@@ -1,10 +1,12 @@
 import { AboutTimer } from '../connect/about-timer.js';
 import { PortList, SerialSettingsForm } from '../connect/port-list.js';
 import { messages } from '../messages/index.js';
+import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import type { Density } from '../settings/density.js';
 import { DensityChoice } from '../settings/density-choice.js';
 import type { Erase } from '../settings/erase.js';
+import { ShortDtLimit } from '../settings/short-dt-limit.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
 import type { Views } from './views.js';
@@ -12,6 +14,7 @@ import './settings-view.css';
 
 export interface SettingsViewProps {
   readonly session: Session;
+  readonly preferences: Preferences;
   readonly theme: Theme;
   readonly density: Density;
   readonly erase: Erase;
@@ -19,8 +22,8 @@ export interface SettingsViewProps {
 }
 
 /** What is set once: how the page looks, the adapters, what this device keeps. */
-export function SettingsView({ session, theme, density, erase, views }: SettingsViewProps) {
-  const { settings: words, erase: eraseWords } = messages.value;
+export function SettingsView({ session, preferences, theme, density, erase, views }: SettingsViewProps) {
+  const { settings: words, erase: eraseWords, shortDt } = messages.value;
   return (
     <>
       <h1>{words.title}</h1>
@@ -28,6 +31,10 @@ export function SettingsView({ session, theme, density, erase, views }: Settings
         <h2>{words.look}</h2>
         <ThemeChoice theme={theme} />
         <DensityChoice density={density} />
+      </section>
+      <section class="setting">
+        <h2>{shortDt.settings.title}</h2>
+        <ShortDtLimit preferences={preferences} />
       </section>
       {!session.link.unavailable && (
         <section class="setting">

@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import type { TimerError } from '../../client/index.js';
 import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
@@ -15,8 +16,15 @@ import { DifferenceInWords, ValueTable } from './value-table.js';
 import type { Shown, WriteFlow, WriteStep } from './write-flow.js';
 import './write-dialog.css';
 
+interface WriteDialogProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  /** What can be done once a write was verified. */
+  readonly after?: ComponentChildren;
+}
+
 /** The difference, the write, the result: one dialog from start to end. */
-export function WriteDialog({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
+export function WriteDialog({ session, write, after }: WriteDialogProps) {
   const current = write.current.value;
   const identity = current && session.editor.identity.value;
   const { write: words } = messages.value;
@@ -44,7 +52,11 @@ export function WriteDialog({ session, write }: { readonly session: Session; rea
               onStop={() => write.dismiss()}
             />
           )}
-          {current.step === 'done' && <Result session={session} write={write} identity={identity} done={current} />}
+          {current.step === 'done' && (
+            <Result session={session} write={write} identity={identity} done={current}>
+              {current.report.result === 'verified' && !current.unkept && after}
+            </Result>
+          )}
           {current.step === 'refused' && <Refused write={write} error={current.error} />}
         </>
       )}
@@ -173,9 +185,10 @@ interface ResultProps {
   readonly write: WriteFlow;
   readonly identity: Identity;
   readonly done: Done;
+  readonly children: ComponentChildren;
 }
 
-function Result({ session, write, identity, done }: ResultProps) {
+function Result({ session, write, identity, done, children }: ResultProps) {
   const { report, unkept } = done;
   const { write: words, timer } = messages.value;
   const canWrite = session.runner.ready.value && !session.editor.blocked.value;
@@ -202,6 +215,7 @@ function Result({ session, write, identity, done }: ResultProps) {
           lastCounts
         />
       )}
+      {children}
       <ClosingButtons
         onClose={() => write.dismiss()}
         again={unkept ? { label: words.move.again, disabled: !canWrite, onClick: () => void write.again() } : null}

@@ -1,0 +1,15 @@
+/** A DT for trimming that is about to be flown: asked before the pilot disconnects, and with a round of a contest. */
+export const shortDt = {
+  /** @param memory null where the timer does not say which one is current. */
+  held: (memory: string | null, dt: string) => (memory === null ? `DT is ${dt}.` : `DT of ${memory} is ${dt}.`),
+  ask: (back: string) => `Put back to ${back}?`,
+  putBack: (back: string) => `Put back to ${back}…`,
+  flyWith: (dt: string) => `Fly with ${dt}`,
+  /** Something that was typed stands in the way of every write. */
+  blocked: 'Something that you typed cannot be written yet. Put it right before you put DT back.',
+  settings: {
+    title: 'Short DT',
+    limit: 'A DT is short below',
+    hint: 'A short DT is red. Before you disconnect, this page asks whether to put it back to what it was, or to what a round of the class needs. With 0 s it never asks.',
+  },
+};

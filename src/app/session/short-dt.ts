@@ -1,0 +1,98 @@
+import { computed, effect, type ReadonlySignal } from '@preact/signals';
+import * as v from 'valibot';
+import type { TimerProgram } from '../../program/index.js';
+import { MAX_TIME } from '../../protocol/index.js';
+import { loadSetting, saveSetting } from '../browser/settings.js';
+import type { Editor } from '../editing/editor.js';
+import type { NextFlight } from './next-flight.js';
+import { programKey } from './record-keys.js';
+import type { Standing } from './standing.js';
+
+/** A DT for trimming, in the timer that is connected. Times are hundredths of a second. */
+export interface ShortDtWord {
+  /** Counted from 0; null where the timer does not say which memory is current. */
+  readonly memory: number | null;
+  readonly dt: number;
+  /** What it can be put back to. */
+  readonly back: number;
+}
+
+/** What a round of a contest needs by the rules of a class, where nothing else is known: 3 min, or 5 min for F1E. */
+const USUAL: Readonly<Record<string, number>> = { E: 30_000 };
+const USUAL_OTHERWISE = 18_000;
+
+/** So many are remembered: five memories of twenty models. */
+const MOST = 100;
+const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
+const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
+
+interface ShortDtParts {
+  readonly editor: Editor;
+  readonly standing: ReadonlySignal<Standing>;
+  readonly nextFlight: Pick<NextFlight, 'open'>;
+  readonly simulated: ReadonlySignal<boolean>;
+  /** The id of the model whose timer is connected; null where that is not known. */
+  readonly model: () => string | null;
+}
+
+/**
+ * A short DT brings a model down early, as for trimming. Forgotten it costs a flight: so the last long DT of each
+ * memory is remembered, and can be put back. The limit between them is the pilot's own, see `Preferences`.
+ */
+export class ShortDt {
+  /** Null unless a fresh reading says that the memory which flies next has a short DT. */
+  readonly held: ReadonlySignal<ShortDtWord | null>;
+  readonly #parts: ShortDtParts;
+
+  constructor(parts: ShortDtParts) {
+    this.#parts = parts;
+    const { editor, standing, nextFlight } = parts;
+    /** What flies next by a reading of this connection: not what was read once, or is of another memory by now. */
+    const now = computed(() =>
+      standing.value.sure === 'now' && !nextFlight.open.value ? editor.baseline.value : null,
+    );
+    this.held = computed(() => {
+      const program = now.value;
+      if (!program || !this.isShort(program)) return null;
+      return { memory: program.memory, dt: dtOf(program), back: this.#back(program) };
+    });
+    effect(() => {
+      const program = now.value;
+      if (program && !this.isShort(program)) this.#remember(this.#keys(program), dtOf(program));
+    });
+  }
+
+  /** Whether the DT of a program is one for trimming. */
+  isShort(program: TimerProgram): boolean {
+    return dtOf(program) < this.#parts.editor.shortDt.value;
+  }
+
+  /** The last long DT of this memory, of this model or else of such a timer; else what the class needs. */
+  #back(program: TimerProgram): number {
+    const kept = loadSetting('long-dts', remembered) ?? {};
+    const limit = this.#parts.editor.shortDt.value;
+    const usual = USUAL[program.identity.timerClass] ?? USUAL_OTHERWISE;
+    const known = this.#keys(program).map((key) => kept[key]);
+    return known.find((dt) => dt !== undefined && dt >= limit) ?? Math.max(usual, limit);
+  }
+
+  /** Under what its DT is remembered, the surest first. */
+  #keys(program: TimerProgram): readonly string[] {
+    const model = this.#parts.model();
+    const byKind = programKey(program, this.#parts.simulated.value);
+    return model === null ? [byKind] : [`model/${model}/${program.memory ?? '?'}`, byKind];
+  }
+
+  #remember(keys: readonly string[], dt: number): void {
+    // Read each time: another tab may have remembered something meanwhile.
+    const before = loadSetting('long-dts', remembered) ?? {};
+    if (keys.every((key) => before[key] === dt)) return;
+    const others = Object.entries(before).filter(([key]) => !keys.includes(key));
+    const latest = keys.map((key): [string, number] => [key, dt]);
+    saveSetting('long-dts', Object.fromEntries([...others, ...latest].slice(-MOST)));
+  }
+}
+
+function dtOf({ identity, times }: TimerProgram): number {
+  return times[identity.functions] as number;
+}

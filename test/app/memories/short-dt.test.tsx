@@ -1,0 +1,179 @@
+import { cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { type AppBench, appBench, idle, reloaded, run } from '../bench/bench.js';
+import { button, connected, drawn, fly, goTo, press, type } from '../screen.js';
+
+beforeEach(() => localStorage.clear());
+
+const dialog = () => within(screen.getByRole('dialog', { name: 'Before you disconnect' }));
+const status = ({ session }: AppBench) => session.link.state.value.status;
+const buttons = () =>
+  dialog()
+    .getAllByRole('button')
+    .map(({ textContent }) => textContent);
+
+/** Types a DT and writes it, with the difference shown and the safety ticked. */
+async function writeDt(app: AppBench, text: string): Promise<void> {
+  await type('DT time', text);
+  await press('Write…');
+  await finish(app);
+  await press('Close');
+}
+
+async function finish(app: AppBench): Promise<void> {
+  app.session.safety.confirm();
+  await idle(0);
+  await press(/^Write \d+ change/);
+  expect(screen.getByText('Verified.')).toBeTruthy();
+}
+
+describe('with a short DT in the timer', () => {
+  it('Disconnect asks once, puts it back by a normal write, and then disconnects', async () => {
+    const app = await connected();
+    await writeDt(app, '2:45');
+    await writeDt(app, '20 s');
+    const dt = () => app.timer.core.content.times[10];
+    await press('Disconnect');
+    expect([status(app), dialog().getByRole('status').textContent]).toEqual([
+      'on',
+      'DT of M1 is 20 s. Put back to 2:45 min?',
+    ]);
+    expect(buttons()).toEqual(['Stay connected', 'Fly with 20 s', 'Put back to 2:45 min…']);
+    await press('Put back to 2:45 min…');
+    expect(dt(), 'it never writes by itself').toBe(2000);
+    expect(screen.getByRole('dialog', { name: 'Write to the timer' }).textContent).toContain('2:45 min');
+    await finish(app);
+    expect([dt(), status(app)]).toEqual([16_500, 'on']);
+    within(screen.getByRole('dialog')).getByRole('button', { name: 'Disconnect' }).click();
+    await idle();
+    expect([status(app), screen.queryByRole('dialog')]).toEqual(['off', null]);
+  });
+
+  it('lets the pilot fly with it, stay, or press Escape to disconnect', async () => {
+    const app = await connected();
+    await writeDt(app, '20 s');
+    await press('Disconnect');
+    await press('Stay connected');
+    expect([status(app), screen.queryByRole('dialog')]).toEqual(['on', null]);
+    await press('Disconnect');
+    await press('Fly with 20 s');
+    expect(status(app)).toBe('off');
+    await press('Connect');
+    await press('Disconnect');
+    screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
+    await idle();
+    expect([status(app), app.timer.core.content.times[10]]).toEqual(['off', 2000]);
+  });
+
+  it('is remembered by memory, through a reload', async () => {
+    const first = await connected();
+    await writeDt(first, '4:00');
+    await writeDt(first, '20 s');
+    cleanup();
+    const app = await drawn(await reloaded(first));
+    await run(app.session.connect());
+    await press('Disconnect');
+    expect(buttons()).toContain('Put back to 4 min…');
+  });
+
+  it('is put back to what a round of the class needs, where no long one was seen', async () => {
+    for (const [timerClass, back] of [
+      ['Q', 18_000],
+      ['B', 18_000],
+      ['E', 30_000],
+    ] as const) {
+      localStorage.clear();
+      const { session, timer, preferences } = await appBench({ identity: { timerClass } });
+      for (const memory of timer.core.memories) memory.times[10] = 1500;
+      await run(session.connect());
+      expect(session.shortDt.held.value).toEqual({ memory: 0, dt: 1500, back });
+      preferences.setShortDt(36_000);
+      expect(session.shortDt.held.value?.back, 'never to another short one').toBe(36_000);
+    }
+  });
+
+  it('asks in the one dialog about another memory, and about the other one when it is back', async () => {
+    const app = await connected();
+    const [first, , third] = app.timer.core.memories;
+    await writeDt(app, '20 s');
+    if (third) third.times[10] = 1000;
+    await fly('M3');
+    await press('Disconnect');
+    expect(screen.getAllByRole('dialog').length).toBe(1);
+    expect(dialog().getByRole('status').textContent).toBe(
+      'M3 will fly next. When you connected it was M1.DT of M3 is 10 s. Put back to 3 min?',
+    );
+    expect(buttons()).toEqual(['Stay connected', 'Fly with 10 s', 'Put back to 3 min…', 'Back to M1 and disconnect']);
+    screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
+    await idle();
+    expect(status(app), 'another memory would fly').toBe('on');
+    await press('Disconnect');
+    await press('Back to M1 and disconnect');
+    expect([status(app), dialog().getByRole('status').textContent]).toEqual([
+      'on',
+      'DT of M1 is 20 s. Put back to 3 min?',
+    ]);
+    expect(dialog().queryByRole('alert'), 'going back did work').toBeNull();
+    await press('Fly with 20 s');
+    expect([status(app), first?.times[10]]).toEqual(['off', 2000]);
+  });
+
+  it('says nothing of what is merely in the editor', async () => {
+    const app = await connected();
+    await type('DT time', '20 s');
+    expect(app.session.shortDt.held.value, 'not written').toBeNull();
+    await press('Disconnect');
+    expect(status(app)).toBe('off');
+  });
+
+  it('cannot be put back while something stands in the way of a write, and says so', async () => {
+    const app = await connected();
+    await writeDt(app, '20 s');
+    await type('Function 2, S1', 'abc');
+    await press('Disconnect');
+    expect(dialog().getByText(/cannot be written yet/)).toBeTruthy();
+    expect(button('Put back to 3 min…').disabled).toBe(true);
+    await press('Fly with 20 s');
+    expect(status(app)).toBe('off');
+  });
+
+  it('holds nobody while bytes are written', async () => {
+    const app = await connected();
+    await writeDt(app, '20 s');
+    await type('DT time', '3:00');
+    await press('Write…');
+    app.session.safety.confirm();
+    await idle(0);
+    let asked: unknown = 'not tried';
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name !== 'SETTIMERS') return;
+      void app.models.leaving.disconnect();
+      asked = app.models.leaving.question.value;
+    };
+    await press(/^Write \d+ change/);
+    expect([asked, status(app)]).toEqual([null, 'off']);
+  });
+});
+
+describe('the limit of a short DT', () => {
+  it('is the same for the strip and the question, set in the settings and kept', async () => {
+    const app = await connected();
+    const figure = () => document.querySelector('.strip-figure')?.className;
+    await goTo('Settings'.toLowerCase() as 'settings');
+    const limit = () => screen.getByRole<HTMLInputElement>('textbox', { name: /^A DT is short below/ });
+    const say = async (text: string): Promise<void> => {
+      fireEvent.change(limit(), { target: { value: text } });
+      await idle(0);
+    };
+    expect([limit().value, figure()]).toEqual(['60', 'strip-figure ']);
+    await say('3:30');
+    expect([limit().value, figure(), app.session.shortDt.held.value?.dt]).toEqual(['210', 'strip-figure bad', 18_000]);
+    await say('never');
+    expect(screen.getByRole('alert').textContent).toBe('Not a time: type seconds like 12.5, or minutes like 2:05.');
+    expect(limit().value, 'what was typed stays').toBe('never');
+    await say('0');
+    expect([screen.queryByRole('alert'), figure()]).toEqual([null, 'strip-figure ']);
+    const again = await reloaded(app);
+    expect(again.models.preferences.shortDt.value).toBe(0);
+  });
+});
