@@ -12,6 +12,7 @@ import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
 import { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
+import { shortcutOf } from './shell/shortcut.js';
 import { browserStorage } from './storage/index.js';
 
 /**
@@ -42,10 +43,12 @@ export function openPage(root: HTMLElement): AppModels | null {
   const { session, views, follow, update, keeping, theme, density, installation } = models;
   installation.follow(window);
   tried(() => theme.follow(document, doors.dark));
+  const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
   tried(() => density.follow(document, media(TABLET)));
   render(<App models={models} />, root);
-  void session.keptWork.start();
+  lead();
+  void session.keptWork.start().then(lead);
   afterPaint(() => void fetchParts());
 
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();

@@ -35,8 +35,14 @@ for (const site of ['site', 'siteUnderPath'] as const) {
         ),
       );
     const manifest = named.find((address) => address.endsWith('.webmanifest')) ?? '';
-    const { icons } = (await (await fetch(manifest)).json()) as { icons: { src: string }[] };
-    for (const address of [...named, ...icons.map(({ src }) => new URL(src, manifest).href)]) {
+    const { icons, screenshots, shortcuts } = (await (await fetch(manifest)).json()) as {
+      icons: { src: string }[];
+      screenshots: { src: string }[];
+      shortcuts: { url: string; icons: { src: string }[] }[];
+    };
+    const pictures = [...icons, ...screenshots, ...shortcuts.flatMap((shortcut) => shortcut.icons)];
+    const told = [...pictures.map(({ src }) => src), ...shortcuts.map(({ url }) => url)];
+    for (const address of [...named, ...told.map((each) => new URL(each, manifest).href)]) {
       expect(address).toContain(inject(site));
       expect((await fetch(address)).status, address).toBe(200);
     }

@@ -1,3 +1,6 @@
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { type Browser, type BrowserContextOptions, chromium, type LaunchOptions, type Page } from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
 
@@ -44,6 +47,18 @@ export async function newPage(options?: BrowserContextOptions, faults?: string[]
     if (!faults) expect(found).toEqual([]);
   });
   return page;
+}
+
+/** A page in a profile that a browser keeps: in the others nothing can be installed. */
+export async function newKeptPage(): Promise<Page> {
+  const folder = mkdtempSync(join(tmpdir(), 'sidus-timer-profile-'));
+  const context = await chromium.launchPersistentContext(folder, inject('launch'));
+  context.setDefaultTimeout(PATIENCE);
+  onTestFinished(async () => {
+    await context.close();
+    rmSync(folder, { recursive: true, force: true });
+  });
+  return context.newPage();
 }
 
 /** A phone that is held in one hand. */

@@ -100,6 +100,14 @@ export const inDocs = [
   'line-desktop-dark',
 ];
 
+/** What a browser shows that offers to install the page, by the names in the manifest. */
+export const inManifest = {
+  'program-wide': 'changed-desktop-light',
+  'write-wide': 'write-desktop-light',
+  'program-narrow': 'changed-phone-light',
+  'write-narrow': 'write-phone-light',
+};
+
 /** @type {Readonly<Record<string, State>>} */
 export const states = {
   start: {

@@ -1,21 +1,27 @@
 // Takes pictures of the built page: each state of picture-states.js on a desktop and a phone, in each theme.
 //   npm run pictures              all of them, into dist/pictures with an index.html to look at
 //   npm run pictures -- --docs    the few that README and docs show, into docs/pictures
+//   npm run pictures -- --manifest    the few that a browser shows that installs the page, into public/screenshots
 // Names of states as further arguments take only these. Needs a built page: npm run build:site
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { chromium } from 'playwright';
 import { launchOptions } from './browser.js';
-import { inDocs, states } from './picture-states.js';
+import { inDocs, inManifest, states } from './picture-states.js';
 import { serve } from './serve.js';
 import { workbenchScript } from './workbench-script.js';
 
 const sizes = { desktop: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } };
 const themes = /** @type {const} */ (['light', 'dark', 'sun']);
 
-const forDocs = process.argv.includes('--docs');
-const only = process.argv.slice(2).filter((argument) => argument !== '--docs');
-const folder = new URL(forDocs ? '../../docs/pictures/' : '../../dist/pictures/', import.meta.url);
+const only = process.argv.slice(2).filter((argument) => !argument.startsWith('--'));
+/** Where the pictures go, and which: by the name that each has there. */
+const [place, chosen] = process.argv.includes('--manifest')
+  ? ['../../public/screenshots/', new Map(Object.entries(inManifest).map(([name, picture]) => [picture, name]))]
+  : process.argv.includes('--docs')
+    ? ['../../docs/pictures/', new Map(inDocs.map((picture) => [picture, picture]))]
+    : ['../../dist/pictures/', null];
+const folder = new URL(place, import.meta.url);
 const server = await serve();
 const browser = await chromium.launch(launchOptions());
 const workbench = await workbenchScript();
@@ -25,7 +31,8 @@ for (const [name, { reach, bench }] of Object.entries(states)) {
   for (const [size, viewport] of Object.entries(sizes)) {
     for (const theme of themes) {
       const picture = `${name}-${size}-${theme}`;
-      if (forDocs && !inDocs.includes(picture)) continue;
+      const file = chosen ? chosen.get(picture) : picture;
+      if (file === undefined) continue;
       const context = await browser.newContext({ viewport, hasTouch: size === 'phone', reducedMotion: 'reduce' });
       const page = await context.newPage();
       await page.addInitScript((chosen) => localStorage.setItem('sidus-timer/theme', JSON.stringify(chosen)), theme);
@@ -39,7 +46,7 @@ for (const [name, { reach, bench }] of Object.entries(states)) {
       await reach(page);
       const devtools = await context.newCDPSession(page);
       const { data } = await devtools.send('Page.captureScreenshot', { format: 'webp', quality: 60 });
-      writeFileSync(new URL(`${picture}.webp`, folder), Buffer.from(data, 'base64'));
+      writeFileSync(new URL(`${file}.webp`, folder), Buffer.from(data, 'base64'));
       await context.close();
     }
   }
@@ -47,7 +54,7 @@ for (const [name, { reach, bench }] of Object.entries(states)) {
 }
 await browser.close();
 await server.close();
-if (!forDocs) writeFileSync(new URL('index.html', folder), album());
+if (!chosen) writeFileSync(new URL('index.html', folder), album());
 
 /** All pictures on one page. */
 function album() {

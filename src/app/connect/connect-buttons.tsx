@@ -25,6 +25,7 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
         <button
           type="button"
           class={large ? 'primary large' : 'primary'}
+          data-lead="connect"
           disabled={session.engaged.value}
           onClick={() => void session.connect()}
         >
