@@ -1,5 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { partWritten, type TimerProgram } from '../../program/index.js';
+import { differences, partWritten, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { UnfinishedWrite } from '../storage/index.js';
 import type { Known, Uncertain } from './known.js';
@@ -13,6 +13,15 @@ export interface TimerAtHand {
 }
 
 type Reading = Extract<Known, { state: 'read' }>;
+
+/** A fresh reading of a memory of the timer at hand. */
+export interface FreshReading {
+  readonly program: TimerProgram;
+  /** Milliseconds since 1970. */
+  readonly at: number;
+  /** It holds what it held when this page read it last, or what this page has written since. */
+  readonly expected: boolean;
+}
 
 /**
  * What is known of what timers hold: the one truth from which every word about a timer is derived.
@@ -39,6 +48,7 @@ export class Knowledge {
   /** The pilot has said that the timer at hand is not the one of these records. */
   readonly #ofOthers = signal<ReadonlySet<string>>(new Set(), { name: 'ofOthers' });
   #lastStart = 0;
+  #onRead: (reading: FreshReading) => void = () => {};
 
   constructor(records: UnfinishedRecords, timer: ReadonlySignal<TimerAtHand | null>, tab: () => number) {
     this.#records = records;
@@ -69,6 +79,11 @@ export class Knowledge {
     return this.#readings.value.get(key) ?? { state: 'unread' };
   }
 
+  /** Calls back after each fresh reading. */
+  onRead(callback: (reading: FreshReading) => void): void {
+    this.#onRead = callback;
+  }
+
   /**
    * A fresh reading of a memory of the timer at hand: it ends every uncertainty that it explains. What neither the
    * state before a write nor its goal explains ends nothing: then the pilot has to say whether this is another timer.
@@ -79,17 +94,21 @@ export class Knowledge {
     const simulated = this.#timer.peek()?.simulated ?? false;
     const key = programKey(program, simulated);
     let completed: 'completed' | null = null;
+    const before = this.#readings.peek().get(key)?.program;
+    let expected = verified || !before || isSame(before, program);
     batch(() => {
       this.#readings.value = new Map(this.#readings.value).set(key, { state: 'read', program, at, verified });
       for (const record of this.#recordsOf(key)) {
         if (this.isOfOther(record.key)) continue;
         const { extent } = partWritten(record.before, record.goal, program);
         if (extent === 'foreign') continue;
+        expected = true;
         const wasUnderWay = this.#leave(record.key);
         if (extent === 'all') void this.#records.remove(record.key);
         else if (record.seenAt === null) void this.#records.save({ ...record, seenAt: at, tab: null });
         if (extent === 'all' && !wasUnderWay) completed = 'completed';
       }
+      this.#onRead({ program, at, expected });
     });
     return completed;
   }
@@ -251,6 +270,12 @@ export class Knowledge {
     const records = this.#records.list.peek().filter((record) => record.kind === 'write');
     return records.filter((record) => programKey(record.before, isSimulated(record)) === program);
   }
+}
+
+/** An idle throttle that was not read of one of them says nothing. */
+function isSame(before: TimerProgram, now: TimerProgram): boolean {
+  if (!sameLayout(before.identity, now.identity)) return false;
+  return differences(before, now).every(({ from, to }) => from === null || to === null);
 }
 
 /** Whether a record is of the simulated timer. */

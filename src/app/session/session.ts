@@ -1,6 +1,6 @@
 import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
-import { sameLayout, type TimerProgram } from '../../program/index.js';
+import { type Model, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import {
   type LinkState,
@@ -27,6 +27,7 @@ import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import { Notices } from './notices.js';
 import { Reader } from './reader.js';
+import { Recognition } from './recognition.js';
 import { kindKey, workKey } from './record-keys.js';
 import { Safety } from './safety.js';
 import { ServoMoves } from './servo-moves.js';
@@ -64,6 +65,10 @@ export class Session {
   readonly library: Library;
   /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
   readonly knowledge: Knowledge;
+  /** Whose timer is connected, by what it holds or by the pilot's word. */
+  readonly recognition: Recognition;
+  /** The model of the timer that is connected; null where that is not known, or there is none. */
+  readonly modelAtHand: ReadonlySignal<Model | null>;
   /** How far the program that was read last can be called what the timer holds. */
   readonly standing: ReadonlySignal<Standing>;
   readonly recovery: InterruptedJobs;
@@ -109,6 +114,13 @@ export class Session {
     });
     const unfinished = new UnfinishedRecords(storage.unfinished, tab);
     this.knowledge = new Knowledge(unfinished, atHand, () => tab.value);
+    this.recognition = new Recognition({
+      library: this.library,
+      knowledge: this.knowledge,
+      connection: this.connection,
+      simulated: this.link.simulated,
+    });
+    this.modelAtHand = this.recognition.model;
     this.standing = standingOf(this.editor, this.knowledge, this.connection);
     this.recovery = new InterruptedJobs(unfinished, this.knowledge, this.backups);
     this.servoMoves = new ServoMoves(this.connection, this.safety);
@@ -307,6 +319,7 @@ export class Session {
     }
     if (state.status === 'on') {
       this.#reader.timerCame(state.connection);
+      this.recognition.timerCame();
       return;
     }
     this.runner.connectionOver();

@@ -193,7 +193,12 @@ export const modelSchema = v.object({
   /** Milliseconds since 1970. */
   changedAt: date,
   /** What the memories of its timer held when they were last seen to be verified, each once. */
-  verified: v.pipe(v.array(v.object({ program: held, at: date })), v.maxLength(255)),
+  verified: v.pipe(
+    v.array(
+      v.object({ program: held, at: date, /** Of a simulated timer. */ simulated: v.exactOptional(v.boolean()) }),
+    ),
+    v.maxLength(255),
+  ),
 });
 export type ModelRecord = v.InferOutput<typeof modelSchema>;
 

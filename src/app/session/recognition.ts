@@ -1,0 +1,229 @@
+import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
+import type { Model, TimerProgram } from '../../program/index.js';
+import type { Identity } from '../../protocol/index.js';
+import type { TimerConnection } from '../../serial/index.js';
+import { CLASSES, newProgram } from '../editing/new-program.js';
+import type { ModelRecord } from '../storage/index.js';
+import type { FreshReading, Knowledge } from './knowledge.js';
+import { type Library, newId } from './library.js';
+import { type HeldOnce, type Recognised, recognise } from './recognition-rule.js';
+import { kindKey } from './record-keys.js';
+
+/** A model that the timer may belong to, and in how many values it differs from what that was last seen to hold. */
+export interface PossibleModel {
+  readonly model: Model;
+  readonly differs: number;
+  /** When that was seen last, in milliseconds since 1970. */
+  readonly at: number;
+}
+
+/** Which model the timer that is connected belongs to. */
+export type Found =
+  /** By the pilot's word, on this connection. */
+  | { readonly kind: 'said'; readonly model: Model }
+  /** By what it holds: see `recognise`. */
+  | { readonly kind: 'same' | 'like'; readonly model: Model; readonly of: PossibleModel }
+  | { readonly kind: 'several' | 'unknown'; readonly candidates: readonly PossibleModel[] };
+
+interface RecognitionParts {
+  readonly library: Library;
+  readonly knowledge: Knowledge;
+  readonly connection: ReadonlySignal<TimerConnection | null>;
+  /** Whether the timer that is connected is simulated. */
+  readonly simulated: ReadonlySignal<boolean>;
+}
+
+const NOTHING: ReadonlyMap<number | null, HeldOnce> = new Map();
+const NOBODY: ReadonlyMap<string, ModelRecord['verified']> = new Map();
+
+/**
+ * Whose timer is connected. Nothing on the wire says so: it is derived from what was read of its memories and from what
+ * the models are known to hold, or the pilot says it. A timer that is put in the place of another one while the
+ * connection stays is noticed by the next reading: it gives something that this page has neither read nor written, and
+ * from then on only that reading counts.
+ */
+export class Recognition {
+  /** Null before something was read, and before the models have come from the storage. */
+  readonly found: ReadonlySignal<Found | null>;
+  /** The model of the timer that is connected; null while it is not known, or there is none. */
+  readonly model: ReadonlySignal<Model | null>;
+  /** The pilot shall be asked which model it is. */
+  readonly asks: ReadonlySignal<boolean>;
+  /** The models that the timer can be said to be of, in the order of the library. */
+  readonly choices: ReadonlySignal<readonly Model[]>;
+  readonly #parts: RecognitionParts;
+  /** The first reading of each memory on this connection: before this page has written anything into it. */
+  readonly #evidence = signal<readonly TimerProgram[]>([], { name: 'evidence' });
+  /** The latest readings. */
+  readonly #held = signal(NOTHING, { name: 'heldNow' });
+  /** What models were known to hold before this connection has taught something new about them. */
+  readonly #before = signal(NOBODY, { name: 'knownBefore' });
+  readonly #said = signal<string | null>(null, { name: 'saidModel' });
+  readonly #notNow = signal(false, { name: 'notNow' });
+
+  constructor(parts: RecognitionParts) {
+    this.#parts = parts;
+    const { library, connection, simulated, knowledge } = parts;
+    const recognised = computed((): Recognised | null => {
+      const read = this.#evidence.value;
+      if (!connection.value || read.length === 0 || !library.models.loaded.value) return null;
+      const isSimulated = simulated.value;
+      const models = library.models.list.value.map((record) => ({
+        key: record.key,
+        verified: (this.#before.value.get(record.key) ?? record.verified).filter(
+          (held) => (held.simulated ?? false) === isSimulated,
+        ),
+      }));
+      return recognise(read, models, templatesFor(connection.value.identity));
+    });
+    this.found = computed(() => {
+      const result = recognised.value;
+      const said = library.models.get(this.#said.value)?.model;
+      if (connection.value && said) return { kind: 'said', model: said };
+      if (!result) return null;
+      if ('model' in result) {
+        const of = this.#possible(result.model);
+        return of && { kind: result.kind, model: of.model, of };
+      }
+      const candidates = result.candidates.map((each) => this.#possible(each)).filter((each) => each !== null);
+      return { kind: result.kind, candidates };
+    });
+    this.model = computed(() => {
+      const found = this.found.value;
+      return found && 'model' in found ? found.model : null;
+    });
+    this.asks = computed(() => {
+      const kind = this.found.value?.kind;
+      return kind !== undefined && kind !== 'said' && kind !== 'same' && !this.#notNow.value;
+    });
+    this.choices = computed(() => {
+      const identity = connection.value?.identity;
+      if (!identity) return [];
+      return library.models.list.value.filter((record) => canBe(record, identity, simulated.value)).map(modelOf);
+    });
+    knowledge.onRead((reading) => this.#wasRead(reading));
+    effect(() => {
+      const found = this.found.value;
+      const held = this.#held.value;
+      if (found?.kind === 'said' || found?.kind === 'same') void this.#learn(found.model.id, [...held.values()]);
+    });
+  }
+
+  /** A timer was connected: it may be any. */
+  timerCame(): void {
+    this.#forget([]);
+    void this.#parts.library.models.load();
+  }
+
+  /** The timer is of this model, by the pilot's word. */
+  say(model: Model): void {
+    if (!this.#parts.connection.peek()) return;
+    batch(() => {
+      this.#said.value = model.id;
+      this.#notNow.value = false;
+    });
+  }
+
+  /** The timer is of a model that is not in the library yet. */
+  async sayNew(name: string): Promise<void> {
+    const identity = this.#parts.connection.peek()?.identity;
+    if (!identity) return;
+    const model: Model = {
+      id: newId(),
+      name,
+      timerClass: identity.timerClass,
+      note: '',
+      servos: [],
+      memoryNames: [],
+      photo: null,
+      archived: false,
+    };
+    const kept = this.#parts.library.keepModel(model);
+    this.say(model);
+    await kept;
+  }
+
+  /** The pilot does not want to be asked on this connection. */
+  notNow(): void {
+    this.#notNow.value = true;
+  }
+
+  /**
+   * A write into the timer was verified that had named the model to the pilot: that is his word, too.
+   * @param model as the dialog has named it; null: it has named none.
+   */
+  wrote(model: Model | null): void {
+    if (model && this.model.peek()?.id === model.id) this.say(model);
+  }
+
+  #wasRead({ program, at, expected }: FreshReading): void {
+    if (!this.#parts.connection.peek()) return;
+    if (!expected) this.#forget([program]);
+    const isKnown = this.#evidence.peek().some(({ memory }) => memory === program.memory);
+    batch(() => {
+      if (!isKnown && expected) this.#evidence.value = [...this.#evidence.peek(), program];
+      this.#held.value = new Map(this.#held.peek()).set(program.memory, { program, at });
+    });
+  }
+
+  #forget(evidence: readonly TimerProgram[]): void {
+    batch(() => {
+      this.#evidence.value = evidence;
+      this.#held.value = NOTHING;
+      this.#before.value = NOBODY;
+      this.#said.value = null;
+      this.#notNow.value = false;
+    });
+  }
+
+  #possible({ key, differs, at }: { key: string; differs: number; at: number }): PossibleModel | null {
+    const model = this.#parts.library.models.get(key)?.model;
+    return model ? { model, differs, at } : null;
+  }
+
+  /** What the timer of a model holds is kept with it, where that is not what is known already. */
+  async #learn(key: string, held: readonly HeldOnce[]): Promise<void> {
+    const { library, simulated } = this.#parts;
+    const record = library.models.list.peek().find((each) => each.key === key);
+    if (!record) return;
+    const verified = withHeld(record.verified, held, simulated.peek());
+    if (verified === record.verified) return;
+    if (!this.#before.peek().has(key)) this.#before.value = new Map(this.#before.peek()).set(key, record.verified);
+    await library.keepModel(record.model, { verified });
+  }
+}
+
+/** What is known of the memories, with what they hold now; the same list where that is nothing new. */
+function withHeld(
+  verified: ModelRecord['verified'],
+  held: readonly HeldOnce[],
+  simulated: boolean,
+): ModelRecord['verified'] {
+  const kind = held[0] && kindKey(held[0].program.identity, simulated);
+  // A model that has another timer by now holds nothing of what the one before held.
+  const ofTimer = verified.filter((each) => kindKey(each.program.identity, each.simulated ?? false) === kind);
+  const news = held.filter(({ program }) => {
+    const known = ofTimer.find((each) => each.program.memory === program.memory)?.program;
+    return !known || JSON.stringify(known) !== JSON.stringify(program);
+  });
+  if (news.length === 0) return verified;
+  const rest = ofTimer.filter(({ program }) => !news.some((each) => each.program.memory === program.memory));
+  return [...rest, ...news.map((each) => (simulated ? { ...each, simulated } : each))];
+}
+
+/** Whether the pilot may say that a timer is of this model: simulated ones and real ones never mix. */
+function canBe({ model, verified }: ModelRecord, { timerClass }: Identity, simulated: boolean): boolean {
+  if (model.archived || (model.timerClass !== null && model.timerClass !== timerClass)) return false;
+  return verified.every((held) => (held.simulated ?? false) === simulated);
+}
+
+/** What a timer may hold that nobody has trimmed yet. */
+function templatesFor({ timerClass, functions, servos }: Identity): readonly TimerProgram[] {
+  const known = CLASSES.find((each) => each === timerClass);
+  if (!known) return [];
+  return (['usual', 'nothing'] as const).map((from) => newProgram({ timerClass: known, functions, servos, from }));
+}
+
+function modelOf({ model }: ModelRecord): Model {
+  return model;
+}
