@@ -43,8 +43,8 @@ describe('the packed package', () => {
 });
 
 describe('the examples of the README and the docs', () => {
-  it('are three, and do what their comments say', () => {
-    expect(examples).toHaveLength(3);
+  it('are four, and do what their comments say', () => {
+    expect(examples).toHaveLength(4);
     for (const [index, code] of examples.entries()) {
       consumer.write(`example-${index}.js`, code);
       const said = [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].map(([, comment]) => comment);

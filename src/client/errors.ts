@@ -24,6 +24,8 @@ import type { CommandName, Identity } from '../protocol/index.js';
  *   something else changed it, or it is another one. Nothing was sent again or put back.
  * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to
  *   choose first.
+ * - `busy`: somebody else reads from the port or writes to it, and holds the lock of its stream. Nothing was sent; it
+ *   can be tried again once the lock is released.
  * - `port-lost`: the stream of bytes ended: unplugged, closed by someone else; `cause` says how.
  * - `aborted`: the caller's signal asked to stop. The port stays usable.
  * - `closed`: this client was closed.
@@ -40,6 +42,7 @@ export type TimerErrorCode =
   | 'stale'
   | 'changed'
   | 'undecided'
+  | 'busy'
   | 'port-lost'
   | 'aborted'
   | 'closed';

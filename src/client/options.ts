@@ -29,8 +29,13 @@ export interface TimerClientOptions {
 
 /** The options of every job. */
 export interface JobOptions {
-  /** Asks to stop. The exchange under way is waited for, so the port stays usable: at most one reply time. */
+  /**
+   * Asks to stop. The exchange under way is waited for, so the port stays usable: at most one reply time. The job
+   * rejects with TimerError `aborted`; but a write that has sent something resolves with its report, whose `stopped`
+   * says so: what has arrived by then matters more than that it was stopped.
+   */
   readonly signal?: AbortSignal | undefined;
+  /** Told how far the job is, see {@link Progress}. What it throws harms nothing. */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
 }
 

@@ -1,5 +1,5 @@
 import { type LineErrorKind, lineErrorKind } from './log.js';
-import type { BytePort } from './port.js';
+import type { BytePort, ByteReader, ByteSource } from './port.js';
 
 export interface PortReaderOptions {
   readonly onBytes: (bytes: Uint8Array) => void;
@@ -16,13 +16,18 @@ export interface PortReaderOptions {
 export class PortReader {
   readonly #port: BytePort;
   readonly #options: PortReaderOptions;
-  #reader: ReadableStreamDefaultReader<Uint8Array> | undefined;
+  #reader: ByteReader | undefined;
   #reading: Promise<void> | undefined;
   #stopped = false;
 
   constructor(port: BytePort, options: PortReaderOptions) {
     this.#port = port;
     this.#options = options;
+  }
+
+  /** Whether it has begun to read. */
+  get started(): boolean {
+    return this.#reading !== undefined;
   }
 
   /** Begins to read; harmless when it has begun. */
@@ -41,7 +46,7 @@ export class PortReader {
 
   /** @throws what the stream failed with when there is no new one. */
   async #read(): Promise<void> {
-    let failed: ReadableStream<Uint8Array> | undefined;
+    let failed: ByteSource | undefined;
     let cause: unknown;
     while (!this.#stopped) {
       const { readable } = this.#port;
@@ -53,7 +58,7 @@ export class PortReader {
         for (;;) {
           const { value, done } = await reader.read();
           if (done) return;
-          this.#options.onBytes(value);
+          if (value) this.#options.onBytes(value);
         }
       } catch (error) {
         failed = readable;

@@ -152,7 +152,8 @@ export class Schedule {
     // Nothing is known of the sizes before the timer has said what it is.
     const total = identity ? this.#whole.bytes : 0;
     const done = identity ? total - exchangesOf(left, identity).bytes : 0;
+    const fraction = total > 0 ? done / total : identity ? 1 : 0;
     const { memory, endsBy } = this;
-    tell(onProgress, { stage: this.#stage, done, total, memory, repeats: this.#repeats, endsBy });
+    tell(onProgress, { stage: this.#stage, done, total, fraction, memory, repeats: this.#repeats, endsBy });
   }
 }

@@ -1,6 +1,6 @@
 import { realClock } from '../line/index.js';
 import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
-import { encodeRequest, type Frame, type Identity, type Request } from '../protocol/index.js';
+import { COMMANDS, encodeRequest, type Frame, type Identity, type ReplyOf, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange } from './exchange.js';
 import type { ClientJob } from './job.js';
@@ -27,11 +27,37 @@ import { planWrite, writeParts } from './write-plan.js';
 import { writeContent } from './write-program.js';
 import type { WriteReport } from './write-report.js';
 
+declare global {
+  // Older libraries of TypeScript do not have it.
+  interface SymbolConstructor {
+    readonly asyncDispose: unique symbol;
+  }
+}
+
 /**
- * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time;
- * each rejects with a {@link TimerError} and leaves the port usable.
+ * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time.
+ *
+ * Each rejects with a {@link TimerError} and leaves the port usable. Any of them may say `no-answer`, `bad-reply`,
+ * `unstable`, `crowded`, `busy`, `port-lost`, `aborted` or `closed`; those that come with the layout of a timer also
+ * `other-timer`. What a method says beside these stands with it. A value that the timer or the wire cannot carry is
+ * refused with a CodecError before anything is sent.
+ *
+ *     await using timer = new TimerClient(port);   // closed at the end of the block
  */
 export class TimerClient {
+  static {
+    // Engines and browsers have it since 2023 or later; where it is not known nobody asks for it.
+    if (Symbol.asyncDispose) {
+      Object.defineProperty(TimerClient.prototype, Symbol.asyncDispose, {
+        value(this: TimerClient) {
+          return this.close();
+        },
+      });
+    }
+  }
+
+  /** As {@link close}, for `await using`. */
+  declare readonly [Symbol.asyncDispose]: () => Promise<void>;
   readonly #wire: Wire;
   readonly #exchange: Exchange;
   readonly #quirks: Quirks;
@@ -48,7 +74,8 @@ export class TimerClient {
 
   /** What the timer said of itself; null before {@link identify}. */
   get identity(): Identity | null {
-    return this.#exchange.identity;
+    const { identity } = this.#exchange;
+    return identity && { ...identity };
   }
 
   /** What this timer was found to do differently, with the facts of the first time. */
@@ -118,6 +145,22 @@ export class TimerClient {
   /** Asks the timer what it is (GETSWVER). */
   identify({ signal, ...policy }: IdentifyOptions = {}): Promise<Identity> {
     return this.#inTurn(() => this.#identify(signal, policy));
+  }
+
+  /**
+   * Asks one request and gives the values of its reply. What the table of commands calls repeatable is asked again when
+   * it stays unanswered, and a question is believed as in {@link readProgram}; all else goes out once.
+   * @throws CodecError when a value cannot be carried; TimerError as any job.
+   * @example
+   * const { times } = await timer.request({ name: 'GETTIMERS' });
+   */
+  request<R extends Request>(request: R, options: JobOptions = {}): Promise<ReplyOf<R['name']>> {
+    return this.#inTurn(async () => {
+      // Also without types: nothing of it must reach the wire half.
+      encodeRequest(request);
+      const { exchange, signal } = await this.#job(options, () => ({ names: [request.name] }));
+      return COMMANDS[request.name].effect === 'reads' ? exchange.read(request, signal) : exchange.ask(request, signal);
+    });
   }
 
   /**
@@ -238,13 +281,16 @@ export class TimerClient {
   /**
    * Stores one position in the current memory (SETSERVO). The acknowledgement is all that is known of it until the next
    * read.
-   * @param servo counted from 0.
-   * @param slot 0 start, 1 .. NF-1 functions, NF is DT.
+   * @param field which one: the servo, counted from 0, and the slot: 0 start, 1 .. NF-1 functions, NF is DT.
    * @param position steps, 0..130.
    * @throws CodecError before anything is sent when the value cannot be carried; else TimerError, after which it may
    * have been stored.
    */
-  setPosition(servo: number, slot: number, position: number, options: JobOptions = {}): Promise<void> {
+  setPosition(
+    { servo, slot }: { readonly servo: number; readonly slot: number },
+    position: number,
+    options: JobOptions = {},
+  ): Promise<void> {
     return this.#command({ name: 'SETSERVO', servo, function: slot, position }, options);
   }
 
@@ -287,11 +333,8 @@ export class TimerClient {
     return turn;
   }
 
-  #command(request: Request, options: JobOptions): Promise<void> {
-    return this.#inTurn(async () => {
-      const { exchange, signal } = await this.#job(options, () => ({ names: [request.name] }));
-      await exchange.ask(request, signal);
-    });
+  async #command(request: Request, options: JobOptions): Promise<void> {
+    await this.request(request, options);
   }
 
   async #identify(signal: AbortSignal | undefined, policy: RetryPolicy = {}): Promise<Identity> {
@@ -300,7 +343,7 @@ export class TimerClient {
     const { identity } = await this.#exchange.identify(signal, policy);
     // What was found of another timer says nothing of this one.
     if (before && !sameKind(before, identity)) this.#quirks.reset();
-    return identity;
+    return { ...identity };
   }
 
   /** @param part all that the job will need; nothing for one that says so itself. */

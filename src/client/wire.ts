@@ -15,7 +15,7 @@ import { TimerError } from './errors.js';
 import type { LearnedTiming } from './line-timing.js';
 import type { LineEntry, LineErrorKind } from './log.js';
 import { type AnswerOutcome, asReply, type Outcome, type Question, replySize } from './outcome.js';
-import type { BytePort } from './port.js';
+import type { BytePort, ByteWriter } from './port.js';
 import { PortReader } from './port-reader.js';
 import type { Quirks } from './quirks.js';
 import { DRAIN, LONGEST_FRAME, overtime, replyTime, SILENCE } from './retry-policy.js';
@@ -50,7 +50,8 @@ export class Wire {
   readonly #options: WireOptions;
   readonly #decoder: FrameDecoder;
   readonly #reader: PortReader;
-  #writer: WritableStreamDefaultWriter<Uint8Array> | undefined;
+  /** What holds the lock of the port while a request goes out. */
+  #writer: ByteWriter | undefined;
   #waiting: Waiting | undefined;
   #lost: TimerError | undefined;
   #lastByteAt = Number.NEGATIVE_INFINITY;
@@ -115,7 +116,7 @@ export class Wire {
 
   /**
    * Sends a request once and waits for its reply.
-   * @throws TimerError `port-lost` or `closed`; CodecError when the request cannot be encoded.
+   * @throws TimerError `busy`, `port-lost` or `closed`; CodecError when the request cannot be encoded.
    */
   async ask(question: Question): Promise<Outcome<Reply>> {
     const { request, identity } = question;
@@ -131,7 +132,7 @@ export class Wire {
 
   /**
    * Sends any frame once and waits for one with the next letter.
-   * @throws TimerError `port-lost` or `closed`; CodecError when the frame cannot be encoded.
+   * @throws TimerError `busy`, `port-lost` or `closed`; CodecError when the frame cannot be encoded.
    */
   async send(code: number, data: ArrayLike<number>, identity: Identity | null): Promise<Outcome<Frame>> {
     const bytes = encodeFrame(code, data);
@@ -192,8 +193,9 @@ export class Wire {
     size: number,
     judge: (frame: Frame) => AnswerOutcome<T> | undefined,
   ): Promise<Outcome<T>> {
-    this.#reader.start();
     if (this.#lost) throw this.#lost;
+    this.#requireFree();
+    this.#reader.start();
     this.#asked = true;
     this.#came = { kind: 'silent' };
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
@@ -242,7 +244,17 @@ export class Wire {
       this.#lose(new TimerError('port-lost', 'the port takes no more bytes', {}, error));
     } finally {
       writer.releaseLock();
+      if (this.#writer === writer) this.#writer = undefined;
     }
+  }
+
+  /** @throws TimerError `busy` when somebody else reads from the port or writes to it. */
+  #requireFree(): void {
+    const { readable, writable } = this.#port;
+    const isReadElsewhere = !this.#reader.started && readable?.locked;
+    if (!isReadElsewhere && (this.#writer || !writable?.locked)) return;
+    const what = isReadElsewhere ? 'reads from' : 'writes to';
+    throw new TimerError('busy', `somebody else ${what} the port and holds its lock`);
   }
 
   /**

@@ -3,7 +3,7 @@ export interface Clock {
   /** Milliseconds since 1970, never running backwards. */
   now(): number;
   /**
-   * Calls `callback` once, `ms` milliseconds from now, never before this call has returned.
+   * Calls `callback` once, `ms` milliseconds from now, never before this call has returned. A time below 0 is as 0.
    * @returns a function that cancels the call. It does no harm afterwards.
    */
   after(ms: number, callback: () => void): () => void;
@@ -22,7 +22,8 @@ declare const MessageChannel: new () => {
 export const realClock: Clock = {
   now: () => performance.timeOrigin + performance.now(),
   after(ms, callback) {
-    const timer = setTimeout(callback, ms);
+    // Some engines warn of a time that is over.
+    const timer = setTimeout(callback, Math.max(0, ms));
     return () => clearTimeout(timer);
   },
 };

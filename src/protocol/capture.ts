@@ -10,18 +10,30 @@ export interface CaptureEntry {
 }
 
 const HEADER = '# Sidus capture 1';
+/** Nine digits of seconds, in milliseconds. */
+const LONGEST_CAPTURE = 1e12 - 1;
 const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
 
 /**
  * A capture as text: a heading, then a line for each entry with its time in seconds, `>` to the timer or `<` from it,
- * and the bytes in hex. Empty lines and lines that begin with `#` are skipped.
+ * and the bytes in hex. Empty lines and lines that begin with `#` are skipped. Times are written to the millisecond.
  *
  *     # Sidus capture 1
  *     0.000 > 00 00 00 00 00 03 6b 6b 45
  *     0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
+ * @throws CodecError `bad-capture` with `entry N` as field, counted from 0, for what {@link parseCapture} could not
+ * read: a time that is negative, longer than a capture can be (31 years) or before the one above it; an entry without
+ * bytes; no direction. Times since 1970 become times of a capture by {@link captureOf}.
  */
 export function formatCapture(entries: readonly CaptureEntry[]): string {
-  const lines = entries.map(({ time, direction, bytes }) => {
+  let previous = 0;
+  const lines = entries.map(({ time, direction, bytes }, index) => {
+    if (!(time >= previous && time < LONGEST_CAPTURE)) {
+      throw entryRefusal(index, 'its time must be a time since the capture began, and none before the one above it');
+    }
+    if (!(bytes?.length > 0)) throw entryRefusal(index, 'it must have bytes');
+    if (direction !== 'out' && direction !== 'in') throw entryRefusal(index, 'its direction must be “out” or “in”');
+    previous = time;
     const hex = [...bytes].map((byte) => byte.toString(16).padStart(2, '0')).join(' ');
     return `${(time / 1000).toFixed(3)} ${direction === 'out' ? '>' : '<'} ${hex}`;
   });
@@ -50,6 +62,26 @@ export function parseCapture(text: string): CaptureEntry[] {
     entries.push({ time, direction: sign === '>' ? 'out' : 'in', bytes });
   });
   return entries;
+}
+
+/**
+ * A capture of what was seen on the line, such as the entries of the client's `onLine`: those with bytes, with times
+ * since the first of them.
+ * @param entries times in milliseconds, in any count. One that runs backwards, as when a clock was put right, counts as
+ * the one before it.
+ */
+export function captureOf(entries: readonly CaptureEntry[]): CaptureEntry[] {
+  const seen = entries.filter(({ bytes }) => bytes.length > 0);
+  const begin = seen[0]?.time ?? 0;
+  let latest = 0;
+  return seen.map(({ time, direction, bytes }) => {
+    latest = Math.max(latest, time - begin);
+    return { time: latest, direction, bytes };
+  });
+}
+
+function entryRefusal(index: number, why: string): CodecError {
+  return new CodecError('bad-capture', `entry ${index}`, `entry ${index}: ${why}`);
 }
 
 function refusal(line: number, why: string): CodecError {

@@ -36,11 +36,19 @@ const positionField = byteField('position', () => MAX_POSITION);
 /** Unit unknown. */
 const idleThrottleField = byteField('idleThrottle', () => 255);
 
+/** A table that nobody can change, down to its lists: everybody shares it. */
+function frozen<const T extends object>(table: T): T {
+  for (const value of Object.values(table)) {
+    if (typeof value === 'object' && value !== null) frozen(value);
+  }
+  return Object.freeze(table);
+}
+
 /**
  * All commands of the protocol: the one place where a letter, the layout of its data and what it does are written.
  * Encoders, decoders, client, virtual timer, log and documentation read it.
  */
-export const COMMANDS = {
+export const COMMANDS = frozen({
   GETTIMERS: {
     request: 0x61,
     reply: 0x62,
@@ -132,12 +140,12 @@ export const COMMANDS = {
     repeatable: true,
     effect: 'stores',
   },
-} as const satisfies Record<string, Command>;
+} as const satisfies Record<string, Command>);
 
 /** The maker's name of a command, as in the table. */
 export type CommandName = keyof typeof COMMANDS;
 
-export const COMMAND_NAMES = Object.keys(COMMANDS) as CommandName[];
+export const COMMAND_NAMES: readonly CommandName[] = Object.freeze(Object.keys(COMMANDS) as CommandName[]);
 
 /** The command whose request or reply has this letter, and which of the two it is; undefined for any other letter. */
 export function commandOf(code: number): { name: CommandName; direction: 'request' | 'reply' } | undefined {
@@ -151,14 +159,16 @@ export function commandOf(code: number): { name: CommandName; direction: 'reques
 type FieldValues<Fields extends readonly Field[]> = {
   readonly [F in Fields[number] as F['name']]: F extends Field<string, infer Value> ? Value : never;
 };
+/** One object in hovers and errors, instead of an intersection. */
+type Flat<T> = { [Name in keyof T]: T[Name] } & {};
 
 /** The request of one command: its name and its values; of several commands, any of them. */
 export type RequestOf<Name extends CommandName> = Name extends CommandName
-  ? { readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['sends']>
+  ? Flat<{ readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['sends']>>
   : never;
 /** The reply to one command: its name and its values; to several, any of them. */
 export type ReplyOf<Name extends CommandName> = Name extends CommandName
-  ? { readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['answers']>
+  ? Flat<{ readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['answers']>>
   : never;
 
 /** Any request: `{ name: 'GETSWVER' }`, `{ name: 'SETSERVO', function: 10, servo: 0, position: 65 }` ... */

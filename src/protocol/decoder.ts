@@ -41,6 +41,8 @@ export interface FrameDecoderOptions {
 
 /** The longest frame without its zeros: length, 254 bytes more, terminator. */
 const LONGEST = MAX_LENGTH + 1;
+/** The longest piece of a chunk that the data of its frames share, in bytes. */
+const SHARED = 4096;
 const NO_DATA = new Uint8Array(0);
 /** The one reply for which the source prints a checksum that leaves the data out: to GETLOWRPM. */
 const BARE_CHECKSUM: readonly number[] = [0x76];
@@ -86,7 +88,8 @@ export class FrameDecoder {
   /**
    * Takes the next bytes from the line, cut anywhere.
    * @returns the frames that became whole, in order. Their data never shares memory with `chunk`; frames that came
-   * together may lie in one buffer, so whoever takes `data.buffer` has to mind `byteOffset` and `byteLength`.
+   * together may lie in one buffer of up to 4096 bytes, so whoever takes `data.buffer` has to mind `byteOffset` and
+   * `byteLength`.
    */
   push(chunk: Uint8Array): Frame[] {
     const frames: Frame[] = [];
@@ -146,9 +149,11 @@ export class FrameDecoder {
     let skipped = from;
     let skippedZeros = zeros;
     let reason = givenUp;
-    // One copy for all frames of a chunk: an array of its own for each would cost more than finding them. Not by
-    // slice(), which gives no copy of a Buffer of Node.
+    // One copy for many frames of a chunk: an array of its own for each would cost more than finding them. Not by
+    // slice(), which gives no copy of a Buffer of Node. It goes no further than `SHARED`: a frame that somebody keeps
+    // keeps no large chunk.
     let own: ArrayBuffer | undefined;
+    let ownFrom = 0;
     if (givenUp) {
       zeros = 0;
       at++;
@@ -176,8 +181,11 @@ export class FrameDecoder {
             if (held) {
               data = bytes.slice(at + 2, at + length - 1);
             } else {
-              own ??= new Uint8Array(bytes.subarray(0, end)).buffer;
-              data = new Uint8Array(own, at + 2, length - MIN_LENGTH);
+              if (!own || at + length > ownFrom + own.byteLength) {
+                ownFrom = at;
+                own = new Uint8Array(bytes.subarray(at, Math.min(end, at + SHARED))).buffer;
+              }
+              data = new Uint8Array(own, at + 2 - ownFrom, length - MIN_LENGTH);
             }
           }
           const frame = { code: bytes[at + 1] as number, data };

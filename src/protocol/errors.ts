@@ -9,8 +9,8 @@
  * - `unexpected-reply`: the frame does not answer the request that waits.
  * - `bad-identity`: a version reply that no timer can have sent; the error carries its bytes.
  * - `identity-needed`: the layout of these bytes is known only together with the timer's identity.
- * - `bad-capture`: a text is no capture; the field says in which line.
- * - `wrong-type`: what a pilot keeps is not of the kind that its field wants: a text, a list, a number.
+ * - `bad-capture`: a text is no capture, or entries are none; the field says in which line, or which entry.
+ * - `wrong-type`: a value is not of the kind that its field wants: a text, a list, an object.
  * - `unknown-word`: a field has only some words, and this is none of them.
  * - `bad-file`: a text is no library file, or its text is broken.
  * - `bad-link`: a text carries no setting, or it has been cut or damaged on its way.
@@ -70,7 +70,12 @@ export class CodecError extends Error {
 /** @throws CodecError `not-an-integer` or `out-of-range` unless `value` is a whole number from `min` to `max`. */
 export function requireInteger(value: unknown, field: string, min: number, max: number): asserts value is number {
   if (!Number.isInteger(value)) {
-    throw new CodecError('not-an-integer', field, `${field} must be a whole number, not ${String(value)}`, { value });
+    throw new CodecError(
+      'not-an-integer',
+      field,
+      `${field} must be a whole number, not ${typeof value === 'number' ? value : typeof value}`,
+      { value },
+    );
   }
   if ((value as number) < min || (value as number) > max) {
     throw new CodecError('out-of-range', field, `${field} must be ${min} to ${max}, not ${String(value)}`, {

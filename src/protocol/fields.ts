@@ -121,7 +121,7 @@ export const timesField: Field<'times', readonly number[]> = {
   size: (identity) => 2 * slotCount(identity),
   encode(times, { identity, quirks }) {
     requireCount(times, 'times', identity && slotCount(identity));
-    return times.flatMap((time, slot) => {
+    return Array.from(times).flatMap((time, slot) => {
       requireInteger(time, `times[${slot}]`, 0, MAX_TIME);
       const low = time & 0xff;
       const high = time >> 8;
@@ -152,13 +152,14 @@ export const positionsField: Field<'positions', readonly (readonly number[])[]> 
   size: (identity) => identity.servos * slotCount(identity),
   encode(positions, { identity }) {
     requireCount(positions, 'positions', identity?.servos);
-    return positions.flatMap((row, servo) => {
+    return Array.from(positions).flatMap((row, servo) => {
       requireCount(row, `positions[${servo}]`, identity && slotCount(identity));
-      row.forEach((position, slot) => {
+      const steps = Array.from(row);
+      steps.forEach((position, slot) => {
         // A timer may hold what cannot be set, 131 to 255, and then it says so.
         requireInteger(position, `positions[${servo}][${slot}]`, 0, 255);
       });
-      return row;
+      return steps;
     });
   },
   decode(data, { identity }) {
@@ -185,6 +186,7 @@ export const MAX_TIME = 0xffff;
 export const MAX_POSITION = 130;
 
 function requireCount(list: readonly unknown[], field: string, count: number | undefined): void {
+  if (!Array.isArray(list)) throw new CodecError('wrong-type', field, `${field} must be a list`, { value: list });
   if (count === undefined || list.length === count) return;
   throw new CodecError('wrong-count', field, `${field} must have ${count} entries, not ${list.length}`, {
     value: list.length,

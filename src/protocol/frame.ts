@@ -49,7 +49,7 @@ const NO_DATA = new Uint8Array(0);
  * Wraps a command and its data: `00 00 00 00 00 LENGTH CODE DATA... CHECKSUM 45`.
  * @param code the command's letter, 0..255.
  * @param data 0 to 252 bytes.
- * @throws CodecError `not-an-integer`, `out-of-range` (code) or `wrong-length` (data).
+ * @throws CodecError `not-an-integer`, `out-of-range` (code), `wrong-type` or `wrong-length` (data).
  */
 export function encodeFrame(
   code: number,
@@ -57,7 +57,8 @@ export function encodeFrame(
   options: EncodeFrameOptions = {},
 ): Uint8Array {
   requireInteger(code, 'code', 0, 0xff);
-  if (data.length > MAX_DATA) {
+  if (!Number.isInteger(data?.length)) throw new CodecError('wrong-type', 'data', 'no list of bytes');
+  if (data.length < 0 || data.length > MAX_DATA) {
     throw new CodecError('wrong-length', 'data', `a frame carries at most ${MAX_DATA} bytes, not ${data.length}`, {
       max: MAX_DATA,
     });

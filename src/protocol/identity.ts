@@ -34,17 +34,21 @@ const SPACE = 0x20;
 
 /**
  * Makes sure that an identity can be real and that its messages fit into frames.
- * @throws CodecError `bad-identity`.
+ * @throws CodecError `bad-identity`, or `wrong-type` for what is no object.
  */
 export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
   const refuse = (field: string, why: string): never => {
     throw new CodecError('bad-identity', `identity.${field}`, why, bytes ? { bytes } : {});
   };
-  if (!/^[!-~]$/.test(identity.timerClass)) refuse('timerClass', 'the class must be one printable character');
-  if (!/^[0-9]{3}$/.test(identity.firmware)) refuse('firmware', 'the firmware must be three digits');
+  const isText = (value: unknown, form: RegExp): boolean => typeof value === 'string' && form.test(value);
+  if (typeof identity !== 'object' || identity === null) {
+    throw new CodecError('wrong-type', 'identity', 'an identity must be an object', { value: identity });
+  }
+  if (!isText(identity.timerClass, /^[!-~]$/)) refuse('timerClass', 'the class must be one printable character');
+  if (!isText(identity.firmware, /^[0-9]{3}$/)) refuse('firmware', 'the firmware must be three digits');
   for (const field of ['functions', 'memories', 'servos'] as const) {
     const value = identity[field];
-    if (!Number.isInteger(value) || value < 1 || value > 255) refuse(field, `${field} must be 1 to 255, not ${value}`);
+    if (!Number.isInteger(value) || value < 1 || value > 255) refuse(field, `${field} must be 1 to 255`);
   }
   if (2 * slotCount(identity) > MAX_DATA) refuse('functions', 'more functions than one frame of times can hold');
   if (identity.servos * slotCount(identity) > MAX_DATA) {

@@ -1,4 +1,4 @@
-export { type CaptureEntry, formatCapture, parseCapture } from './capture.js';
+export { type CaptureEntry, captureOf, formatCapture, parseCapture } from './capture.js';
 export {
   COMMAND_NAMES,
   COMMANDS,
@@ -32,6 +32,7 @@ export {
   ZEROS_NEEDED,
   ZEROS_SENT,
 } from './frame.js';
+export { frames } from './frames.js';
 export { type Identity, requireIdentity, slotCount, type TimerClass } from './identity.js';
 export {
   answers,

@@ -1,4 +1,4 @@
-import { COMMANDS, type CommandName, commandOf, type Reply, type Request } from './commands.js';
+import { COMMANDS, type CommandName, commandOf, type Reply, type ReplyOf, type Request } from './commands.js';
 import { CodecError } from './errors.js';
 import type { Field, LayoutOptions } from './fields.js';
 import { type EncodeFrameOptions, encodeFrame, type Frame, frameSize } from './frame.js';
@@ -7,20 +7,23 @@ import type { Identity } from './identity.js';
 /** All ways in which the bytes of a timer may differ from the usual reading of the protocol. */
 export interface CodecOptions extends LayoutOptions, EncodeFrameOptions {}
 
-export interface DecodeReplyOptions extends LayoutOptions {
+export interface DecodeReplyOptions<Name extends CommandName = CommandName> extends LayoutOptions {
   /** The request that waits. Without it the reply is named by its letter alone. */
-  readonly pending?: Request | CommandName | undefined;
+  readonly pending?: Named<Name> | undefined;
 }
+
+/** A command by its name, or a request of it. */
+type Named<Name extends CommandName> = Name | { readonly name: Name; readonly [value: string]: unknown };
 
 type Values = Readonly<Record<string, unknown>>;
 
 /**
  * A request as it goes on the wire.
  * @param options with an identity every value must fit that timer; without one it must fit its bytes.
- * @throws CodecError `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
+ * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
  */
 export function encodeRequest(request: Request, options: CodecOptions = {}): Uint8Array {
-  const { request: code } = COMMANDS[request.name];
+  const { request: code } = commandNamed(request);
   return encodeFrame(code, encodeFields(requestFields(request.name, options), request, options), options);
 }
 
@@ -37,10 +40,10 @@ export function decodeRequest(frame: Frame, options: LayoutOptions = {}): Reques
 
 /**
  * A reply as it goes on the wire.
- * @throws CodecError `not-an-integer`, `out-of-range`, `wrong-count` or `bad-identity`.
+ * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range`, `wrong-count` or `bad-identity`.
  */
 export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Array {
-  const { reply: code } = COMMANDS[reply.name];
+  const { reply: code } = commandNamed(reply);
   return encodeFrame(code, encodeFields(replyFields(reply.name), reply, options), options);
 }
 
@@ -49,8 +52,12 @@ export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Arra
  * 6E, as the source prints them in one place. The caller decides whether that is safe now (see {@link answers}).
  * @throws CodecError `unexpected-reply` when it does not answer the pending request, `unknown-command` when no reply
  * has this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
+ * @returns with a pending request of a known name, the reply to that one: its values are typed.
  */
-export function decodeReply(frame: Frame, options: DecodeReplyOptions = {}): Reply {
+export function decodeReply<Name extends CommandName = CommandName>(
+  frame: Frame,
+  options: DecodeReplyOptions<Name> = {},
+): ReplyOf<Name> {
   const { pending } = options;
   const command = commandOf(frame.code);
   if (command?.direction !== 'reply') throw unknownCommand(frame);
@@ -64,7 +71,7 @@ export function decodeReply(frame: Frame, options: DecodeReplyOptions = {}): Rep
     }
     name = asked;
   }
-  return { name, ...decodeFields(replyFields(name), frame.data, options) } as Reply;
+  return { name, ...decodeFields(replyFields(name), frame.data, options) } as ReplyOf<Name>;
 }
 
 /**
@@ -81,6 +88,13 @@ export function answers(code: number, asked: CommandName): 'exact' | 'misprint' 
 export function exchangeSize(name: CommandName, identity: Identity): { request: number; reply: number } {
   const size = (fields: readonly Field[]): number => frameSize(fields.reduce((sum, f) => sum + f.size(identity), 0));
   return { request: size(requestFields(name, {})), reply: size(replyFields(name)) };
+}
+
+/** The row of a message, which a caller without types may have made of anything. */
+function commandNamed(message: { readonly name: CommandName }): (typeof COMMANDS)[CommandName] {
+  const name: unknown = (message as { readonly name: CommandName } | null | undefined)?.name;
+  if (typeof name === 'string' && Object.hasOwn(COMMANDS, name)) return COMMANDS[name as CommandName];
+  throw new CodecError('unknown-command', 'name', 'a message must have the name of a command', { value: name });
 }
 
 function requestFields(name: CommandName, { quirks }: LayoutOptions): readonly Field[] {

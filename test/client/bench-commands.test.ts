@@ -6,7 +6,7 @@ describe('one position', () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     timer.core.answered.length = 0;
-    await run(client.setPosition(1, 4, 70));
+    await run(client.setPosition({ servo: 1, slot: 4 }, 70));
     expect(timer.core.answered).toEqual([{ name: 'SETSERVO', servo: 1, function: 4, position: 70 }]);
     expect(timer.core.content.positions[1]?.[4]).toBe(70);
   });
@@ -16,7 +16,7 @@ describe('one position', () => {
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lost-- > 0 ? [] : [byte]) } });
     await run(client.identify());
     lost = 9;
-    await run(client.setPosition(0, 2, 40));
+    await run(client.setPosition({ servo: 0, slot: 2 }, 40));
     const sent = timer.core.answered.filter(({ name }) => name === 'SETSERVO');
     expect([sent.length, timer.core.content.positions[0]?.[2]]).toEqual([2, 40]);
   });
@@ -29,7 +29,7 @@ describe('one position', () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     timer.core.answered.length = 0;
-    await expect(run(client.setPosition(servo, slot, position))).rejects.toMatchObject({
+    await expect(run(client.setPosition({ servo, slot }, position))).rejects.toMatchObject({
       name: 'CodecError',
       code: 'out-of-range',
       field,

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type CaptureEntry, formatCapture, parseCapture } from '../../src/protocol/index.js';
+import { type CaptureEntry, captureOf, formatCapture, parseCapture } from '../../src/protocol/index.js';
 import { fromHex } from '../tools/bytes.js';
 
 const example: CaptureEntry[] = [
@@ -75,5 +75,40 @@ describe('a capture as text', () => {
       }),
       { numRuns: 1000 },
     );
+  });
+});
+
+describe('what cannot be a capture', () => {
+  const bytes = Uint8Array.of(1);
+  const entry: CaptureEntry = { time: 0, direction: 'in', bytes };
+  it.each([
+    [
+      'times since 1970',
+      [
+        { ...entry, time: Date.UTC(2026, 0) },
+        { ...entry, time: 0 },
+      ],
+      'entry 0',
+    ],
+    ['a time longer than a capture can be', [entry, { ...entry, time: 1e12 }], 'entry 1'],
+    ['a negative time', [{ ...entry, time: -1 }], 'entry 0'],
+    ['no time', [{ ...entry, time: Number.NaN }], 'entry 0'],
+    ['no bytes', [entry, { ...entry, bytes: new Uint8Array() }], 'entry 1'],
+    ['no direction', [{ ...entry, direction: 'up' as 'in' }], 'entry 0'],
+  ])('is not written: %s', (_, entries, field) => {
+    expect(() => formatCapture(entries)).toThrow(expect.objectContaining({ code: 'bad-capture', field }));
+  });
+
+  it('becomes one: entries of a line with the time of day, errors of the line and a clock that was put back', () => {
+    const begin = Date.UTC(2026, 0);
+    const entries: CaptureEntry[] = [
+      { time: begin - 5, direction: 'in', bytes: new Uint8Array() },
+      { time: begin, direction: 'out', bytes },
+      { time: begin + 30, direction: 'in', bytes },
+      { time: begin - 3_600_000, direction: 'in', bytes },
+    ];
+    expect(captureOf(entries).map(({ time }) => time)).toEqual([0, 30, 30]);
+    expect(parseCapture(formatCapture(captureOf(entries)))).toEqual(captureOf(entries));
+    expect(captureOf([])).toEqual([]);
   });
 });

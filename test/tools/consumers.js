@@ -12,13 +12,31 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'sidus-consumers-'));
 
-/** The oldest, the last of each kind, and the project's own. */
-const COMPILERS = ['5.7.3', '5.9.3', '6.0.3', '7.0.2'];
+/** The oldest that takes the types, one of each year, and the project's own. */
+const COMPILERS = ['5.0.4', '5.4.5', '5.7.3', '5.9.3', '6.0.3', '7.0.2'];
 /** The package asks for streams and AbortSignal, and one of these has them. */
 const SURROUNDINGS = [
   { name: 'DOM', lib: ['es2022', 'dom'], types: [] },
   { name: 'Node', lib: ['es2022'], types: ['node'] },
+  // What TypeScript takes where nothing is said, with the types of Node installed.
+  { name: 'DOM and Node', lib: ['es2022', 'dom'], types: ['node'] },
+  { name: 'DOM, Node and the newest library', lib: ['esnext', 'dom', 'dom.iterable'], types: ['node'] },
 ];
+
+/** What is tried where Node's types are there: its streams are a port. */
+const NODE = `import { Duplex } from 'node:stream';
+import { COMMANDS, decodeReply, TimerClient } from 'sidus-timer';
+
+export async function times(stream: Duplex): Promise<readonly number[]> {
+  const timer = new TimerClient(Duplex.toWeb(stream), { baudRate: 9600 });
+  const reply = decodeReply({ code: COMMANDS.GETMEMORY.reply, data: Uint8Array.of(1) }, { pending: 'GETMEMORY' });
+  const memory: number | null = reply.memory;
+  console.log(memory);
+  const { times } = await timer.request({ name: 'GETTIMERS' });
+  await timer[Symbol.asyncDispose]();
+  return times;
+}
+`;
 
 /**
  * @param {string} where
@@ -63,6 +81,7 @@ function compile(tarball) {
     const options = { strict: true, noEmit: true, skipLibCheck: false, module: 'nodenext', target: 'es2022' };
     const compilerOptions = { ...options, lib, types, exactOptionalPropertyTypes: true };
     writeFileSync(join(where, 'tsconfig.json'), JSON.stringify({ compilerOptions, include: ['*.ts'] }));
+    writeFileSync(join(where, 'node.ts'), types.includes('node') ? NODE : '');
     for (const version of COMPILERS) {
       run(where, process.execPath, `node_modules/typescript-${version}/bin/tsc`, '-p', '.');
       console.log(`TypeScript ${version} takes the types, with ${name}.`);

@@ -308,7 +308,7 @@ export class Follow {
     options.stillOn();
     if (!this.#on.peek()) return;
     editor.sent();
-    await connection.client.setPosition(field.servo, field.slot, pending.value, options);
+    await connection.client.setPosition(field, pending.value, options);
     if (editor.baseline.peek() !== before) return;
     batch(() => {
       knowledge.acknowledged(before.memory);

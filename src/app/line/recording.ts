@@ -3,6 +3,7 @@ import {
   type CaptureEntry,
   COMMANDS,
   CodecError,
+  captureOf,
   FrameDecoder,
   formatCapture,
   parseCapture,
@@ -109,12 +110,7 @@ function recordsOf(entries: readonly CaptureEntry[]): LineRecord[] {
  * top. Times count from the first entry, so that nothing tells when it was.
  */
 export function captureText(records: readonly LineRecord[], notes: readonly string[]): string {
-  const began = records[0]?.time ?? 0;
-  const [heading = '', ...lines] = formatCapture(
-    records.flatMap(({ time, direction, bytes }) =>
-      bytes.length > 0 ? [{ time: time - began, direction, bytes }] : [],
-    ),
-  ).split('\n');
+  const [heading = '', ...lines] = formatCapture(captureOf(records)).split('\n');
   const body = records.flatMap((record) => {
     const comment = `# ${[frameName(record), describeFrame(record, record.layout)].filter(Boolean).join(': ')}`;
     return record.bytes.length > 0 ? [comment, lines.shift() as string] : [comment];

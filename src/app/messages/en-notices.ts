@@ -100,6 +100,10 @@ export const timer: Record<TimerErrorCode, Said> = {
     title: 'It is not certain in which order this timer sends the bytes of a time.',
     advice: 'The times fall. With the two bytes of each swapped they would rise. Nothing was written.',
   },
+  busy: {
+    title: 'Something else on this page uses the port.',
+    advice: 'Nothing was sent. Disconnect, connect again and try once more. What you typed is kept.',
+  },
   'port-lost': {
     title: 'The connection is gone.',
     advice: 'It comes back by itself. If the adapter was unplugged, plug it in again. What you typed is kept.',

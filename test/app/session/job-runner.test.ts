@@ -62,7 +62,7 @@ describe('a job', () => {
     const { runner } = bench.session;
     const seen: unknown[] = [];
     runner.job.subscribe((job) => seen.push(job && [job.kind, job.memory, job.progress?.done ?? null, job.stopping]));
-    const progress = { stage: 'read', done: 2, total: 4, repeats: 0, endsBy: 100, memory: 3 } as const;
+    const progress = { stage: 'read', done: 2, total: 4, fraction: 0.5, repeats: 0, endsBy: 100, memory: 3 } as const;
     let late = (): void => {};
     const job = runner.run(
       'look',

@@ -1,0 +1,116 @@
+import { describe, expect, expectTypeOf, it } from 'vitest';
+import { type Progress, TimerClient, TimerError } from '../../src/client/index.js';
+import { VirtualClock } from '../../src/line/index.js';
+import { VirtualTimer } from '../../src/simulator/index.js';
+import { bench, edited, names } from './bench.js';
+
+describe('one request', () => {
+  it('gives the values of its reply, typed by its name', async () => {
+    const { client, timer, run } = bench();
+    const { times } = await run(client.request({ name: 'GETTIMERS' }));
+    expectTypeOf(times).toEqualTypeOf<readonly number[]>();
+    expect(times).toEqual(timer.core.content.times);
+    await run(client.request({ name: 'SETSERVO', servo: 0, function: 2, position: 41 }));
+    expect(timer.core.content.positions[0]?.[2]).toBe(41);
+  });
+
+  it('is a question of which two answers agree where one cannot be believed', async () => {
+    let lost = 1;
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lost-- > 0 ? [0xff] : [byte]) } });
+    await run(client.identify());
+    timer.core.answered.length = 0;
+    await run(client.request({ name: 'GETMEMORY' }));
+    expect(client.damageSeen).toBe(true);
+    expect(names(timer.core.answered)).toEqual(['GETMEMORY', 'GETMEMORY']);
+  });
+
+  it('goes out once when it moves something, and stays unanswered', async () => {
+    let isDeaf = false;
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (isDeaf ? [] : [byte]) } });
+    await run(client.identify());
+    timer.core.answered.length = 0;
+    isDeaf = true;
+    const asked = run(client.request({ name: 'MOVETOFUNC', function: 3 }));
+    await expect(asked).rejects.toMatchObject({ code: 'no-answer', details: { sent: 1 } });
+    expect(names(timer.core.answered)).toEqual(['MOVETOFUNC']);
+  });
+
+  it.each([
+    ['a value that no timer can carry', { name: 'SETSERVO', servo: 0, function: 2, position: 131 }, 'out-of-range'],
+    ['no command', { name: 'GETNOTHING' }, 'unknown-command'],
+    ['nothing', undefined, 'unknown-command'],
+  ])('is refused before anything is sent: %s', async (_, request, code) => {
+    const { client, timer, run } = bench();
+    await expect(run(client.request(request as never))).rejects.toMatchObject({ name: 'CodecError', code });
+    expect(names(timer.core.answered)).not.toContain('SETSERVO');
+  });
+});
+
+describe('a port that somebody else holds', () => {
+  it.each(['readable', 'writable'] as const)(
+    'says busy while its %s is locked, and works when it is not',
+    async (side) => {
+      const { client, timer, run } = bench();
+      const other = side === 'readable' ? timer.readable.getReader() : timer.writable.getWriter();
+      await expect(run(client.identify())).rejects.toMatchObject({ name: 'TimerError', code: 'busy' });
+      expect(timer.core.answered).toEqual([]);
+      other.releaseLock();
+      expect(await run(client.identify())).toMatchObject({ firmware: timer.core.identity.firmware });
+    },
+  );
+
+  it('says busy when it is written to in the middle, and sends nothing into that', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    const other = timer.writable.getWriter();
+    timer.core.answered.length = 0;
+    await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'busy' });
+    other.releaseLock();
+    expect(timer.core.answered).toEqual([]);
+    expect(await run(client.readProgram())).toMatchObject({ memory: timer.core.memory });
+  });
+});
+
+describe('what a client hands out', () => {
+  it('is a copy: nobody can change what it knows of the timer', async () => {
+    const { client, timer, run } = bench();
+    const break_ = (identity: object | null): void => void Object.assign(identity ?? {}, { functions: 1, servos: 1 });
+    break_(await run(client.identify()));
+    break_(client.identity);
+    break_((await run(client.readProgram())).identity);
+    expect(client.identity).toEqual(timer.core.identity);
+    expect(await run(client.readProgram())).toMatchObject({ times: timer.core.content.times });
+  });
+
+  it('is closed at the end of an `await using` block', async () => {
+    const clock = new VirtualClock();
+    const timer = new VirtualTimer({ clock });
+    const client = new TimerClient(timer, { clock });
+    await clock.run(client.identify());
+    expect(timer.readable.locked).toBe(true);
+    await client[Symbol.asyncDispose]();
+    expect(timer.readable.locked).toBe(false);
+    await expect(clock.run(client.identify())).rejects.toBeInstanceOf(TimerError);
+  });
+
+  it('says of each job how much is done: a number from 0 to 1 that never falls', async () => {
+    const { client, run } = bench();
+    const shares: number[] = [];
+    const onProgress = ({ fraction }: Progress): void => void shares.push(fraction);
+    const ended = (): number[] => {
+      const told = shares.splice(0);
+      expect(told).toEqual([...told].sort((a, b) => a - b));
+      for (const each of told) expect(each >= 0 && each <= 1).toBe(true);
+      return told;
+    };
+    const baseline = await run(client.readProgram({ onProgress }));
+    expect(ended().at(-1)).toBe(1);
+    await run(client.writeProgram(edited(baseline, [[10, 30_000]]), { baseline, onProgress }));
+    expect(ended().at(-1)).toBe(1);
+    await run(client.writeProgram(baseline, { baseline: edited(baseline, [[10, 30_000]]), onProgress }));
+    expect(ended().at(-1)).toBe(1);
+    const same = await run(client.readProgram());
+    await run(client.writeProgram(same, { baseline: same, onProgress }));
+    expect(ended().some(Number.isNaN)).toBe(false);
+  });
+});

@@ -1,0 +1,136 @@
+import fc from 'fast-check';
+import { describe, expect, expectTypeOf, it } from 'vitest';
+import {
+  COMMAND_NAMES,
+  COMMANDS,
+  CodecError,
+  decodeReply,
+  encodeFrame,
+  encodeReply,
+  encodeRequest,
+  FrameDecoder,
+  type Identity,
+  type ReplyOf,
+} from '../../src/protocol/index.js';
+
+const identity: Identity = { timerClass: 'Q', firmware: '536', functions: 4, memories: 4, servos: 2 };
+const loose = (work: (...values: never[]) => unknown) => work as (...values: unknown[]) => unknown;
+
+describe('a program without types', () => {
+  const anything = fc.anything({ maxDepth: 2, withSparseArray: true, withNullPrototype: true, withBigInt: true });
+  const message = fc.oneof(
+    anything,
+    fc.record({ name: fc.oneof(fc.constantFrom(...COMMAND_NAMES, '__proto__', 'toString'), anything) }),
+    fc.record({
+      name: fc.constantFrom(...COMMAND_NAMES),
+      times: anything,
+      positions: anything,
+      memory: anything,
+      function: anything,
+      servo: anything,
+      position: anything,
+      idleThrottle: anything,
+      identity: fc.oneof(anything, fc.record({ timerClass: anything, firmware: anything, functions: anything })),
+    }),
+  );
+
+  it.each([
+    ['encodeRequest', loose(encodeRequest)],
+    ['encodeReply', loose(encodeReply)],
+  ])('%s gives bytes or a CodecError, whatever it is given', (_, encode) => {
+    fc.assert(
+      fc.property(message, fc.constantFrom({}, { identity }), (given, options) => {
+        try {
+          expect(new FrameDecoder().push(encode(given, options) as Uint8Array)).toHaveLength(1);
+        } catch (error) {
+          expect(error).toBeInstanceOf(CodecError);
+        }
+      }),
+      { numRuns: 2000 },
+    );
+  });
+
+  it.each([
+    ['nothing', undefined],
+    ['null', null],
+    ['a name of nothing', { name: 'toString' }],
+    ['a symbol', { name: Symbol('GETSWVER') }],
+  ])('is told that %s is no request', (_, request) => {
+    expect(() => loose(encodeRequest)(request)).toThrow(expect.objectContaining({ code: 'unknown-command' }));
+  });
+
+  it.each([
+    ['null', null, 'wrong-type'],
+    ['an object', {}, 'wrong-type'],
+    ['a list of no length', { length: -1 }, 'wrong-length'],
+    ['a text', 'ab', 'not-an-integer'],
+    ['a list with a hole', Array(2), 'not-an-integer'],
+    ['what is no text', [Object.create(null)], 'not-an-integer'],
+  ])('is told that %s is no data', (_, data, code) => {
+    expect(() => loose(encodeFrame)(1, data)).toThrow(expect.objectContaining({ name: 'CodecError', code }));
+  });
+
+  it('is told of a hole in a list of values', () => {
+    const holed = [1, 2, 3, 4, 5];
+    delete holed[1];
+    expect(() => encodeRequest({ name: 'SETTIMERS', times: holed }, { identity })).toThrow('times[1]');
+    const positions = [[1, 2, 3, 4, 5], holed];
+    expect(() => encodeReply({ name: 'GETSERVOPOS', positions }, { identity })).toThrow('positions[1][1]');
+  });
+});
+
+describe('what everybody shares', () => {
+  it('cannot be changed: the table of commands, down to its rows and lists', () => {
+    const change = (object: object, name: string): void => {
+      expect(Reflect.set(object, name, 0), name).toBe(false);
+    };
+    change(COMMANDS, 'GETTIMERS');
+    for (const name of COMMAND_NAMES) {
+      for (const field of Object.keys(COMMANDS[name])) change(COMMANDS[name], field);
+      expect(Object.isFrozen(COMMANDS[name].sends) && Object.isFrozen(COMMANDS[name].answers), name).toBe(true);
+      for (const field of [...COMMANDS[name].sends, ...COMMANDS[name].answers]) change(field, 'encode');
+    }
+    expect(() => (COMMAND_NAMES as string[]).push('X')).toThrow(TypeError);
+  });
+
+  it('is little: the data of a frame keeps no large chunk alive', () => {
+    const frame = encodeFrame(0x76, [7]);
+    const chunk = new Uint8Array(1 << 20).fill(0x55);
+    chunk.set(frame, 1000);
+    chunk.set(frame, (1 << 20) - frame.length);
+    const [first, last] = new FrameDecoder().push(chunk);
+    for (const found of [first, last]) {
+      expect([...(found?.data ?? [])]).toEqual([7]);
+      expect(found?.data.buffer.byteLength).toBeLessThanOrEqual(4096);
+    }
+  });
+
+  it('holds each frame of a chunk that is longer than what they share', () => {
+    const sent = Array.from({ length: 400 }, (_, at) =>
+      encodeFrame(0x62, [at & 0xff, at >> 8, ...Array(at % 60).fill(at & 0x7f)]),
+    );
+    const chunk = Uint8Array.from(sent.flatMap((bytes) => [...bytes]));
+    const found = new FrameDecoder().push(chunk);
+    chunk.fill(0);
+    expect(found.map(({ code, data }) => encodeFrame(code, data))).toEqual(sent);
+  });
+});
+
+describe('the type of a reply', () => {
+  const frame = { code: COMMANDS.GETLOWRPM.reply, data: Uint8Array.of(12) };
+
+  it('is that of the request that waits', () => {
+    const byName = decodeReply(frame, { pending: 'GETLOWRPM' });
+    const byRequest = decodeReply(frame, { pending: { name: 'GETLOWRPM' } });
+    expectTypeOf(byName).toEqualTypeOf<ReplyOf<'GETLOWRPM'>>();
+    expectTypeOf(byRequest.idleThrottle).toEqualTypeOf<number | null>();
+    expect([byName.idleThrottle, byRequest.idleThrottle]).toEqual([12, 12]);
+  });
+
+  it('is one flat object', () => {
+    expectTypeOf<ReplyOf<'GETLOWRPM'>>().toEqualTypeOf<{
+      readonly name: 'GETLOWRPM';
+      readonly idleThrottle: number | null;
+    }>();
+  });
+});
