@@ -2,6 +2,7 @@ import { commandsOf } from './commands.js';
 import { GoOn, LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
+import { ModelDialog } from './recognition/model-dialog.js';
 import { EraseDialog } from './settings/erase-dialog.js';
 import { Palette } from './shell/palette.js';
 import { WriteDialog } from './write/write-dialog.js';
@@ -14,6 +15,7 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <WriteDialog session={session} write={write} after={<GoOn write={write} leaving={leaving} />} />
       <MemoriesDialog session={session} jobs={memories.jobs} />
       <LeaveDialog session={session} leaving={leaving} />
+      <ModelDialog recognition={session.recognition} />
       <EraseDialog session={session} erase={erase} />
       <Palette commands={() => commandsOf(models)} />
     </>

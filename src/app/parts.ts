@@ -1,3 +1,4 @@
+import { modelLine } from './shell/header.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
@@ -15,7 +16,8 @@ export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** Fetches all of them, the program first. */
 export async function fetchParts(): Promise<void> {
-  for (const part of [program, dialogs, figures, memories, bench, line, settings, library]) await part.fetch();
+  for (const part of [program, dialogs, figures, modelLine, memories, bench, line, settings, library])
+    await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
   await fetchSimulated().catch(() => {});
 }

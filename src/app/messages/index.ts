@@ -155,6 +155,16 @@ export function dateText(time: number): string {
   return new Date(time).toLocaleString(locale, dateTime);
 }
 
+/** A time of today as its hour and minute, any other as its day alone: “12 Nov”, “12 Nov 2025”. */
+export function dayText(time: number): string {
+  const { locale } = messages.value;
+  const day = new Date(time);
+  const now = new Date();
+  if (day.toDateString() === now.toDateString()) return clockText(time);
+  const year = day.getFullYear() === now.getFullYear() ? {} : ({ year: 'numeric' } as const);
+  return day.toLocaleDateString(locale, { day: 'numeric', month: 'short', ...year });
+}
+
 /** A time of today as its hour and minute, any other with its day. */
 export function clockText(time: number): string {
   const { locale, dateTime } = messages.value;

@@ -47,8 +47,10 @@ export class Recognition {
   readonly found: ReadonlySignal<Found | null>;
   /** The model of the timer that is connected; null while it is not known, or there is none. */
   readonly model: ReadonlySignal<Model | null>;
-  /** The pilot shall be asked which model it is. */
-  readonly asks: ReadonlySignal<boolean>;
+  /** There is something to say of it, or to ask, that the pilot has not answered or put away. */
+  readonly tells: ReadonlySignal<boolean>;
+  /** The pilot chooses the model from a list. */
+  readonly choosing: ReadonlySignal<boolean>;
   /** The models that the timer can be said to be of, in the order of the library. */
   readonly choices: ReadonlySignal<readonly Model[]>;
   readonly #parts: RecognitionParts;
@@ -60,6 +62,7 @@ export class Recognition {
   readonly #before = signal(NOBODY, { name: 'knownBefore' });
   readonly #said = signal<string | null>(null, { name: 'saidModel' });
   readonly #notNow = signal(false, { name: 'notNow' });
+  readonly #choosing = signal(false, { name: 'choosing' });
 
   constructor(parts: RecognitionParts) {
     this.#parts = parts;
@@ -92,10 +95,13 @@ export class Recognition {
       const found = this.found.value;
       return found && 'model' in found ? found.model : null;
     });
-    this.asks = computed(() => {
+    this.tells = computed(() => {
       const kind = this.found.value?.kind;
-      return kind !== undefined && kind !== 'said' && kind !== 'same' && !this.#notNow.value;
+      if (!kind || kind === 'said' || this.#notNow.value) return false;
+      // Who keeps no models is not asked which one it is.
+      return kind !== 'unknown' || this.choices.value.length > 0;
     });
+    this.choosing = computed(() => this.#choosing.value && connection.value !== null);
     this.choices = computed(() => {
       const identity = connection.value?.identity;
       if (!identity) return [];
@@ -120,7 +126,7 @@ export class Recognition {
     if (!this.#parts.connection.peek()) return;
     batch(() => {
       this.#said.value = model.id;
-      this.#notNow.value = false;
+      this.#choosing.value = false;
     });
   }
 
@@ -143,9 +149,22 @@ export class Recognition {
     await kept;
   }
 
-  /** The pilot does not want to be asked on this connection. */
+  /** The pilot has seen what there was to say, or does not want to be asked: not again on this connection. */
   notNow(): void {
-    this.#notNow.value = true;
+    batch(() => {
+      this.#notNow.value = true;
+      this.#choosing.value = false;
+    });
+  }
+
+  /** The pilot wants to say which model it is, or to say it anew. */
+  choose(): void {
+    this.#choosing.value = this.#parts.connection.peek() !== null;
+  }
+
+  /** Leaves the list as it was. */
+  leave(): void {
+    this.#choosing.value = false;
   }
 
   /**
@@ -173,6 +192,7 @@ export class Recognition {
       this.#before.value = NOBODY;
       this.#said.value = null;
       this.#notNow.value = false;
+      this.#choosing.value = false;
     });
   }
 

@@ -12,6 +12,7 @@ import type { PortHolder } from '../session/port-holder.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
+import { onDemand } from '../ui/on-demand.js';
 import { ProgressLine } from '../ui/progress-line.js';
 import { useHeight } from '../ui/use-height.js';
 import { UncertainBand } from '../write/uncertain-band.js';
@@ -19,6 +20,11 @@ import { NoticeBar } from './notice-bar.js';
 import { StatusStrip } from './status-strip.js';
 import type { UpdateOffer } from './update-offer.js';
 import './header.css';
+
+/** What is said of the model: fetched after the first picture. */
+export const modelLine = onDemand(async () => (await import('../recognition/model-line.js')).ModelLine, {
+  silent: true,
+});
 
 interface HeaderProps {
   readonly session: Session;
@@ -42,6 +48,7 @@ export function Header({ session, memories, leaving, follow, preferences, staged
   return (
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences }} />
+      {session.recognition.tells.value && <modelLine.Part recognition={session.recognition} />}
       <NextFlight session={session} memories={memories} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
       {!staged && (

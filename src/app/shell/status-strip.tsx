@@ -16,6 +16,7 @@ import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import { NARROW, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
+import { StripModel } from './strip-model.js';
 import './status-strip.css';
 
 /** The figures to be changed: fetched after the first picture. */
@@ -72,10 +73,11 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
           <img src="./favicon.svg" alt="" width="32" height="32" />
           {!identity && <span>{name}</span>}
         </p>
+        {!isNarrow && <StripModel session={session} />}
         {isNarrow && identity && status === 'off' && !session.link.unavailable ? (
           <ConnectButtons session={session} part="first" />
         ) : (
-          <LinkState link={session.link} />
+          <LinkState link={session.link} model={isNarrow ? (session.modelAtHand.value?.name ?? null) : null} />
         )}
         {!isNarrow && choice}
         {identity && (
@@ -96,7 +98,19 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
       {isOpen && (
         <figures.Part
           {...{ id: panel, session, preferences }}
-          rest={isNarrow ? { choice, actions } : null}
+          rest={
+            isNarrow
+              ? {
+                  choice,
+                  actions: (
+                    <>
+                      <StripModel session={session} />
+                      {actions}
+                    </>
+                  ),
+                }
+              : null
+          }
           onClose={close}
         />
       )}
@@ -167,14 +181,20 @@ function Figure({ session, identity, field }: FigureProps) {
   );
 }
 
-function LinkState({ link }: { readonly link: Link }) {
+interface LinkStateProps {
+  readonly link: Link;
+  /** The name of the model, where there is no room for it beside the class of its timer; null elsewhere. */
+  readonly model: string | null;
+}
+
+function LinkState({ link, model }: LinkStateProps) {
   const { header, link: words } = messages.value;
   const state = link.state.value;
   if (state.status === 'on') {
     const { identity } = state.connection;
     return (
       <p class="link-state on">
-        <strong>{timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
+        <strong>{model ?? timerName(identity)}</strong> <span>{header.firmware(identity.firmware)}</span>
         {link.simulated.value && <span class="badge">{header.simulated}</span>}
       </p>
     );

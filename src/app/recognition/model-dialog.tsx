@@ -1,0 +1,155 @@
+import { useSignal } from '@preact/signals';
+import { useId } from 'preact/hooks';
+import { LIMITS, type Model } from '../../program/index.js';
+import { dayText, messages } from '../messages/index.js';
+import type { Found, PossibleModel, Recognition } from '../session/recognition.js';
+import { Modal } from '../ui/modal.js';
+import './model-dialog.css';
+
+/** A list up to this length needs no search. */
+const SEARCHED = 8;
+
+/** The pilot says which model it is: one of the list, or a new one. */
+export function ModelDialog({ recognition }: { readonly recognition: Recognition }) {
+  const { dialog } = messages.value.recognition;
+  const isAsked = recognition.tells.value && recognition.found.value?.kind !== 'same';
+  return (
+    <Modal
+      open={recognition.choosing.value}
+      title={dialog.title}
+      titleId="model-dialog-title"
+      held={false}
+      onEscape={() => recognition.leave()}
+    >
+      <Choice recognition={recognition} />
+      <NewModel recognition={recognition} />
+      <div class="buttons">
+        {isAsked ? (
+          <button type="button" class="quiet" onClick={() => recognition.notNow()}>
+            {messages.value.recognition.notNow}
+          </button>
+        ) : (
+          <button type="button" class="quiet" onClick={() => recognition.leave()}>
+            {messages.value.write.cancel}
+          </button>
+        )}
+      </div>
+    </Modal>
+  );
+}
+
+function Choice({ recognition }: { readonly recognition: Recognition }) {
+  const { dialog } = messages.value.recognition;
+  const searched = useSignal('');
+  const found = recognition.found.value;
+  const possible = possibleOf(found);
+  const near = new Map(possible.map((each) => [each.model.id, each]));
+  const choices = recognition.choices.value;
+  // What it may be comes first; what it cannot be said to be, for its class, is not among the choices.
+  const inOrder = [
+    ...possible.flatMap(({ model }) => choices.filter(({ id }) => id === model.id)),
+    ...choices.filter(({ id }) => !near.has(id)),
+  ];
+  const wanted = searched.value.trim().toLocaleLowerCase();
+  const shown = inOrder.filter(({ name }) => name.toLocaleLowerCase().includes(wanted));
+  return (
+    <>
+      <p class="hint">{found?.kind === 'said' ? dialog.said(found.model.name) : dialog.lead}</p>
+      {found?.kind === 'several' && <p class="hint">{dialog.moreMemories}</p>}
+      {inOrder.length > SEARCHED && (
+        <label class="model-search">
+          {dialog.search}
+          <input
+            type="search"
+            value={searched.value}
+            autocomplete="off"
+            onInput={(event) => (searched.value = event.currentTarget.value)}
+          />
+        </label>
+      )}
+      {inOrder.length === 0 ? (
+        <p>{dialog.none}</p>
+      ) : (
+        <ul class="model-choices" aria-label={dialog.list}>
+          {shown.map((model) => (
+            <Row
+              key={model.id}
+              model={model}
+              near={near.get(model.id) ?? null}
+              chosen={found !== null && 'model' in found && found.model.id === model.id}
+              onChoose={() => recognition.say(model)}
+            />
+          ))}
+        </ul>
+      )}
+      {inOrder.length > 0 && shown.length === 0 && <p role="status">{dialog.nothing}</p>}
+    </>
+  );
+}
+
+interface RowProps {
+  readonly model: Model;
+  /** How near what was read is to it; null where that says nothing. */
+  readonly near: PossibleModel | null;
+  readonly chosen: boolean;
+  readonly onChoose: () => void;
+}
+
+function Row({ model, near, chosen, onChoose }: RowProps) {
+  const { dialog } = messages.value.recognition;
+  return (
+    <li>
+      <button type="button" aria-pressed={chosen} onClick={onChoose}>
+        <strong>{model.name}</strong>
+        {near && (
+          <small>
+            {near.differs === 0 ? dialog.holds(dayText(near.at)) : dialog.differs(near.differs, dayText(near.at))}
+          </small>
+        )}
+      </button>
+    </li>
+  );
+}
+
+function NewModel({ recognition }: { readonly recognition: Recognition }) {
+  const { dialog } = messages.value.recognition;
+  const name = useSignal('');
+  const note = useId();
+  const wanted = name.value.trim();
+  const isTaken = recognition.choices.value.some((model) => model.name === wanted);
+  return (
+    <form
+      class="model-new"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (wanted !== '') void recognition.sayNew(wanted);
+      }}
+    >
+      <h3>{dialog.newModel}</h3>
+      <label>
+        {dialog.name}
+        <input
+          type="text"
+          value={name.value}
+          maxLength={LIMITS.name}
+          autocomplete="off"
+          aria-describedby={isTaken ? note : undefined}
+          onInput={(event) => (name.value = event.currentTarget.value)}
+        />
+      </label>
+      {isTaken && (
+        <p class="hint" id={note}>
+          {dialog.taken}
+        </p>
+      )}
+      <button type="submit" disabled={wanted === ''}>
+        {dialog.keep}
+      </button>
+    </form>
+  );
+}
+
+function possibleOf(found: Found | null): readonly PossibleModel[] {
+  if (!found || found.kind === 'said') return [];
+  return 'of' in found ? [found.of] : found.candidates;
+}

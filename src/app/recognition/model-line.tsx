@@ -1,0 +1,50 @@
+import { dayText, messages } from '../messages/index.js';
+import type { Found, PossibleModel, Recognition } from '../session/recognition.js';
+import './model-line.css';
+
+/** So many candidates are a button each; all are named. */
+const BUTTONS = 3;
+
+/** Whose timer this is, as far as it holds something that tells it; and the question where the pilot has to say it. */
+export function ModelLine({ recognition }: { readonly recognition: Recognition }) {
+  const { recognition: words } = messages.value;
+  const found = recognition.found.value;
+  if (!found || found.kind === 'said' || !recognition.tells.value) return null;
+  const picks = picksOf(found);
+  return (
+    <div class="notice model-line">
+      <p>{saidOf(found)}</p>
+      <div class="buttons">
+        {picks.slice(0, BUTTONS).map(({ model }) => (
+          <button type="button" key={model.id} onClick={() => recognition.say(model)}>
+            {found.kind === 'like' ? words.yes(model.name) : model.name}
+          </button>
+        ))}
+        <button
+          type="button"
+          class={picks.length > 0 || found.kind === 'same' ? 'quiet' : ''}
+          onClick={() => recognition.choose()}
+        >
+          {picks.length > 0 || found.kind === 'same' ? words.another : words.choose}
+        </button>
+        <button type="button" class={found.kind === 'same' ? '' : 'quiet'} onClick={() => recognition.notNow()}>
+          {found.kind === 'same' ? words.ok : words.notNow}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+/** What there is to say, in words. */
+function saidOf(found: Exclude<Found, { kind: 'said' }>): string {
+  const { recognition: words } = messages.value;
+  if (found.kind === 'same') return words.same(found.model.name, dayText(found.of.at));
+  if (found.kind === 'like') return words.like(found.model.name, found.of.differs);
+  return found.kind === 'several' ? words.several(found.candidates.map(({ model }) => model.name)) : words.unknown;
+}
+
+/** The models that one press can choose. */
+function picksOf(found: Exclude<Found, { kind: 'said' }>): readonly PossibleModel[] {
+  if ('candidates' in found) return found.candidates;
+  return found.kind === 'like' ? [found.of] : [];
+}

@@ -1,0 +1,26 @@
+import { LIMITS, type Model } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import type { Session } from './session.js';
+
+/** What the pilot calls a memory of a model; empty where he calls it nothing. */
+export function givenName(model: Model | null, memory: number): string {
+  return model?.memoryNames[memory] ?? '';
+}
+
+/** A memory of the timer at hand, as it is called in a sentence: M2, or M2 “fly-off”. */
+export function memoryText({ modelAtHand }: Pick<Session, 'modelAtHand'>, memory: number): string {
+  const { memoryName, memoryNames } = messages.value;
+  const given = givenName(modelAtHand.value, memory);
+  return given === '' ? memoryName(memory) : memoryNames.named(memoryName(memory), given);
+}
+
+/** Calls a memory of the model at hand something else; an empty name takes its name away. */
+export async function nameMemory(session: Session, memory: number, name: string): Promise<void> {
+  const model = session.modelAtHand.peek();
+  const given = name.trim().slice(0, LIMITS.name);
+  if (!model || givenName(model, memory) === given) return;
+  const memoryNames = [...model.memoryNames];
+  while (memoryNames.length <= memory) memoryNames.push('');
+  memoryNames[memory] = given;
+  await session.library.keepModel({ ...model, memoryNames });
+}

@@ -1,0 +1,24 @@
+import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import './strip-model.css';
+
+/** The name of the model, and the way to say which one it is. */
+export function StripModel({ session }: { readonly session: Session }) {
+  const { recognition: words } = messages.value;
+  const { recognition, modelAtHand } = session;
+  const model = modelAtHand.value;
+  if (session.connection.value === null) return null;
+  // Not before the models have come, and something was read.
+  if (!model && recognition.found.value === null) return null;
+  return (
+    <button
+      type="button"
+      class="quiet strip-model"
+      aria-haspopup="dialog"
+      aria-label={model ? words.change(model.name) : undefined}
+      onClick={() => recognition.choose()}
+    >
+      {model ? <span class="strip-model-name">{model.name}</span> : words.which}
+    </button>
+  );
+}

@@ -1,0 +1,284 @@
+import { describe, expect, it } from 'vitest';
+import type { ModelRecord } from '../../../src/app/storage/index.js';
+import type { TimerProgram } from '../../../src/program/index.js';
+import { exampleMemories } from '../../../src/simulator/index.js';
+import { MODEL } from '../../program/library-examples.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+
+const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
+const THEN = 1_795_000_000_000;
+/** What the timer holds. */
+const HELD = exampleMemories('Q').map(
+  ({ times, positions }, memory): TimerProgram => ({
+    identity: IDENTITY,
+    memory,
+    times,
+    positions,
+    idleThrottle: 30,
+  }),
+);
+/** What another one holds: nobody would trim that. */
+const OTHER = exampleMemories('Q').map(({ times, positions }) => ({
+  times: times.map((time) => time + 5),
+  positions: positions.map((row) => row.map((position, slot) => position + (slot % 3))),
+}));
+
+function record(name: string, verified: ModelRecord['verified'] = [], order = 1): ModelRecord {
+  return { key: name, order, changedAt: THEN, verified, model: { ...MODEL, id: name, name, memoryNames: [] } };
+}
+
+const held = (...memories: number[]) => memories.map((memory) => ({ program: HELD[memory] as TimerProgram, at: THEN }));
+
+async function benchWith(...models: readonly ModelRecord[]): Promise<AppBench> {
+  const store = new MemoryStore();
+  for (const model of models) store.models.records.set(model.key, model);
+  return filled(await appBench({ store, identity: IDENTITY }));
+}
+
+function filled(
+  bench: AppBench,
+  memories: readonly { times: number[]; positions: number[][] }[] = held(0, 1, 2, 3).map(contentOf),
+) {
+  const { core } = bench.timer;
+  core.memories.splice(0, core.memories.length, ...structuredClone([...memories]));
+  return bench;
+}
+
+function contentOf({ program }: { program: TimerProgram }) {
+  return { times: [...program.times], positions: program.positions.map((row) => [...row]) };
+}
+
+function nameOf({ session }: AppBench): string | null {
+  return session.modelAtHand.value?.name ?? null;
+}
+
+const kindOf = ({ session }: AppBench) => session.recognition.found.value?.kind ?? null;
+
+describe('a timer that holds what a model held', () => {
+  it('is that of the model, with no word of the pilot', async () => {
+    const bench = await benchWith(record('Magpie'), record('Lancer 07', held(0)));
+    expect(nameOf(bench)).toBeNull();
+    await run(bench.session.connect());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
+    expect(bench.session.recognition.found.value).toMatchObject({ of: { at: THEN, differs: 0 } });
+    await run(bench.session.disconnect());
+    expect(nameOf(bench)).toBeNull();
+  });
+
+  it('is no longer that of the model when another memory tells something else', async () => {
+    const bench = await benchWith(
+      record('Lancer 07', [...held(0), { program: { ...HELD[3], memory: 1 } as TimerProgram, at: THEN }]),
+    );
+    await run(bench.session.connect());
+    expect(nameOf(bench)).toBe('Lancer 07');
+    await run(bench.memories.look(1));
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
+    expect(bench.store.models.records.get('Lancer 07')?.verified[1]?.program.times).toEqual(HELD[3]?.times);
+  });
+
+  it('teaches what its other memories hold', async () => {
+    const bench = await benchWith(record('Lancer 07', held(0)));
+    await run(bench.session.connect());
+    await run(bench.memories.look(2));
+    const known = bench.store.models.records.get('Lancer 07')?.verified;
+    expect(known?.map(({ program }) => program.memory)).toEqual([0, 2]);
+    // What was known already keeps its day.
+    expect(known?.[0]?.at).toBe(THEN);
+  });
+
+  it('stays that of the model after a write, and is known again by what was written', async () => {
+    const bench = await benchWith(record('Lancer 07', held(0)));
+    await run(bench.session.connect());
+    bench.editor.type({ kind: 'position', servo: 1, slot: 4 }, '77');
+    for (let slot = 1; slot < 10; slot++) bench.editor.type({ kind: 'position', servo: 0, slot }, String(80 + slot));
+    await run(bench.write.open());
+    bench.session.safety.confirm();
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
+    await run(bench.session.disconnect());
+    const again = await reloaded(bench);
+    await run(again.session.connect());
+    expect([kindOf(again), nameOf(again)]).toEqual(['same', 'Lancer 07']);
+  });
+});
+
+describe('a timer that is not known', () => {
+  it('is asked for, and said to be that of a model until the connection ends', async () => {
+    const bench = await benchWith(record('Magpie'), record('Swift'));
+    await run(bench.session.connect());
+    const { recognition } = bench.session;
+    expect([kindOf(bench), nameOf(bench), recognition.tells.value]).toEqual(['unknown', null, true]);
+    expect(recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie', 'Swift']);
+    recognition.say(recognition.choices.value[1] as typeof MODEL);
+    expect([kindOf(bench), nameOf(bench), recognition.tells.value]).toEqual(['said', 'Swift', false]);
+    await idle();
+    const again = await reloaded(bench);
+    await run(again.session.connect());
+    expect([kindOf(again), nameOf(again)]).toEqual(['same', 'Swift']);
+  });
+
+  it('is asked for no more when the pilot does not want to be asked', async () => {
+    const bench = await benchWith(record('Magpie'));
+    await run(bench.session.connect());
+    bench.session.recognition.notNow();
+    await run(bench.session.read());
+    expect(bench.session.recognition.tells.value).toBe(false);
+  });
+
+  it('can be that of a new model', async () => {
+    const bench = await benchWith();
+    await run(bench.session.connect());
+    expect(bench.session.recognition.tells.value).toBe(false);
+    await run(bench.session.recognition.sayNew('Lancer 08'));
+    await idle();
+    expect(nameOf(bench)).toBe('Lancer 08');
+    const [kept] = [...bench.store.models.records.values()];
+    expect(kept).toMatchObject({
+      model: { name: 'Lancer 08', timerClass: 'Q' },
+      verified: [{ program: { memory: 0 } }],
+    });
+  });
+
+  it('cannot be said to be of a model of another class, or of one that is put away', async () => {
+    const other = record('Alien');
+    const away = record('Old');
+    const bench = await benchWith(
+      { ...other, model: { ...other.model, timerClass: 'B' } },
+      { ...away, model: { ...away.model, archived: true } },
+      record('Magpie'),
+    );
+    await run(bench.session.connect());
+    expect(bench.session.recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie']);
+  });
+
+  it('may be of several: all are named, and none is taken', async () => {
+    const bench = await benchWith(record('One', held(0)), record('Two', held(0)));
+    await run(bench.session.connect());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['several', null]);
+    expect(bench.session.recognition.found.value).toMatchObject({
+      candidates: [{ model: { name: 'One' } }, { model: { name: 'Two' } }],
+    });
+  });
+});
+
+describe('another timer in the place of the first, and the connection stays', () => {
+  it('is not that of the model any more, by the next reading', async () => {
+    const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
+    await run(bench.session.connect());
+    filled(bench, OTHER);
+    await run(bench.session.read());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
+    expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
+  });
+
+  it('takes the word back that was said of the first', async () => {
+    const bench = await benchWith(record('Lancer 07'), record('Magpie'));
+    await run(bench.session.connect());
+    bench.session.recognition.say(bench.session.recognition.choices.value[1] as typeof MODEL);
+    await idle();
+    filled(bench, OTHER);
+    await run(bench.session.read());
+    expect([kindOf(bench), nameOf(bench), bench.session.recognition.tells.value]).toEqual(['unknown', null, true]);
+    expect(bench.store.models.records.get('Magpie')?.verified[0]?.program.times).toEqual(HELD[0]?.times);
+  });
+
+  it('is asked for where only one value is another: the same timer, or one that is like it', async () => {
+    const bench = await benchWith(record('Lancer 07', held(0)));
+    await run(bench.session.connect());
+    const [first, ...rest] = held(0, 1, 2, 3).map(contentOf);
+    filled(bench, [{ ...first, times: first?.times.with(10, 24_000) } as NonNullable<typeof first>, ...rest]);
+    await run(bench.session.read());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['like', 'Lancer 07']);
+    expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
+  });
+
+  it('is whatever it holds after it was away and has come back', async () => {
+    const bench = await benchWith(record('Lancer 07', held(0)));
+    await run(bench.session.connect());
+    bench.adapter.unplug();
+    filled(bench, OTHER);
+    bench.adapter.replug();
+    await idle();
+    expect([bench.session.connection.value !== null, kindOf(bench), nameOf(bench)]).toEqual([true, 'unknown', null]);
+  });
+});
+
+describe('a library that changes, or does not come', () => {
+  it('lets a model go that another tab has deleted, and takes its new name', async () => {
+    const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
+    await run(bench.session.connect());
+    const lancer = bench.store.models.records.get('Lancer 07') as ModelRecord;
+    bench.store.models.records.set('Lancer 07', { ...lancer, model: { ...lancer.model, name: 'Lancer 7b' } });
+    await run(bench.session.library.refresh());
+    expect(nameOf(bench)).toBe('Lancer 7b');
+    bench.store.models.records.delete('Lancer 07');
+    await run(bench.session.library.refresh());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
+    expect([...bench.store.models.records.keys()]).toEqual(['Magpie']);
+  });
+
+  it('lets the word go with the model', async () => {
+    const bench = await benchWith(record('Magpie'));
+    await run(bench.session.connect());
+    bench.session.recognition.say(bench.session.recognition.choices.value[0] as typeof MODEL);
+    await idle();
+    bench.store.models.records.delete('Magpie');
+    await run(bench.session.library.refresh());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
+  });
+
+  it('says nothing while the storage hangs, and all of it when the storage comes late', async () => {
+    const store = new MemoryStore();
+    store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
+    let answer = (): void => {};
+    const all = store.models.all.bind(store.models);
+    store.models.all = () => new Promise((resolve) => (answer = () => void all().then(resolve)));
+    const bench = filled(await appBench({ store, identity: IDENTITY }));
+    await run(bench.session.connect());
+    expect([bench.editor.working.value?.memory, kindOf(bench)]).toEqual([0, null]);
+    await idle();
+    // The storage has had its time: there are no models.
+    expect([kindOf(bench), bench.session.recognition.tells.value]).toEqual(['unknown', false]);
+    store.models.all = all;
+    answer();
+    await run(bench.session.library.refresh());
+    expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
+  });
+
+  it('keeps the word on the screen where the browser keeps nothing', async () => {
+    const bench = await benchWith();
+    await run(bench.session.connect());
+    bench.store.broken = true;
+    await run(bench.session.recognition.sayNew('Lancer 08'));
+    await idle();
+    expect(nameOf(bench)).toBe('Lancer 08');
+  });
+});
+
+describe('simulated timers', () => {
+  it('and real ones do not know each other', async () => {
+    const store = new MemoryStore();
+    const simulated = held(0).map((each) => ({ ...each, simulated: true }));
+    store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
+    store.models.records.set('Play', record('Play', simulated, 2));
+    const real = filled(await appBench({ store, identity: IDENTITY }));
+    await run(real.session.connect());
+    expect([nameOf(real), real.session.recognition.choices.value.map(({ name }) => name)]).toEqual([
+      'Lancer 07',
+      ['Lancer 07'],
+    ]);
+    await run(real.session.disconnect());
+    await run(real.session.trySimulated('Q'));
+    expect(real.session.recognition.choices.value.map(({ name }) => name)).toEqual(['Play']);
+    await run(real.session.recognition.sayNew('Toy'));
+    await idle();
+    const toy = [...store.models.records.values()].find(({ model }) => model.name === 'Toy');
+    expect(toy?.verified).toMatchObject([{ simulated: true }]);
+  });
+});
+
+it('has no model before a timer is connected, and none that is not read', async () => {
+  const bench = await connectedBench({ identity: IDENTITY });
+  expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
+});
