@@ -27,7 +27,13 @@ export function App({ models }: { readonly models: AppModels }) {
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
       hasProgram ? (
-        <parts.program.Part {...{ session, write, memories, bench, follow, preferences, programPicture }} />
+        <parts.program.Part
+          {...{ session, write, memories, bench, follow, preferences, programPicture }}
+          onPrint={() => {
+            models.printOrder.choose();
+            views.show('print');
+          }}
+        />
       ) : (
         <StartScreen {...{ session, installation, platform }} />
       ),
@@ -40,6 +46,7 @@ export function App({ models }: { readonly models: AppModels }) {
     ),
     bench: () => <parts.bench.Part {...{ session, views, write, bench, follow }} />,
     library: () => <parts.library.Part />,
+    print: () => <parts.print.Part session={session} order={models.printOrder} onPrint={() => window.print()} />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
     settings: () => <parts.settings.Part {...{ session, preferences, theme, density, erase, views }} />,
   };

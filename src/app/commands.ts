@@ -12,7 +12,7 @@ export function commandsOf(models: AppModels): readonly Command[] {
   return [...programCommands(models), ...timerCommands(models), ...pageCommands(models)];
 }
 
-function programCommands({ session, write, preferences, bench }: AppModels): Command[] {
+function programCommands({ session, views, write, preferences, bench, printOrder }: AppModels): Command[] {
   const { editor, runner, connection } = session;
   const { palette, program, edits, slotName } = messages.value;
   const identity = editor.identity.value;
@@ -28,6 +28,13 @@ function programCommands({ session, write, preferences, bench }: AppModels): Com
     isFree && undo && { name: edits.undo(stepText(identity, undo)), keys: 'Ctrl+Z', run: () => editor.undo() },
     isFree && redo && { name: edits.redo(stepText(identity, redo)), keys: 'Ctrl+Y', run: () => editor.redo() },
     isFree && editor.dirty.value && { name: program.undoAll, run: () => editor.revertAll() },
+    isFree && {
+      name: palette.print,
+      run: () => {
+        printOrder.choose();
+        views.show('print');
+      },
+    },
     ...preferences.presets.value.map((value) => ({
       name: palette.preset(presetText(value)),
       run: () => editor.apply(setValues({ code: 'preset', params: { field: fieldKey(dt) } }, [{ field: dt, value }])),

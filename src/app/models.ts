@@ -8,6 +8,7 @@ import { FrameForm } from './line/frame-form.js';
 import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
 import { Memories } from './memories/memories.js';
+import { PrintOrder } from './print/print-order.js';
 import { ProgramPicture } from './program/program-picture.js';
 import { Keeping } from './session/keeping.js';
 import { PortHolder } from './session/port-holder.js';
@@ -40,6 +41,8 @@ export interface AppModels {
   readonly line: { readonly view: LineView; readonly form: FrameForm };
   /** How the program is looked at: it outlasts its view. */
   readonly programPicture: ProgramPicture;
+  /** What is to be printed: it outlasts the view. */
+  readonly printOrder: PrintOrder;
   readonly theme: Theme;
   readonly density: Density;
   readonly preferences: Preferences;
@@ -96,6 +99,7 @@ export function createModels({
     follow: new Follow(session, bench),
     line: { view: new LineView(session.log), form: new FrameForm(session) },
     programPicture: new ProgramPicture(),
+    printOrder: new PrintOrder(),
     theme: new Theme(),
     density: new Density(),
     preferences: new Preferences(session.editor),

@@ -9,6 +9,7 @@ export const bench = onDemand(async () => (await import('./shell/bench-view.js')
 export const library = onDemand(async () => (await import('./library/library-view.js')).LibraryView);
 export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
 export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
+export const print = onDemand(async () => (await import('./print/print-view.js')).PrintView);
 export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, { silent: true });
 
 /** What the simulated timers are made of. */
@@ -16,7 +17,7 @@ export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** Fetches all of them, the program first. */
 export async function fetchParts(): Promise<void> {
-  for (const part of [program, dialogs, figures, modelLine, memories, bench, line, settings, library])
+  for (const part of [program, dialogs, figures, modelLine, memories, bench, line, settings, library, print])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
   await fetchSimulated().catch(() => {});

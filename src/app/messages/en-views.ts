@@ -8,9 +8,11 @@ export const views = {
     library: 'Library',
     line: 'Line',
     settings: 'Settings',
+    print: 'Print',
   },
   /** The title of the window: “Memories · Sidus Timer”. */
   window: (view: string, name: string) => `${view} · ${name}`,
+  print: 'Print…',
   noTimer: {
     memories: 'Connect a timer to see its memories. Backups are below.',
     bench: 'Connect a timer to move its servos.',
@@ -42,6 +44,7 @@ export const palette = {
   preset: (time: string) => `DT ${time}`,
   moveTo: (slot: string) => `Move the servos: ${slot}`,
   disconnect: (timer: string) => `Disconnect the ${timer}`,
+  print: 'Print this program…',
   goTo: (view: string) => `Go to ${view}`,
   theme: (name: string) => `Colours: ${name}`,
 };

@@ -28,12 +28,13 @@ export interface ProgramViewProps {
   readonly follow: Follow;
   readonly preferences: Preferences;
   readonly programPicture: ProgramPicture;
+  readonly onPrint: () => void;
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
-  const { session, write, memories, bench, follow, preferences, programPicture } = props;
-  const { program, header, about } = messages.value;
+  const { session, write, memories, bench, follow, preferences, programPicture, onPrint } = props;
+  const { program, header, about, views } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
   const pointed = useSignal<ProgramField | null>(null);
@@ -69,6 +70,11 @@ export function ProgramView(props: ProgramViewProps) {
           onPoint={point}
         />
         <ChecksPanel editor={session.editor} />
+        <div class="program-exits">
+          <button type="button" class="quiet" onClick={onPrint}>
+            {views.print}
+          </button>
+        </div>
       </>
     ) : (
       <MemoryPicture knowledge={session.knowledge} memory={looking} />

@@ -5,7 +5,9 @@ import { loadSetting, saveSetting } from '../browser/settings.js';
 
 /** The views of the page, in the order in which they stand in the rail. */
 export const VIEWS = ['program', 'memories', 'bench', 'library', 'line', 'settings'] as const;
-export type View = (typeof VIEWS)[number];
+/** Views that are reached from others, and have no place in the rail. */
+const SIDE_VIEWS = ['print'] as const;
+export type View = (typeof VIEWS | typeof SIDE_VIEWS)[number];
 
 /** What a view is told of the window: its address, and when that changes. */
 export type AddressWindow = Pick<Window, 'location' | 'history' | 'addEventListener' | 'removeEventListener'>;
@@ -66,5 +68,5 @@ export class Views {
 
 /** The view that a hash names; null when it names none. */
 export function viewAt(hash: string): View | null {
-  return VIEWS.find((view) => hash === `#${view}`) ?? null;
+  return [...VIEWS, ...SIDE_VIEWS].find((view) => hash === `#${view}`) ?? null;
 }

@@ -1,0 +1,71 @@
+import { plural } from './plural.js';
+
+/** The setting sheet. Only the view that prints it needs these sentences. */
+export const print = {
+  title: 'Print',
+  lead: 'Black on white, for the model box and the field.',
+  paper: 'Paper',
+  papers: {
+    a5: 'A5',
+    a4: 'A4',
+    letter: 'Letter',
+    'a4-two': 'A4, two to a page',
+    'letter-two': 'Letter, two to a page',
+  },
+  what: 'On the sheet',
+  parts: { timeline: 'Timeline', notes: 'Notes', lines: 'Lines to write on' },
+  print: (pages: number) => `Print ${plural(pages, 'page', 'pages')}…`,
+  failed: 'This browser did not open its print window. Use the print command in its menu.',
+  back: 'Back',
+  preview: 'Preview',
+  page: (page: number, pages: number) => `Page ${page} of ${pages}`,
+  nothing: 'Nothing is chosen. Choose settings below, or open a program.',
+  missing: (count: number) =>
+    count === 1
+      ? 'One of these settings is not in the library of this device.'
+      : `${count} of these settings are not in the library of this device.`,
+  choose: (chosen: number) => `Settings on this print: ${chosen}`,
+  search: 'Search by model or setting',
+  onScreen: 'The program on the screen',
+  noModel: 'No model',
+  none: 'The library has no such setting.',
+  more: (count: number) => `And ${count} more: search for them.`,
+  clear: 'Take all off',
+
+  /** What stands on the paper. */
+  model: 'Model',
+  setting: 'Setting',
+  memory: 'Memory',
+  timer: (name: string, firmware: string) => `${name}, firmware ${firmware}`,
+  simulated: 'simulated timer',
+  shortDt: 'Short DT',
+  after: 'After',
+  positions: 'Times in s, from a minute on in min:s. Positions in steps.',
+  tableOf: (from: string, to: string) => `Positions of ${from} to ${to}`,
+  timelineOf: (lanes: readonly string[]) => `Servo positions over time, a lane each: ${lanes.join(', ')}`,
+  warnings: 'Look at this before you fly',
+  notes: 'Notes',
+  flights: 'Flights',
+  columns: ['Date', 'Round', 'Wind m/s', 'Temp. °C', 'Time', 'Remarks'],
+  printed: (date: string) => `printed ${date}`,
+  continued: (model: string, setting: string) => [model, setting].filter(Boolean).join(' · '),
+  /** Where the values come from. */
+  origins: {
+    typed: (date: string) => `Typed, last changed ${date}`,
+    timer: (date: string) => `Read from the timer ${date}`,
+    simulated: (date: string) => `From a simulated timer ${date}`,
+    backup: (date: string) => `From a backup of ${date}`,
+    file: (date: string) => `From a file, ${date}`,
+    link: (date: string) => `From a link, ${date}`,
+  },
+  screen: {
+    now: (date: string) => `As in the timer, read ${date}`,
+    verified: (date: string) => `As in the timer, verified ${date}`,
+    once: (date: string) => `As last read ${date}`,
+    asLastRead: 'As last read',
+    made: 'New program, in no timer yet',
+    changed: (count: number) => `${plural(count, 'value is', 'values are')} not in the timer yet`,
+    not: 'It is not certain what the timer holds',
+    unfinished: (count: number) => `${plural(count, 'field has', 'fields have')} no value yet: the last one is printed`,
+  },
+};

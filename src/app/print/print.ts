@@ -1,0 +1,139 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import * as v from 'valibot';
+import { loadSetting, saveSetting } from '../browser/settings.js';
+import { print as words } from '../messages/en-print.js';
+import { dateText } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import type { SettingRecord } from '../storage/index.js';
+import { type Copy, SHEET_PARTS, type SheetPart, sectionsOf } from './galley.js';
+import { leafOf, PAPERS, type Paper } from './paper.js';
+import { ON_SCREEN, type PrintOrder } from './print-order.js';
+import { type SheetSource, sheetOf } from './sheet.js';
+
+/** What is printed, and on what. */
+export class Print {
+  readonly #session: Session;
+  readonly #paper = signal<Paper>(loadSetting('print/paper', v.picklist(PAPERS)) ?? 'a5');
+  readonly #parts = signal<ReadonlySet<SheetPart>>(
+    new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? SHEET_PARTS),
+  );
+  readonly #search = signal('');
+
+  readonly order: PrintOrder;
+  readonly paper: ReadonlySignal<Paper> = this.#paper;
+  readonly parts: ReadonlySignal<ReadonlySet<SheetPart>> = this.#parts;
+  /** What is searched for among the settings. */
+  readonly search: ReadonlySignal<string> = this.#search;
+  /** What is to be set on pages. */
+  readonly copies: ReadonlySignal<readonly Copy[]>;
+  /** How many of the chosen ones are not in the library: another tab may have deleted them. */
+  readonly missing: ReadonlySignal<number>;
+  /** The settings that the search finds, those of one model together. */
+  readonly found: ReadonlySignal<readonly SettingRecord[]>;
+  readonly hasProgram: ReadonlySignal<boolean>;
+
+  constructor(session: Session, order: PrintOrder) {
+    this.#session = session;
+    this.order = order;
+    const { library, editor } = session;
+    this.hasProgram = computed(() => editor.working.value !== null);
+    const sources = computed(() =>
+      order.keys.value.flatMap((key) => (key === ON_SCREEN ? this.#onScreen() : this.#kept(key)) ?? []),
+    );
+    this.missing = computed(() => {
+      const kept = order.keys.value.filter((key) => key !== ON_SCREEN);
+      return library.settings.loaded.value ? kept.filter((key) => !library.settings.get(key)).length : 0;
+    });
+    this.copies = computed(() => {
+      const leaf = leafOf(this.#paper.value);
+      const parts = this.#parts.value;
+      return sources.value.map((source) => {
+        const sheet = sheetOf(source, editor.shortDt.value);
+        return { sheet, leaf, sections: sectionsOf(sheet, leaf, parts), hasLines: parts.has('lines') };
+      });
+    });
+    this.found = computed(() => {
+      const wanted = this.#search.value.toLowerCase().split(/\s+/).filter(Boolean);
+      const named = library.settings.list.value.map((record) => ({ record, name: this.nameOf(record).toLowerCase() }));
+      const places = new Map(library.models.list.value.map(({ key }, at) => [key, at]));
+      const place = ({ setting }: SettingRecord): number => places.get(setting.model ?? '') ?? places.size;
+      return named
+        .filter(({ record, name }) => !record.setting.archived && wanted.every((word) => name.includes(word)))
+        .map(({ record }) => record)
+        .sort((a, b) => place(a) - place(b));
+    });
+  }
+
+  /** Reads the library, unless that is done. */
+  async load(): Promise<void> {
+    await this.#session.library.load();
+  }
+
+  /** What a setting is called where those of several models stand together: “Lancer 07 · calm”. */
+  nameOf({ setting }: SettingRecord): string {
+    const model = this.#session.library.models.get(setting.model)?.model.name ?? words.noModel;
+    return words.continued(model, setting.name);
+  }
+
+  setPaper(paper: Paper): void {
+    this.#paper.value = paper;
+    saveSetting('print/paper', paper);
+  }
+
+  togglePart(part: SheetPart): void {
+    const parts = new Set(this.#parts.peek());
+    if (!parts.delete(part)) parts.add(part);
+    this.#parts.value = parts;
+    saveSetting('print/parts', [...parts]);
+  }
+
+  searchFor(text: string): void {
+    this.#search.value = text;
+  }
+
+  #kept(key: string): SheetSource | null {
+    const { library } = this.#session;
+    const setting = library.settings.get(key)?.setting;
+    if (!setting) return null;
+    const { program, name, note, from, at } = setting;
+    return {
+      key,
+      program,
+      model: library.models.get(setting.model)?.model ?? null,
+      name,
+      note,
+      origin: words.origins[from](dateText(at)),
+      simulated: from === 'simulated',
+    };
+  }
+
+  #onScreen(): SheetSource | null {
+    const { editor, servoUses, simulated } = this.#session;
+    const program = editor.working.value;
+    if (!program) return null;
+    const model = { name: '', memoryNames: [], servos: servoUses.named.value ?? [] };
+    return { key: ON_SCREEN, program, model, name: '', note: '', origin: this.#standing(), simulated: simulated.value };
+  }
+
+  /** How the program on the screen stands to the timer, on paper: nothing of it changes any more. */
+  #standing(): string {
+    const { editor, standing } = this.#session;
+    const { screen } = words;
+    const { sure, at, ...rest } = standing.value;
+    const date = at === null ? null : dateText(at);
+    const changes = editor.changes.value.length;
+    const unfinished = editor.unreadable.value.size;
+    const said = (): string => {
+      if (editor.madeAt.value !== null) return screen.made;
+      if (sure === 'not') return screen.not;
+      if (date === null) return screen.asLastRead;
+      if (sure === 'once') return screen.once(date);
+      return 'verified' in rest && rest.verified ? screen.verified(date) : screen.now(date);
+    };
+    return [
+      said(),
+      ...(changes > 0 && editor.madeAt.value === null ? [screen.changed(changes)] : []),
+      ...(unfinished > 0 ? [screen.unfinished(unfinished)] : []),
+    ].join('. ');
+  }
+}

@@ -1,0 +1,155 @@
+import { checkProgram, type Model, type ServoUse, slotKind, type TimerProgram } from '../../program/index.js';
+import { intervalAt } from '../editing/grid.js';
+import { formatInterval, formatTime } from '../editing/units.js';
+import { dutyName, fieldLabel, findingText, messages, slotLabel, timerName } from '../messages/index.js';
+import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
+
+/** What a sheet is made of. */
+export interface SheetSource {
+  /** Unique among the sheets of one print. */
+  readonly key: string;
+  readonly program: TimerProgram;
+  readonly model: Pick<Model, 'name' | 'servos' | 'memoryNames'> | null;
+  /** Of the setting; empty where it has none. */
+  readonly name: string;
+  readonly note: string;
+  /** Where the values come from and when: “Kept 12 Nov 2026, 14:32”. */
+  readonly origin: string;
+  readonly simulated: boolean;
+}
+
+/** A row of the table: a slot, or the motor stop, which stands where it comes in the order of time. */
+export interface SheetRow {
+  readonly key: string;
+  readonly kind: 'start' | 'function' | 'dt' | 'motor';
+  readonly label: string;
+  readonly time: string;
+  /** The time since the row above; empty where there is none. */
+  readonly after: string;
+  /** The positions, of all servos; none beside the motor stop. */
+  readonly positions: readonly string[];
+}
+
+/** One setting as it is printed, in the words of this language. */
+export interface Sheet {
+  readonly key: string;
+  readonly program: TimerProgram;
+  /** Empty where the model is not known: there is room to write it. */
+  readonly model: string;
+  readonly setting: string;
+  /** “F1Q”. */
+  readonly timer: string;
+  readonly firmware: string;
+  /** “M1 “calm””; empty where that is not known. */
+  readonly memory: string;
+  readonly origin: string;
+  readonly simulated: boolean;
+  readonly figures: readonly (KeyFigure & { readonly isShort: boolean })[];
+  /** What stands beside the table: the idle throttle, where the timer has said it; a time that means nothing. */
+  readonly others: readonly { readonly label: string; readonly text: string }[];
+  readonly rows: readonly SheetRow[];
+  /** What each servo moves, by the pilot's word; empty texts where that was not said. */
+  readonly servos: readonly string[];
+  /** What may cost a model, in sentences. */
+  readonly warnings: readonly string[];
+  /** Its paragraphs. */
+  readonly note: readonly string[];
+}
+
+/** @param shortDt a DT below this is called short, in hundredths of a second. */
+export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
+  const { program, model } = source;
+  const { identity, memory } = program;
+  const findings = checkProgram(program, { shortDt });
+  const isShort = findings.some(({ code }) => code === 'dt-short');
+  const { about } = messages.value;
+  return {
+    key: source.key,
+    program,
+    model: model?.name ?? '',
+    setting: source.name,
+    timer: timerName(identity),
+    firmware: identity.firmware,
+    memory: memory === null ? '' : memoryText(memory, model?.memoryNames[memory] ?? ''),
+    origin: source.origin,
+    simulated: source.simulated,
+    figures: keyFigures(program).map((figure) => ({
+      ...figure,
+      isShort: isShort && figure.field.kind === 'time' && figure.field.slot === identity.functions,
+    })),
+    others: othersOf(program),
+    rows: rowsOf(program),
+    servos: program.positions.map((_, servo) => useName(model?.servos[servo])),
+    warnings: findings
+      .filter(({ severity }) => severity !== 'warning')
+      .map((finding) =>
+        finding.field ? `${about(fieldLabel(identity, finding.field))} ${findingText(finding)}` : findingText(finding),
+      ),
+    note: source.note.split('\n').map((line) => line.trimEnd()),
+  };
+}
+
+function othersOf({ identity, idleThrottle, times: [first = 0] }: TimerProgram): Sheet['others'] {
+  const { program: words, seconds } = messages.value;
+  const isReserved = identity.timerClass !== 'Q' && first !== 0;
+  return [
+    ...(idleThrottle === null ? [] : [{ label: words.idleThrottle, text: String(idleThrottle) }]),
+    ...(isReserved
+      ? [
+          {
+            label: fieldLabel(identity, { kind: 'time', slot: 0 }),
+            text: `${seconds(formatTime(first))} ${words.reserved}`,
+          },
+        ]
+      : []),
+  ];
+}
+
+function memoryText(memory: number, name: string): string {
+  const { memoryName } = messages.value;
+  return name === '' ? memoryName(memory) : `${memoryName(memory)} “${name}”`;
+}
+
+function useName(use: ServoUse | undefined): string {
+  return use ? dutyName(use) : '';
+}
+
+function rowsOf(program: TimerProgram): SheetRow[] {
+  const { identity, times, positions } = program;
+  const { program: words } = messages.value;
+  const slots = times.map((time, slot): SheetRow => {
+    const kind = slotKind(identity, slot);
+    const after = intervalAt(program, slot);
+    return {
+      key: String(slot),
+      kind,
+      label: slotLabel(identity, slot),
+      time: slot === 0 ? words.origin : formatTime(time),
+      after: after === null ? '' : formatInterval(after),
+      positions: positions.map((row) => String(row[slot] ?? '')),
+    };
+  });
+  const [stop = 0] = times;
+  if (identity.timerClass !== 'Q') return slots;
+  // A function at its very time comes after it, as in the table on the screen.
+  const next = times.findIndex((time, slot) => slot > 0 && time >= stop);
+  const motor: SheetRow = {
+    key: 'motor',
+    kind: 'motor',
+    label: words.motorStop,
+    time: formatTime(stop),
+    after: '',
+    positions: [],
+  };
+  const at = next < 0 ? slots.length : next;
+  return [...slots.slice(0, at), motor, ...slots.slice(at)];
+}
+
+/** The servos that stand beside each other in one table: as few tables as may be, all about as wide. */
+export function servoGroups(servos: number, most: number): readonly (readonly number[])[] {
+  const tables = Math.max(1, Math.ceil(servos / most));
+  const each = Math.ceil(servos / tables);
+  return Array.from({ length: tables }, (_, table) =>
+    Array.from({ length: Math.min(each, servos - table * each) }, (_, i) => table * each + i),
+  );
+}

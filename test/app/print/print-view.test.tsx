@@ -1,0 +1,105 @@
+import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { MODEL, SETTING } from '../../program/library-examples.js';
+import { type AppBench, idle } from '../bench/bench.js';
+import { connected, goTo, opened, press, type } from '../screen.js';
+
+afterEach(() => localStorage.clear());
+
+/** A library with a model of two settings, and one setting that belongs to none. */
+async function withLibrary(): Promise<AppBench> {
+  const bench = await opened();
+  const { library } = bench.session;
+  await library.keepModel(MODEL);
+  await library.keepSetting(SETTING);
+  await library.keepSetting({ ...SETTING, id: 'wind', name: 'wind', note: '' });
+  await library.keepSetting({ ...SETTING, id: 'found', name: 'found', model: null });
+  return bench;
+}
+
+const pages = () => [...document.querySelectorAll<HTMLElement>('.print-preview > .print-page')];
+const sheets = () => [...document.querySelectorAll<HTMLElement>('.print-preview article')];
+const rowsOf = (sheet: HTMLElement) =>
+  within(within(sheet).getByRole('table', { name: 'Time and servo positions of each function' }))
+    .getAllByRole('row')
+    .map((row) => [...row.children].map(({ textContent }) => textContent).join(' '));
+const choose = (name: RegExp) => act(() => void fireEvent.click(screen.getByRole('checkbox', { name })));
+
+describe('the print view', () => {
+  it('shows the program on the screen with every row, and how it stands to the timer', async () => {
+    await connected();
+    await type('DT time', '2:30');
+    await goTo('print');
+    const [sheet] = sheets();
+    expect(sheets()).toHaveLength(1);
+    const rows = rowsOf(sheet as HTMLElement);
+    expect(rows).toHaveLength(13);
+    expect(rows.at(-1)).toMatch(/^DT 2:30/);
+    expect(sheet?.textContent).toMatch(/As in the timer, read .*1 value is not in the timer yet/);
+    expect(sheet?.textContent, 'a line to write the name on').toMatch(/^Model/);
+  });
+
+  it('prints settings of several models, as many as are chosen', async () => {
+    const bench = await withLibrary();
+    bench.printOrder.choose(['calm-morning']);
+    await goTo('print');
+    await idle();
+    expect(sheets().map((sheet) => within(sheet).getByRole('heading', { level: 2 }).textContent)).toEqual([
+      'Lancer 07',
+    ]);
+    choose(/^No model · found$/);
+    choose(/^Lancer 07 · wind$/);
+    expect(sheets().map((sheet) => sheet.querySelector('.leaf-name')?.textContent)).toEqual([
+      'calm morning',
+      'found',
+      'wind',
+    ]);
+    await press('Take all off');
+    expect(screen.getByText(/Nothing is chosen/)).toBeTruthy();
+    expect(screen.getByRole<HTMLButtonElement>('button', { name: /^Print/ }).disabled).toBe(true);
+  });
+
+  it('puts two on a sheet of paper, leaves out what is not wanted, and remembers both', async () => {
+    const bench = await withLibrary();
+    bench.printOrder.choose(['calm-morning', 'wind', 'found']);
+    await goTo('print');
+    await idle();
+    expect(pages()).toHaveLength(3);
+    act(() => void fireEvent.click(screen.getByRole('radio', { name: 'A4, two to a page' })));
+    expect(pages().map((page) => page.querySelectorAll('article').length)).toEqual([2, 1]);
+    expect(screen.getByRole('button', { name: 'Print 2 pages…' })).toBeTruthy();
+    const said = () => sheets()[0]?.textContent ?? '';
+    expect(said()).toMatch(/Turns left after 12 s\..*Flights/);
+    expect(screen.getAllByRole('img', { name: /S1 Tailplane, S2 flaps/ }), 'of those with a model').toHaveLength(2);
+    for (const part of [/^Notes/, /^Timeline/, /^Lines to write on/]) choose(part);
+    expect(said()).not.toMatch(/Turns left|Flights/);
+    expect(screen.queryByRole('img', { name: /S1 Tailplane/ })).toBeNull();
+    await goTo('library');
+    await goTo('print');
+    expect(pages()).toHaveLength(2);
+    expect(said()).not.toMatch(/Flights/);
+  });
+
+  it('says what is not there any more, and that no print window came', async () => {
+    const bench = await withLibrary();
+    bench.printOrder.choose(['calm-morning', 'gone']);
+    vi.stubGlobal('print', () => {
+      throw new Error('not here');
+    });
+    await goTo('print');
+    await idle();
+    expect(screen.getByText(/One of these settings is not in the library/)).toBeTruthy();
+    await press('Print 1 page…');
+    expect(screen.getByRole('alert').textContent).toMatch(/did not open its print window/);
+    vi.unstubAllGlobals();
+  });
+
+  it('a setting that another tab has changed is printed as it is now', async () => {
+    const bench = await withLibrary();
+    bench.printOrder.choose(['wind']);
+    await goTo('print');
+    await idle();
+    await act(async () => void (await bench.session.library.keepSetting({ ...SETTING, id: 'wind', name: 'storm' })));
+    expect(sheets()[0]?.querySelector('.leaf-name')?.textContent).toBe('storm');
+  });
+});

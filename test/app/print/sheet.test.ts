@@ -1,0 +1,100 @@
+import { describe, expect, it } from 'vitest';
+import { type SheetSource, servoGroups, sheetOf } from '../../../src/app/print/sheet.js';
+import type { TimerProgram } from '../../../src/program/index.js';
+import { MODEL, SETTING } from '../../program/library-examples.js';
+import { programOf } from '../programs.js';
+
+const sourceOf = (program: TimerProgram, changes: Partial<SheetSource> = {}): SheetSource => ({
+  key: 'one',
+  program,
+  model: MODEL,
+  name: SETTING.name,
+  note: SETTING.note,
+  origin: 'Typed',
+  simulated: false,
+  ...changes,
+});
+const linesOf = (program: TimerProgram): string[] =>
+  sheetOf(sourceOf(program)).rows.map(({ label, time, after, positions }) =>
+    [label, time, after, ...positions].join(' ').trim(),
+  );
+
+describe('a setting sheet', () => {
+  it('names model, memory, timer, and gives the figures that decide', () => {
+    const sheet = sheetOf(sourceOf(SETTING.program));
+    expect(sheet).toMatchObject({
+      model: 'Lancer 07',
+      setting: 'calm morning',
+      timer: 'F1Q',
+      firmware: '536',
+      memory: 'M2',
+      servos: ['Tailplane', 'flaps'],
+      note: ['Turns left after 12 s.'],
+      others: [{ label: 'Idle throttle', text: '12' }],
+    });
+    expect(sheet.figures.map(({ label, text, isShort }) => [label, text, isShort])).toEqual([
+      ['DT', '3:00 min', false],
+      ['motor stop', '10.0 s', false],
+    ]);
+    expect(sheetOf(sourceOf({ ...SETTING.program, memory: 2 })).memory).toBe('M3 “fly-off”');
+    expect(sheetOf(sourceOf(SETTING.program, { model: null }))).toMatchObject({
+      model: '',
+      servos: ['', ''],
+      memory: 'M2',
+    });
+  });
+
+  it('has a row for each slot, and the motor stop where it comes in the order of time', () => {
+    expect(linesOf(SETTING.program)).toEqual([
+      'Start 0  15 15',
+      'Function 1 0.30 0.30 25 15',
+      'Motor stop 10.00',
+      'Function 2 10.50 10.20 40 60',
+      'Function 3 13.00 2.50 55 70',
+      'DT 3:00 2:47 115 115',
+    ]);
+    const late = programOf('Q', [20_000, 30, 18_000], [[1, 2, 3]]);
+    expect(linesOf(late)).toEqual(['Start 0  1', 'Function 1 0.30 0.30 2', 'DT 3:00 2:59.70 3', 'Motor stop 3:20']);
+    const falling = programOf('B', [0, 300, 200, 18_000], [[1, 2, 3, 4]]);
+    expect(linesOf(falling)[2]).toBe('Function 2 2.00 -1.00 3');
+  });
+
+  it('says what may cost a model, and a DT that is short', () => {
+    const short = sheetOf(sourceOf({ ...SETTING.program, times: [3000, 30, 1050, 1300, 2000] }));
+    expect(short.figures[0]).toMatchObject({ text: '20 s', isShort: true });
+    expect(short.warnings.join()).toMatch(/Motor stop time: The motor stops after DT/);
+    expect(sheetOf(sourceOf(SETTING.program)).warnings).toEqual([]);
+    expect(
+      sheetOf(sourceOf({ ...SETTING.program, times: [1000, 30, 1050, 1300, 7000] }), 9000).figures[0]?.isShort,
+    ).toBe(true);
+  });
+
+  it('loses nothing that a timer holds: a time that means nothing on its class stands beside the table', () => {
+    const program = programOf('B', [1234, 300, 18_000], [[1, 2, 3]]);
+    expect(sheetOf(sourceOf(program)).others).toEqual([{ label: 'Start time', text: '12.34 s reserved' }]);
+  });
+
+  it.each([
+    [1, 8, [[0]]],
+    [8, 8, [[0, 1, 2, 3, 4, 5, 6, 7]]],
+    [
+      9,
+      8,
+      [
+        [0, 1, 2, 3, 4],
+        [5, 6, 7, 8],
+      ],
+    ],
+    [
+      17,
+      8,
+      [
+        [0, 1, 2, 3, 4, 5],
+        [6, 7, 8, 9, 10, 11],
+        [12, 13, 14, 15, 16],
+      ],
+    ],
+  ])('%i servos stand in tables of %i at most', (servos, most, groups) => {
+    expect(servoGroups(servos, most)).toEqual(groups);
+  });
+});
