@@ -4,6 +4,7 @@ import { resolve } from 'node:path';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
+import { newsOf } from './test/tools/news.js';
 
 /** Where the built page lies: in dist/site, but where `--outDir` says otherwise. */
 let site = '';
@@ -102,8 +103,11 @@ const offline = VitePWA({
   },
 });
 
-/** Which version the page says it is. */
-const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8')) as { version: string };
+const textOf = (file: string): string => readFileSync(new URL(file, import.meta.url), 'utf8');
+
+/** Which version the page says it is, and what is new in it. */
+const { version } = JSON.parse(textOf('package.json')) as { version: string };
+const news = newsOf(textOf('CHANGELOG.md'), version);
 
 export default defineConfig({
   root: 'src/app',
@@ -111,7 +115,10 @@ export default defineConfig({
   // Relative addresses: the same build works at the root of a host and under any sub-path.
   base: './',
   appType: 'mpa',
-  define: { 'import.meta.env.VITE_VERSION': JSON.stringify(version) },
+  define: {
+    'import.meta.env.VITE_VERSION': JSON.stringify(version),
+    'import.meta.env.VITE_NEWS': JSON.stringify(news),
+  },
   plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, securityPolicy, font, offline],
   build: {
     outDir: '../../dist/site',

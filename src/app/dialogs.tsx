@@ -4,12 +4,13 @@ import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
 import { ModelDialog } from './recognition/model-dialog.js';
 import { EraseDialog } from './settings/erase-dialog.js';
+import { NewsDialog } from './shell/news-dialog.js';
 import { Palette } from './shell/palette.js';
 import { WriteDialog } from './write/write-dialog.js';
 
 /** What can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, write, memories, leaving, erase } = models;
+  const { session, write, memories, leaving, erase, update } = models;
   return (
     <>
       <WriteDialog session={session} write={write} after={<GoOn write={write} leaving={leaving} />} />
@@ -17,6 +18,7 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />
       <EraseDialog session={session} erase={erase} />
+      <NewsDialog update={update} />
       <Palette commands={() => commandsOf(models)} />
     </>
   );

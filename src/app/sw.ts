@@ -1,3 +1,4 @@
+import { news } from './browser/news.js';
 import { SiteCache, type SiteFile } from './browser/worker-cache.js';
 
 /** As much of a service worker's world as is used here; the types of a page do not have it. */
@@ -27,8 +28,10 @@ self.addEventListener('install', (event) => event.waitUntil(site.fill()));
 // The first visit is offline-proof as it stands, without a reload.
 self.addEventListener('activate', (event) => event.waitUntil(site.dropOthers().then(() => self.clients.claim())));
 // A new version waits until the pilot takes it: see offline.ts.
-self.addEventListener('message', ({ data }) => {
+self.addEventListener('message', ({ data, ports }) => {
   if (data?.type === 'SKIP_WAITING') void self.skipWaiting();
+  // The page of the version before asks what is new in this one: see update-news.ts.
+  if (data?.type === 'NEWS') ports[0]?.postMessage(news);
 });
 self.addEventListener('fetch', (event) => {
   const { request } = event;

@@ -26,7 +26,8 @@ export const FIRST_POSITIONS = [15, 25, 35, 45, 55, 65, 75, 85, 95, 105, 115].ma
 export class AppPage {
   readonly page: Page;
 
-  private constructor(page: Page) {
+  /** @param page shows it, or is about to. */
+  constructor(page: Page) {
     this.page = page;
   }
 

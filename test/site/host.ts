@@ -3,7 +3,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { join, relative } from 'node:path';
+import type { Page } from 'playwright';
 import { onTestFinished } from 'vitest';
+import { newPage } from './page.js';
 
 const SITE = join(import.meta.dirname, '../../dist/site');
 const TYPES: Readonly<Record<string, string>> = {
@@ -62,4 +64,37 @@ export function publish({ files }: Host, title: string): void {
   const after = before.replace(/<title>.*<\/title>/, `<title>${title}</title>`);
   files.set('index.html', after);
   files.set('sw.js', String(files.get('sw.js')).replace(integrity(before), integrity(after)));
+}
+
+/** The page has been visited once, and needs no network. */
+export async function visited(): Promise<{ host: Host; page: Page; script: string }> {
+  const host = await openHost();
+  // What a browser reports of a lie is no error of the page.
+  const page = await newPage({}, []);
+  await page.goto(host.url);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const script = [...host.files.keys()].find((name) => /^assets\/.*\.js$/.test(name)) ?? '';
+  return { host, page, script };
+}
+
+/** Looks for a new version until there is one, and how its worker ends. */
+export function update(page: Page): Promise<string> {
+  return page.evaluate(async () => {
+    const registration = await navigator.serviceWorker.ready;
+    let worker: ServiceWorker | null = null;
+    // From the moment it is found: one that is given nothing may be gone again before the look for it is over.
+    registration.addEventListener('updatefound', () => {
+      worker = registration.installing;
+    });
+    // A look that the page has begun by itself, before there was a new version, stands for this one, too.
+    while (!worker) {
+      await registration.update().catch(() => {});
+      worker ??= registration.installing ?? registration.waiting;
+    }
+    const found: ServiceWorker = worker;
+    while (found.state === 'installing' || found.state === 'parsed') {
+      await new Promise((resolve) => found.addEventListener('statechange', resolve, { once: true }));
+    }
+    return found.state;
+  });
 }

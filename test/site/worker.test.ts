@@ -1,40 +1,6 @@
 import type { Page } from 'playwright';
 import { describe, expect, test } from 'vitest';
-import { type Answer, openHost, publish } from './host.js';
-import { newPage } from './page.js';
-
-/** The page has been visited once, and needs no network. */
-async function visited(): Promise<{ host: Awaited<ReturnType<typeof openHost>>; page: Page; script: string }> {
-  const host = await openHost();
-  // What a browser reports of a lie is no error of the page.
-  const page = await newPage({}, []);
-  await page.goto(host.url);
-  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-  const script = [...host.files.keys()].find((name) => /^assets\/.*\.js$/.test(name)) ?? '';
-  return { host, page, script };
-}
-
-/** Looks for a new version until there is one, and how its worker ends. */
-function update(page: Page): Promise<string> {
-  return page.evaluate(async () => {
-    const registration = await navigator.serviceWorker.ready;
-    let worker: ServiceWorker | null = null;
-    // From the moment it is found: one that is given nothing may be gone again before the look for it is over.
-    registration.addEventListener('updatefound', () => {
-      worker = registration.installing;
-    });
-    // A look that the page has begun by itself, before there was a new version, stands for this one, too.
-    while (!worker) {
-      await registration.update().catch(() => {});
-      worker ??= registration.installing ?? registration.waiting;
-    }
-    const found: ServiceWorker = worker;
-    while (found.state === 'installing' || found.state === 'parsed') {
-      await new Promise((resolve) => found.addEventListener('statechange', resolve, { once: true }));
-    }
-    return found.state;
-  });
-}
+import { type Answer, publish, update, visited } from './host.js';
 
 async function isDrawn(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Try a simulated F1Q timer' }).waitFor();

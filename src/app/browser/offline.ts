@@ -1,11 +1,17 @@
 import { answerOf, nameplate, service } from './services.js';
+import { type News, newsOfWaiting } from './update-news.js';
 
+/** A page that stays open looks for a new version after so long, in milliseconds. */
+const LOOK_AGAIN = 3_600_000;
 /** So long the worker's script may take to come, in milliseconds: after that it is said that the page is not kept. */
 const FETCHED = 10_000;
 
 export interface OfflineOptions {
-  /** A new version waits: `take` puts it in place of this one. Comes again for each that replaces the waiting one. */
-  readonly onUpdateReady: (take: () => void) => void;
+  /**
+   * A new version waits: `take` puts it in place of this one. What is new in it comes later; null when it does not say.
+   * Comes again for each that replaces the waiting one.
+   */
+  readonly onUpdateReady: (take: () => void, news: Promise<News | null>) => void;
   /**
    * Calls back, once, as soon as no port is open; at once if none is. Only then does a new version take the place of
    * this one, and only then is the page loaded again, also when another tab has taken it.
@@ -45,13 +51,17 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
       registration.waiting?.postMessage({ type: 'SKIP_WAITING' });
     };
     const offer = (): void => {
-      if (registration.waiting && registration.active) onUpdateReady(() => whenFree(takeWaiting));
+      const { waiting, active } = registration;
+      if (waiting && active) onUpdateReady(() => whenFree(takeWaiting), newsOfWaiting(waiting));
     };
     offer();
+    // Loaded past the worker, as some keys do: all of it is kept all the same.
+    if (registration.active && !registration.waiting) onKept();
     registration.addEventListener('updatefound', () => {
       const { installing } = registration;
       installing?.addEventListener('statechange', () => installing.state === 'installed' && offer());
     });
+    lookAgain(() => registration.update());
     await registration.update();
   };
   // Without a network, or where nothing may be kept, the page works anyway.
@@ -61,6 +71,20 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
   const start = (): void => void register().catch(failed);
   if (document.readyState === 'complete') start();
   else addEventListener('load', start, { once: true });
+}
+
+/** Looks for a new version while the page stays open, for days perhaps: now and then, and when it is come back to. */
+function lookAgain(look: () => Promise<unknown>): void {
+  let last = Date.now();
+  const lookIfDue = (): void => {
+    if (document.hidden || !nameplate().onLine || Date.now() - last < LOOK_AGAIN) return;
+    last = Date.now();
+    // Whatever is in the way, it is nothing to a pilot.
+    look().catch(() => {});
+  };
+  setInterval(lookIfDue, LOOK_AGAIN / 4);
+  document.addEventListener('visibilitychange', lookIfDue);
+  addEventListener('online', lookIfDue);
 }
 
 /** The one address that the page's Trusted Types policy gives out. */

@@ -15,6 +15,7 @@ import { backups, recovery } from './en-recovery.js';
 import { density, settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
 import { newProgram, start } from './en-start.js';
+import { update } from './en-update.js';
 import { library, palette, parts, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
@@ -225,11 +226,7 @@ export const en = {
     keep: 'They are right as shown',
     exchange: 'Swap them and read again',
   },
-  update: {
-    ready: 'A new version is ready.',
-    take: 'Use it now',
-    later: { port: 'It starts when you disconnect.', edits: 'It starts when what you typed is kept or written.' },
-  },
+  update,
   help,
   otherTab: {
     /** @param what empty while that tab has not read a timer. */

@@ -10,6 +10,7 @@ import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
+import { UpdateNotice } from './update-notice.js';
 import type { UpdateOffer } from './update-offer.js';
 
 const CALM: ReadonlySet<Notice['code']> = new Set([
@@ -36,22 +37,12 @@ interface NoticeBarProps {
 
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
 export function NoticeBar({ session, keeping, aside, update, portHolder, platform }: NoticeBarProps) {
-  const { dismiss, link, update: words } = messages.value;
+  const { dismiss, link } = messages.value;
   const notice = session.notices.current.value;
-  const take = update.take.value;
   const holder = portHolder.tab.value;
   return (
     <div class="notices" role="status">
-      {take && (
-        <div class="notice">
-          <p>
-            <strong>{words.ready}</strong> {update.waitsFor.value && words.later[update.waitsFor.value]}
-          </p>
-          <button type="button" onClick={take}>
-            {words.take}
-          </button>
-        </div>
-      )}
+      <UpdateNotice update={update} busy={session.runner.busy.value} />
       <KeepingNotice keeping={keeping} />
       <AsideNotice aside={aside} />
       <RemovedNotice backups={session.backups} />

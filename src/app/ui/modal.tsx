@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useUnsaved } from './unsaved.js';
 import './modal.css';
 
 interface ModalProps {
@@ -24,6 +25,7 @@ export function Modal({ open, ...props }: ModalProps) {
 function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<ModalProps, 'open'>) {
   const dialog = useRef<HTMLDialogElement>(null);
   const heading = useRef<HTMLHeadingElement>(null);
+  useUnsaved();
   // Before the next picture: an empty dialog is never seen.
   useLayoutEffect(() => {
     const { current: opened } = dialog;

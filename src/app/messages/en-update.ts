@@ -1,0 +1,18 @@
+/** A new version of the page. */
+export const update = {
+  /** @param version null where it does not say. */
+  ready: (version: string | null) =>
+    version === null ? 'A new version is ready.' : `A new version is ready: ${version}.`,
+  /** It was taken, and cannot begin yet. */
+  waits: (version: string | null) =>
+    version === null ? 'The new version waits.' : `The new version ${version} waits.`,
+  take: 'Use it now',
+  later: {
+    port: 'It starts when you disconnect.',
+    edits: 'It starts when what you typed is kept or written.',
+    open: 'It starts when you close what is open.',
+  },
+  news: 'What is new',
+  version: (version: string) => `Version ${version}`,
+  close: 'Close',
+};

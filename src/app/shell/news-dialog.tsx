@@ -1,0 +1,28 @@
+import { useId } from 'preact/hooks';
+import { messages } from '../messages/index.js';
+import { Modal } from '../ui/modal.js';
+import { ReleaseList } from './release-list.js';
+import type { UpdateOffer } from './update-offer.js';
+
+/** What is new in the version that waits. */
+export function NewsDialog({ update }: { readonly update: UpdateOffer }) {
+  const { update: words } = messages.value;
+  const titleId = useId();
+  const close = (): void => update.read(false);
+  const take = update.take.value;
+  return (
+    <Modal open={update.reading.value} title={words.news} titleId={titleId} held={false} onEscape={close}>
+      <ReleaseList releases={update.releases.value} />
+      <div class="buttons">
+        <button type="button" onClick={close}>
+          {words.close}
+        </button>
+        {take && (
+          <button type="button" class="primary" onClick={take}>
+            {words.take}
+          </button>
+        )}
+      </div>
+    </Modal>
+  );
+}

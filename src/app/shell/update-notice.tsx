@@ -1,0 +1,37 @@
+import { messages } from '../messages/index.js';
+import type { UpdateOffer } from './update-offer.js';
+
+interface UpdateNoticeProps {
+  readonly update: UpdateOffer;
+  /** Bytes move: the pilot is asked afterwards. */
+  readonly busy: boolean;
+}
+
+/** That a new version is ready; once it was taken, what it waits for. */
+export function UpdateNotice({ update, busy }: UpdateNoticeProps) {
+  const { update: words } = messages.value;
+  const take = update.take.value;
+  const taken = update.taken.value;
+  const waitsFor = update.waitsFor.value;
+  if (busy || (!take && !(taken && waitsFor))) return null;
+  return (
+    <div class="notice">
+      <p>
+        <strong>{taken ? words.waits(update.version.value) : words.ready(update.version.value)}</strong>{' '}
+        {waitsFor && words.later[waitsFor]}
+      </p>
+      <div class="buttons">
+        {update.releases.value.length > 0 && (
+          <button type="button" class="quiet" onClick={() => update.read(true)}>
+            {words.news}
+          </button>
+        )}
+        {take && (
+          <button type="button" onClick={take}>
+            {words.take}
+          </button>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,18 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { useLayoutEffect } from 'preact/hooks';
+
+const open = signal(0);
+
+/** Whether anything is open that a reload would lose: a dialog, or a form with what is not kept yet. */
+export const unsaved: ReadonlySignal<boolean> = computed(() => open.value > 0);
+
+/** Says of what is drawn here whether a reload would lose something. A dialog says so by itself, see {@link Modal}. */
+export function useUnsaved(isUnsaved = true): void {
+  useLayoutEffect(() => {
+    if (!isUnsaved) return undefined;
+    open.value++;
+    return () => {
+      open.value--;
+    };
+  }, [isUnsaved]);
+}

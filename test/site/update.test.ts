@@ -1,0 +1,86 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { expect, test } from 'vitest';
+import { newsOf } from '../tools/news.js';
+import { root } from '../tools/pack.js';
+import { AppPage } from './app-page.js';
+import { type Host, publish, update, visited } from './host.js';
+
+const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')) as { version: string };
+const [newest] = newsOf(readFileSync(join(root, 'CHANGELOG.md'), 'utf8'), version);
+/** Something that is new, and stands in the worker as it is. */
+const item = newest?.changes.flatMap(({ items }) => items).find((each) => /^[\w ,.]+$/.test(each)) ?? '';
+
+/** The host has a later version, which has other things to tell. */
+function publishLater(host: Host): void {
+  publish(host, 'A later version');
+  const worker = String(host.files.get('sw.js'));
+  expect(worker, 'what is new is in the worker').toContain(item);
+  host.files.set('sw.js', worker.replaceAll(version, '99.0.0').replace(item, 'The model comes back by itself.'));
+}
+
+test('a new version says by itself what is new in it, without a network, too; and is taken', async () => {
+  const { host, page } = await visited();
+  publishLater(host);
+  expect(await update(page)).toBe('installed');
+  await page.context().setOffline(true);
+  await page.reload();
+  await page.getByText('A new version is ready: 99.0.0.').waitFor();
+  await page.getByRole('button', { name: 'What is new' }).click();
+  const dialog = page.getByRole('dialog', { name: 'What is new' });
+  await dialog.getByText('The model comes back by itself.').waitFor();
+  await dialog.getByRole('button', { name: 'Use it now' }).click();
+  await expect.poll(() => page.title()).toBe('A later version');
+  await page.getByRole('button', { name: 'Connect', exact: true }).waitFor();
+  expect(await page.evaluate(async () => (await caches.keys()).length), 'the older one is gone').toBe(1);
+});
+
+test('a new version does not begin while another tab writes, and does when that one disconnects', async () => {
+  const { host, page } = await visited();
+  const app = new AppPage(page);
+  const other = await app.sibling();
+  await app.trySimulated('F1Q');
+  await app.type('DT time', '4:00');
+  publishLater(host);
+  expect(await update(other.page)).toBe('installed');
+  await app.write();
+  await other.page.getByRole('button', { name: 'Use it now' }).click();
+  await expect.poll(() => other.page.title()).toBe('A later version');
+  await app.result('Verified.');
+  expect(await page.title(), 'the worker is new by now, the page is not').toBe('Sidus Timer');
+  await app.close();
+  await app.button('Disconnect').click();
+  await expect.poll(() => page.title()).toBe('A later version');
+});
+
+test('a new version that was taken waits for an open dialog of another tab', async () => {
+  const { host, page } = await visited();
+  const other = await new AppPage(page).sibling();
+  await other.button('New program…').click();
+  publishLater(host);
+  expect(await update(page)).toBe('installed');
+  await page.getByRole('button', { name: 'Use it now' }).click();
+  await expect.poll(() => page.title()).toBe('A later version');
+  await other.page.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
+  expect(await other.page.title()).toBe('Sidus Timer');
+  await other.button('Cancel').click();
+  await expect.poll(() => other.page.title()).toBe('A later version');
+});
+
+test('all scripts are loaded soon: a page whose version is replaced needs none of them from the host', async () => {
+  const { page } = await visited();
+  const names = (addresses: readonly string[]): string[] =>
+    addresses.map((address) => address.replace(/.*\//, '')).filter((name) => name.endsWith('.js'));
+  const kept = await page.evaluate(async () => {
+    const [name = ''] = await caches.keys();
+    return (await (await caches.open(name)).keys()).map(({ url }) => url);
+  });
+  const loaded = (): Promise<string[]> =>
+    page.evaluate(() => performance.getEntriesByType('resource').map(({ name }) => name));
+  await expect
+    .poll(async () => {
+      const now = names(await loaded());
+      return names(kept).filter((name) => !now.includes(name));
+    })
+    .toEqual([]);
+});
