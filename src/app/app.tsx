@@ -14,7 +14,8 @@ import './app.css';
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
   const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
-  const { preferences, density, programPicture, keeping, aside, update, portHolder, line, installation } = models;
+  const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
+    models;
   const { views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -28,7 +29,7 @@ export function App({ models }: { readonly models: AppModels }) {
     program: () =>
       hasProgram ? (
         <parts.program.Part
-          {...{ session, write, memories, bench, follow, preferences, programPicture }}
+          {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           onPrint={() => {
             models.printOrder.choose();
             views.show('print');
@@ -45,7 +46,7 @@ export function App({ models }: { readonly models: AppModels }) {
       />
     ),
     bench: () => <parts.bench.Part {...{ session, views, write, bench, follow }} />,
-    library: () => <parts.library.Part />,
+    library: () => <parts.library.Part models={models} />,
     print: () => <parts.print.Part session={session} order={models.printOrder} onPrint={() => window.print()} />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
     settings: () => <parts.settings.Part {...{ session, preferences, theme, density, erase, views }} />,

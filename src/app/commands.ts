@@ -1,8 +1,10 @@
 import { fieldKey } from '../program/index.js';
 import { setValues } from './editing/edit.js';
+import type { SaveSetting } from './library/save-setting.js';
 import { messages, presetText, stepText, timerName } from './messages/index.js';
+import { libraryMessages } from './messages/library.js';
 import type { AppModels } from './models.js';
-import { SIMULATED_CLASSES } from './session/session.js';
+import { type Session, SIMULATED_CLASSES } from './session/session.js';
 import { THEMES } from './settings/theme.js';
 import type { Command } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
@@ -12,7 +14,7 @@ export function commandsOf(models: AppModels): readonly Command[] {
   return [...programCommands(models), ...timerCommands(models), ...pageCommands(models)];
 }
 
-function programCommands({ session, views, write, preferences, bench, printOrder }: AppModels): Command[] {
+function programCommands({ session, views, write, preferences, bench, printOrder, saveSetting }: AppModels): Command[] {
   const { editor, runner, connection } = session;
   const { palette, program, edits, slotName } = messages.value;
   const identity = editor.identity.value;
@@ -25,6 +27,7 @@ function programCommands({ session, views, write, preferences, bench, printOrder
     isFree &&
       connection.value !== null &&
       !editor.blocked.value && { name: program.write(editor.changes.value.length), run: () => void write.open() },
+    ...saveCommands(session, saveSetting),
     isFree && undo && { name: edits.undo(stepText(identity, undo)), keys: 'Ctrl+Z', run: () => editor.undo() },
     isFree && redo && { name: edits.redo(stepText(identity, redo)), keys: 'Ctrl+Y', run: () => editor.redo() },
     isFree && editor.dirty.value && { name: program.undoAll, run: () => editor.revertAll() },
@@ -47,6 +50,17 @@ function programCommands({ session, views, write, preferences, bench, printOrder
       : []),
   ];
   return found.filter((command): command is Command => Boolean(command));
+}
+
+function saveCommands(session: Session, saveSetting: SaveSetting): Command[] {
+  const { save } = libraryMessages.value;
+  const { shown, unsaved } = session.opened;
+  const name = shown.value?.setting?.name;
+  const differs = (unsaved.value?.changes ?? 0) + (unsaved.value?.unreadable ?? 0) > 0;
+  return [
+    ...(name !== undefined && differs ? [{ name: save.againOf(name), run: () => void saveSetting.save() }] : []),
+    { name: name === undefined ? save.open : save.asNew, run: () => saveSetting.open() },
+  ];
 }
 
 function timerCommands({ session, memories, leaving }: AppModels): Command[] {

@@ -4,6 +4,8 @@ import type { Lack } from './browser/doors.js';
 import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
 import { Installation } from './connect/installation.js';
+import { Browse } from './library/browse.js';
+import { SaveSetting } from './library/save-setting.js';
 import { FrameForm } from './line/frame-form.js';
 import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
@@ -43,6 +45,9 @@ export interface AppModels {
   readonly programPicture: ProgramPicture;
   /** What is to be printed: it outlasts the view. */
   readonly printOrder: PrintOrder;
+  /** How the library is looked at, and how something comes into it. */
+  readonly browse: Browse;
+  readonly saveSetting: SaveSetting;
   readonly theme: Theme;
   readonly density: Density;
   readonly preferences: Preferences;
@@ -86,6 +91,8 @@ export function createModels({
   const write = new WriteFlow(session);
   const memories = new Memories(session);
   const bench = new Bench(session);
+  const follow = new Follow(session, bench);
+  session.opened.notWhile(follow.on);
   return {
     session,
     views: new Views(),
@@ -96,10 +103,12 @@ export function createModels({
     memories,
     leaving: new Leaving(session, memories, write),
     bench,
-    follow: new Follow(session, bench),
+    follow,
     line: { view: new LineView(session.log), form: new FrameForm(session) },
     programPicture: new ProgramPicture(),
     printOrder: new PrintOrder(),
+    browse: new Browse(session.library),
+    saveSetting: new SaveSetting(session),
     theme: new Theme(),
     density: new Density(),
     preferences: new Preferences(session.editor),

@@ -6,7 +6,7 @@ import { onDemand } from './ui/on-demand.js';
 export const program = onDemand(async () => (await import('./shell/program-view.js')).ProgramView);
 export const memories = onDemand(async () => (await import('./memories/memories-page.js')).MemoriesPage);
 export const bench = onDemand(async () => (await import('./shell/bench-view.js')).BenchView);
-export const library = onDemand(async () => (await import('./library/library-view.js')).LibraryView);
+export const library = onDemand(async () => (await import('./library-page.js')).LibraryPage);
 export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
 export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
 export const print = onDemand(async () => (await import('./print/print-view.js')).PrintView);

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import { CLASSES, LAYOUTS, type NewProgram, newProgram, USUAL_LAYOUT } from '../editing/new-program.js';
 import { messages } from '../messages/index.js';
+import { CountChoice } from '../ui/count-choice.js';
 import { Modal } from '../ui/modal.js';
 import './new-program-dialog.css';
 
@@ -58,7 +59,7 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
         </div>
       </fieldset>
       <div class="new-layout">
-        <Count
+        <CountChoice
           label={words.functions}
           range={LAYOUTS.functions}
           value={functions}
@@ -66,7 +67,7 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
           shown={(count) => count - 1}
           onChoose={(count) => choose({ functions: count })}
         />
-        <Count
+        <CountChoice
           label={words.servos}
           range={LAYOUTS.servos}
           value={servos}
@@ -92,28 +93,5 @@ function Choices({ onMake, onClose }: Omit<NewProgramDialogProps, 'open'>) {
         </button>
       </div>
     </form>
-  );
-}
-
-interface CountProps {
-  readonly label: string;
-  readonly range: readonly [first: number, last: number];
-  readonly value: number;
-  readonly shown?: (count: number) => number;
-  readonly onChoose: (count: number) => void;
-}
-
-function Count({ label, range: [first, last], value, shown = (count) => count, onChoose }: CountProps) {
-  return (
-    <label class="choice">
-      <span>{label}</span>
-      <select value={String(value)} onChange={(event) => onChoose(Number(event.currentTarget.value))}>
-        {Array.from({ length: last - first + 1 }, (_, at) => first + at).map((count) => (
-          <option key={count} value={String(count)}>
-            {shown(count)}
-          </option>
-        ))}
-      </select>
-    </label>
   );
 }

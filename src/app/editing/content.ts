@@ -18,6 +18,14 @@ import { formatTime, parseSteps, type Question, type Reading, readTime, type Unr
 export interface Content {
   readonly working: TimerProgram;
   readonly texts: Readonly<Record<string, string>>;
+  /** The setting that it belongs to; undefined: to none. */
+  readonly of?: SettingOf | undefined;
+}
+
+/** A setting of the library, by its id, and what it held when it was opened or saved here last. */
+export interface SettingOf {
+  readonly id: string;
+  readonly saved: TimerProgram;
 }
 
 /** A field whose text is not a value. */
@@ -56,7 +64,7 @@ export function unreadableIn({ working, texts }: Content): Map<string, Unreadabl
 export function meansSame(a: Content, b: Content): boolean {
   const unreadable = (content: Content): string =>
     JSON.stringify([...unreadableIn(content).keys()].map((key) => [key, content.texts[key]]));
-  return differences(a.working, b.working).length === 0 && unreadable(a) === unreadable(b);
+  return a.of?.id === b.of?.id && differences(a.working, b.working).length === 0 && unreadable(a) === unreadable(b);
 }
 
 /**
@@ -81,7 +89,7 @@ export function inTheWay(unreadable: ReadonlyMap<string, unknown>, edit: EditVal
 }
 
 /** What an edit makes of it; the same objects where that is what was there. */
-export function applied({ working, texts }: Content, edit: EditValues): Content {
+export function applied({ working, texts, of }: Content, edit: EditValues): Content {
   const changes = edit.values.filter(({ field, value }) => valueAt(working, field) !== value);
   const replaced = edit.texts ?? {};
   const left = without(texts, [...edit.values.map(({ field }) => fieldKey(field)), ...Object.keys(replaced)]);
@@ -89,14 +97,16 @@ export function applied({ working, texts }: Content, edit: EditValues): Content 
   return {
     working: withValues(working, changes),
     texts: typed.length > 0 ? { ...left, ...Object.fromEntries(typed) } : left,
+    of: edit.of ?? of,
   };
 }
 
 /**
- * What the pilot wants, on top of what the timer holds by another reading.
+ * What the pilot wants, on top of what the timer holds by another reading. Where he wants nothing else and the timer
+ * holds something else by now, it belongs to no setting any more: it may be another timer.
  * @param held what it held by the one before.
  */
-export function ontoReading({ working, texts }: Content, held: TimerProgram, read: TimerProgram): Content {
+export function ontoReading({ working, texts, of }: Content, held: TimerProgram, read: TimerProgram): Content {
   const edits = differences(held, working).flatMap(({ field, to }): FieldValue[] =>
     to === null ? [] : [{ field, value: to }],
   );
@@ -105,11 +115,12 @@ export function ontoReading({ working, texts }: Content, held: TimerProgram, rea
   const changed = differences(read, wanted).map(({ field }) => fieldKey(field));
   const stays = new Set([...unreadableIn({ working: wanted, texts }).keys(), ...changed]);
   const drops = Object.keys(texts).filter((key) => !stays.has(key));
-  return { working: wanted, texts: without(texts, drops) };
+  const isOther = edits.length === 0 && differences(held, read).length > 0;
+  return { working: wanted, texts: without(texts, drops), of: isOther ? undefined : of };
 }
 
 /** Fields that nobody had touched follow the timer to what it holds now, and so do texts that say what it held. */
-export function followed({ working, texts }: Content, moved: readonly Change[], read: TimerProgram): Content {
+export function followed({ working, texts, of }: Content, moved: readonly Change[], read: TimerProgram): Content {
   const untouched = moved.flatMap(({ field, from, to }): FieldValue[] =>
     to !== null && valueAt(working, field) === from ? [{ field, value: to }] : [],
   );
@@ -117,7 +128,7 @@ export function followed({ working, texts }: Content, moved: readonly Change[], 
   const said = untouched.map(({ field }) => fieldKey(field)).filter((key) => !unreadable.has(key));
   const { memory } = read;
   const idleThrottle = working.idleThrottle ?? read.idleThrottle;
-  return { working: { ...withValues(working, untouched), memory, idleThrottle }, texts: without(texts, said) };
+  return { working: { ...withValues(working, untouched), memory, idleThrottle }, texts: without(texts, said), of };
 }
 
 /** Conflicts by field, after another reading: what counts is what was held when the edits were made. */
@@ -131,6 +142,14 @@ export function conflictsWith(
     noted.set(key, { ...change, from: noted.get(key)?.from ?? change.from });
   }
   return new Map([...noted].filter(([, { from, to }]) => from !== to));
+}
+
+/**
+ * What has changed in a program since it was saved as a setting. An idle throttle that was not known then, or is not
+ * now, is no change.
+ */
+export function changesSince(saved: TimerProgram, working: TimerProgram): Change[] {
+  return differences(saved, working).filter(({ from, to }) => from !== null && to !== null);
 }
 
 /** Texts of fields that a program has; others, as a file may hold them, are dropped. */

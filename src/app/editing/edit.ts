@@ -8,6 +8,7 @@ import {
   withValue,
 } from '../../program/index.js';
 import { MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
+import type { SettingOf } from './content.js';
 import type { CellField } from './grid.js';
 import type { StepName } from './history.js';
 
@@ -57,6 +58,8 @@ export interface EditValues {
    * that field.
    */
   readonly texts?: Readonly<Record<string, string | null>>;
+  /** The setting that the program belongs to from then on. Default: the one that it belongs to. */
+  readonly of?: SettingOf | undefined;
 }
 
 /** What an edit does, or why it does nothing. It is done whole or not at all: no value is bent to fit. */

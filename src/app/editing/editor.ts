@@ -12,7 +12,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import { computedList } from './computed-list.js';
-import { type Content, conflictsWith, followed, ontoReading, textsFor } from './content.js';
+import { type Content, conflictsWith, followed, ontoReading, type SettingOf, textsFor } from './content.js';
 import { putBack, replaceAll, withValues } from './edit.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
 import { WorkingCopy } from './working-copy.js';
@@ -201,20 +201,25 @@ export class Editor extends WorkingCopy {
    * Comes back to what was kept. Texts of fields that do not exist are dropped, and a history that does not fit.
    * @returns false, and nothing is changed, when the two programs do not fit together.
    */
-  restore({ baseline, working, texts, history = EMPTY_HISTORY, madeAt }: EditorContent): boolean {
+  restore({ baseline, working, texts, of, history = EMPTY_HISTORY, madeAt }: EditorContent): boolean {
     if (!sameLayout(baseline.identity, working.identity)) return false;
     const steps = [...history.past, ...history.future];
     const fits = steps.every(({ state }) => sameLayout(baseline.identity, state.working.identity));
-    const content = { working, texts: textsFor(working, texts) };
+    const isOf = of && sameLayout(of.saved.identity, working.identity);
+    const content = { working, texts: textsFor(working, texts), of: isOf ? of : undefined };
     const made = madeAt === undefined ? null : { at: madeAt, from: baseline };
     this.#begin(made ? null : baseline, false, content, fits ? settle(history) : EMPTY_HISTORY, made);
     return true;
   }
 
-  /** A new program, of no timer. */
-  make(program: TimerProgram, at = Math.max(Date.now(), this.#lastMade + 1)): void {
+  /**
+   * A new program, of no timer.
+   * @param of the setting that it is opened from.
+   */
+  make(program: TimerProgram, of?: SettingOf): void {
+    const at = Math.max(Date.now(), this.#lastMade + 1);
     this.#lastMade = at;
-    this.#begin(null, false, { working: program, texts: {} }, EMPTY_HISTORY, { at, from: program });
+    this.#begin(null, false, { working: program, texts: {}, of }, EMPTY_HISTORY, { at, from: program });
   }
 
   /** Nothing on the screen. */

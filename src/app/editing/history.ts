@@ -17,6 +17,8 @@ export const STEP_CODES = [
   'finish-write',
   'restore',
   'lay-over',
+  'load-setting',
+  'saved-elsewhere',
   'fix',
   'keep-tried',
 ] as const;

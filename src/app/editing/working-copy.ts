@@ -8,6 +8,7 @@ import {
   formatValue,
   inTheWay,
   meansSame,
+  type SettingOf,
   type UnreadableField,
   unreadableIn,
   valueOfText,
@@ -25,6 +26,7 @@ import type { Question } from './units.js';
 export class WorkingCopy {
   readonly #working = signal<TimerProgram | null>(null, { name: 'working' });
   readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
+  readonly #of = signal<SettingOf | undefined>(undefined, { name: 'of' });
   readonly #history = signal<History<Content>>(EMPTY_HISTORY, { name: 'history' });
   /** The field in which a text is being typed. */
   readonly #typing = signal<string | null>(null, { name: 'typing' });
@@ -32,10 +34,12 @@ export class WorkingCopy {
   readonly working: ReadonlySignal<TimerProgram | null> = this.#working;
   /** What kind of timer it is for; null when there is none. */
   readonly identity: ReadonlySignal<Identity | null> = computed(() => this.#working.value?.identity ?? null);
+  /** The setting of the library that it belongs to; undefined: to none. */
+  readonly of: ReadonlySignal<SettingOf | undefined> = this.#of;
   /** What it is now, with what was typed, and how it came to that. */
   protected readonly content: ReadonlySignal<Content | null> = computed(() => {
     const working = this.#working.value;
-    return working && { working, texts: this.#texts.value };
+    return working && { working, texts: this.#texts.value, of: this.#of.value };
   });
   protected readonly history: ReadonlySignal<History<Content>> = this.#history;
 
@@ -89,7 +93,7 @@ export class WorkingCopy {
     if (field) return { code: 'unreadable', field };
     const after = applied(before, edit);
     // What changes nothing is no step.
-    if (after.working === before.working && after.texts === before.texts) return null;
+    if (after.working === before.working && after.texts === before.texts && after.of === before.of) return null;
     this.show(after, histories.record(this.#history.value, edit.name, before, edit.group));
     return null;
   }
@@ -177,11 +181,22 @@ export class WorkingCopy {
     if (turned) this.show(turned.state, turned.history);
   }
 
+  /** What is on the screen was saved as a setting. What undo and redo bring back of that setting knows it, too. */
+  saved(of: SettingOf): void {
+    const now = this.content.value;
+    if (!now) return;
+    const history = histories.mapStates(this.#history.value, (state) =>
+      state.of?.id === of.id ? { ...state, of } : state,
+    );
+    this.show({ ...now, of }, history);
+  }
+
   /** Puts another content in place of all there is; null: there is none. */
   protected show(content: Content | null, history: History<Content>): void {
     batch(() => {
       this.#working.value = content?.working ?? null;
       this.#texts.value = content?.texts ?? {};
+      this.#of.value = content?.of;
       this.#history.value = history;
     });
   }

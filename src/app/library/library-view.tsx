@@ -1,12 +1,110 @@
-import { messages } from '../messages/index.js';
+import { useEffect } from 'preact/hooks';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import { useQuery } from '../ui/use-query.js';
+import type { Browse } from './browse.js';
+import { ModelColumn } from './model-column.js';
+import { ModelList } from './model-list.js';
+import { ModelPage } from './model-page.js';
+import { NO_MODEL, placeOf } from './place.js';
+import type { Places } from './places.js';
+import { SettingPage } from './setting-page.js';
+import './library-view.css';
 
-/** The place of the models and their settings: empty until there are any. */
-export function LibraryView() {
-  const { library } = messages.value;
+export interface LibraryViewProps {
+  readonly session: Session;
+  readonly browse: Browse;
+  /** The place in the library, see `placeOf`. */
+  readonly path: string;
+  readonly places: Places;
+  /** What was opened is to be seen. */
+  readonly onProgram: () => void;
+  /** Another place of the library is to be seen. */
+  readonly onGo: (path: string) => void;
+}
+
+/** So wide that models, settings and one of them stand side by side; so wide that two do. */
+const WIDE = '(min-width: 1100px) and (min-height: 480px)';
+const MIDDLE = '(min-width: 760px)';
+
+/**
+ * The pilot's models and their settings. Side by side as far as there is room: the models, the settings of one, and
+ * what is chosen; on a phone one of these, and the way back.
+ */
+export function LibraryView({ session, browse, path, places, onProgram, onGo }: LibraryViewProps) {
+  const words = libraryMessages.value;
+  const { library } = session;
+  useEffect(() => void library.load(), [library]);
+  const isWide = useQuery(WIDE).value;
+  const isMiddle = useQuery(MIDDLE).value;
+  const isLoaded = library.models.loaded.value && library.settings.loaded.value;
+  const place = placeOf(path);
+  const model = library.models.get(place.model) ?? null;
+  const setting = library.settings.get(place.setting) ?? null;
+  const depth = place.setting !== null ? 2 : place.model !== null ? 1 : 0;
+  const columns = isWide ? 3 : isMiddle ? 2 : 1;
+  const shows = (level: 0 | 1 | 2): boolean =>
+    columns === 3 || (columns === 2 ? (depth === 0 ? level !== 1 : level !== 0) : level === depth);
+  if (!isLoaded) {
+    return (
+      <section class="library-coming" aria-busy="true">
+        <h1>{words.title}</h1>
+        <p class="hint" role="status">
+          {words.coming}
+        </p>
+      </section>
+    );
+  }
+  const one = columns === 1;
   return (
-    <section class="empty-place">
-      <h1>{library.title}</h1>
-      <p>{library.empty}</p>
-    </section>
+    <div class={`library columns-${columns}`}>
+      {shows(0) && <ModelList {...{ session, browse, places, onGo }} chosen={place.model} setting={place.setting} />}
+      {shows(1) && (columns < 3 || place.model !== null) && (
+        <ModelColumn
+          {...{ session, browse, places, model, onGo }}
+          key={place.model}
+          isLoose={place.model === NO_MODEL}
+          chosen={place.setting}
+          back={columns < 3}
+        >
+          {one && model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />}
+        </ModelColumn>
+      )}
+      {shows(2) && !one && depth < 2 && (
+        <section class="library-detail">
+          {model ? (
+            <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />
+          ) : (
+            <Beginning isEmpty={isEmpty(session)} />
+          )}
+        </section>
+      )}
+      {shows(2) && depth === 2 && (
+        <section class="library-detail">
+          <SettingPage
+            key={place.setting}
+            {...{ session, setting, places, onProgram, onGo }}
+            back={one ? place.model : null}
+          />
+        </section>
+      )}
+    </div>
+  );
+}
+
+function isEmpty({ library }: Session): boolean {
+  return library.models.list.value.length + library.settings.list.value.length === 0;
+}
+
+function Beginning({ isEmpty: nothing }: { readonly isEmpty: boolean }) {
+  const { empty, models } = libraryMessages.value;
+  return nothing ? (
+    <div class="library-empty">
+      <h2>{empty.title}</h2>
+      <p>{empty.lead}</p>
+      <p class="hint">{empty.hint}</p>
+    </div>
+  ) : (
+    <p class="hint library-empty">{models.choose}</p>
   );
 }

@@ -25,6 +25,8 @@ const steps: Record<StepCode, (params: Params) => string> = {
   'finish-write': () => 'loading the interrupted write',
   restore: () => 'loading a backup',
   'lay-over': () => 'loading your program',
+  'load-setting': ({ name }) => `loading “${name}”`,
+  'saved-elsewhere': () => 'what another tab has saved',
   fix: ({ field }) => `correcting ${field}`,
   'keep-tried': () => 'keeping what was tried',
 };

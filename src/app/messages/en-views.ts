@@ -31,11 +31,6 @@ export const strip = {
   made: 'new',
 };
 
-export const library = {
-  title: 'Library',
-  empty: 'There is nothing here yet. What a timer holds is read in the Program view; backups lie in the Memories view.',
-};
-
 /** Every action by its name. */
 export const palette = {
   title: 'Commands',

@@ -16,7 +16,7 @@ import { density, settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
 import { newProgram, start } from './en-start.js';
 import { update } from './en-update.js';
-import { library, palette, parts, strip, views } from './en-views.js';
+import { palette, parts, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
 
@@ -264,7 +264,6 @@ export const en = {
   views,
   strip,
   shortDt,
-  library,
   palette,
   density,
   parts,

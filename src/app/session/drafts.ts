@@ -1,6 +1,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { TabNumber } from '../browser/tab-number.js';
+import { changesSince } from '../editing/content.js';
 import type { EditorContent } from '../editing/editor.js';
 import type { Draft, Keeper } from '../storage/index.js';
 import { programKey, workKey } from './record-keys.js';
@@ -47,7 +48,7 @@ export class Drafts {
    */
   async latest(wanted: () => boolean): Promise<Draft | undefined> {
     await this.#tab.takeBefore();
-    const edited = (await this.#all()).filter((draft) => isEdited(draft) && !draft.shelved);
+    const edited = (await this.#all()).filter(isOpen);
     let found: Draft | undefined;
     for (const draft of edited) if (!found && (await this.#tab.take(draft.tab))) found = draft;
     await this.#tab.takeAny();
@@ -128,9 +129,16 @@ export class Drafts {
   shelve(madeAt: number): void {
     const draft = [...this.#open.values()].find((each) => each.madeAt === madeAt);
     if (!draft) return;
+    // What the library holds need not be kept twice.
+    if (!isEdited(draft)) return void this.remove(draft);
     const shelved = { ...draft, shelved: true };
     this.#open.set(draft.key, shelved);
     this.#keep(shelved);
+  }
+
+  /** What is kept of changes of a setting that were not saved: in this tab, or in one that is closed. */
+  async ofSetting(id: string): Promise<Draft | undefined> {
+    return (await this.available()).find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
   }
 
   /** What was kept is deleted for good. */
@@ -185,7 +193,7 @@ export class Drafts {
     const tab = this.#tab.value;
     const key = workKey(content.working, simulated, tab, content.madeAt);
     const draft: Draft = { key, ...content, savedAt: Date.now(), simulated, tab };
-    if (isEdited(draft) || draft.history?.past.length || draft.history?.future.length) {
+    if (isOpen(draft) || draft.history?.past.length || draft.history?.future.length) {
       this.#open.set(key, draft);
       this.#keep(draft);
     } else if (this.#open.delete(key)) {
@@ -262,9 +270,17 @@ function sameWork(a: Draft, b: Draft): boolean {
   return differences(a.working, b.working).length === 0 && JSON.stringify(a.texts) === JSON.stringify(b.texts);
 }
 
+/** Whether it comes to the screen again by itself. */
+function isOpen(draft: Draft): boolean {
+  return (isEdited(draft) || draft.madeAt !== undefined) && !draft.shelved;
+}
+
 /** Whether a pilot would miss it. */
-function isEdited({ baseline, working, texts, madeAt }: Draft): boolean {
-  if (madeAt !== undefined) return true;
+function isEdited({ baseline, working, texts, madeAt, of }: Draft): boolean {
+  if (madeAt !== undefined) {
+    if (!of || !sameLayout(of.saved.identity, working.identity)) return true;
+    return Object.keys(texts).length > 0 || changesSince(of.saved, working).length > 0;
+  }
   if (!sameLayout(baseline.identity, working.identity)) return false;
   return Object.keys(texts).length > 0 || differences(baseline, working).length > 0;
 }

@@ -63,6 +63,19 @@ export class Library {
     return record;
   }
 
+  /** Takes a model out, and its settings with it; see {@link Collection.remove}. */
+  removeModel(id: string): void {
+    const settings = this.settings.list.peek().filter(({ setting }) => setting.model === id);
+    this.models.remove(id);
+    if (settings.length > 0) this.settings.remove(...settings.map(({ key }) => key));
+  }
+
+  /** Puts back what was taken out of models and settings, as long as it has not been deleted. */
+  undoRemove(): void {
+    this.models.undoRemove();
+    this.settings.undoRemove();
+  }
+
   /** A new setting, at the end of the list, or one that has changed. @returns its record. */
   async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
     const order = this.settings.get(setting.id)?.order ?? nextOrder(this.settings.list.peek());
@@ -76,6 +89,23 @@ export class Library {
     const record = { key: flight.id, flight, changedAt: Date.now() };
     await this.flights.save(record);
     return record;
+  }
+
+  /**
+   * Puts some models, or some settings, into another order among themselves.
+   * @param keys all of them, in that order.
+   */
+  async arrange<T extends ModelRecord | SettingRecord>(list: Collection<T>, keys: readonly string[]): Promise<void> {
+    const records = keys.flatMap((key) => list.get(key) ?? []);
+    const places = records.map(({ order }) => order).sort((a, b) => a - b);
+    // Two of one place would not keep their order.
+    const steps = places.map((place, at) => (at > 0 && place <= (places[at - 1] as number) ? null : place));
+    const isWhole = !steps.includes(null);
+    const moved = records.flatMap((record, at) => {
+      const order = isWhole ? (places[at] as number) : (places[0] as number) + at;
+      return record.order === order ? [] : [{ ...record, order }];
+    });
+    if (moved.length > 0) await list.save(...moved);
   }
 
   /** The page is left: what was taken out is deleted. */

@@ -1,6 +1,7 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import type { SettingOf } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import type { Draft } from '../storage/index.js';
@@ -126,11 +127,14 @@ export class Reader {
     });
   }
 
-  /** Shows a program that was made on this device, of no timer. */
-  showMade(program: TimerProgram): void {
+  /**
+   * Shows a program that was made on this device, of no timer.
+   * @param of the setting that it is opened from.
+   */
+  showMade(program: TimerProgram, of?: SettingOf): void {
     this.putAway();
     batch(() => {
-      this.#parts.editor.make(program);
+      this.#parts.editor.make(program, of);
       this.#simulated.value = false;
     });
   }
@@ -151,6 +155,7 @@ export class Reader {
     const before = editor.working.value;
     // What was made here is wanted of whatever timer can take it: it is laid over what that holds.
     const made = editor.madeAt.value === null ? null : before;
+    const of = editor.of.value;
     const laid = made && fitsOnto(made, read) && editor.unreadable.value.size === 0 ? made : null;
     const held = editor.baseline.value;
     const same = before !== null && programKey(before, this.#simulated.value) === programKey(read, simulated);
@@ -176,7 +181,7 @@ export class Reader {
       if (!same) this.putAway();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
-      if (laid) editor.apply(replaceAll({ code: 'lay-over', params: {} }, laid));
+      if (laid) editor.apply({ ...replaceAll({ code: 'lay-over', params: {} }, laid), of });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       this.#simulated.value = simulated;
@@ -193,7 +198,7 @@ export class Reader {
   }
 }
 
-/** Whether a program that was made here means the same on the timer that this was read from. */
-function fitsOnto({ identity }: TimerProgram, read: TimerProgram): boolean {
+/** Whether a program that was made here, or is in the library, means the same on the timer that this was read from. */
+export function fitsOnto({ identity }: Pick<TimerProgram, 'identity'>, read: Pick<TimerProgram, 'identity'>): boolean {
   return identity.timerClass === read.identity.timerClass && sameLayout(identity, read.identity);
 }

@@ -1,6 +1,6 @@
 import { batch, computed, type ReadonlySignal } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
-import { type Model, sameLayout, type TimerProgram } from '../../program/index.js';
+import { type Model, type Setting, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
 import {
   type LinkState,
@@ -26,6 +26,7 @@ import { LineLog } from './line-log.js';
 import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import { Notices } from './notices.js';
+import { OpenSetting } from './open-setting.js';
 import { Reader } from './reader.js';
 import { Recognition } from './recognition.js';
 import { kindKey, workKey } from './record-keys.js';
@@ -63,6 +64,8 @@ export class Session {
   readonly keptPrograms: KeptPrograms;
   /** The pilot's models, their settings and the flights. */
   readonly library: Library;
+  /** The setting that the program on the screen belongs to, and how it is saved. */
+  readonly opened: OpenSetting;
   /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
   readonly knowledge: Knowledge;
   /** Whose timer is connected, by what it holds or by the pilot's word. */
@@ -142,6 +145,11 @@ export class Session {
     this.keptWork = new KeptWork(this, drafts, (draft) => reader.showDraft(draft));
     this.keptPrograms = new KeptPrograms(drafts);
     this.engaged = computed(() => runner.busy.value || link.waiting.value);
+    this.opened = new OpenSetting(this, {
+      show: (program, of) => reader.showMade(program, of),
+      showDraft: (draft) => reader.showDraft(drafts.take(draft)),
+      kept: (id) => drafts.ofSetting(id),
+    });
     this.servoUses = new ServoUses(
       computed(() => {
         const shown = editor.identity.value;
@@ -264,6 +272,19 @@ export class Session {
     if (connection && connection === this.connection.value && connection.client.quirksAssumed !== wasAssumed) {
       await this.read();
     }
+  }
+
+  /** The setting of the library that the program on the screen belongs to, and its model; null: to none. */
+  get openSetting(): OpenSetting['shown'] {
+    return this.opened.shown;
+  }
+
+  /**
+   * A setting comes to the screen: without a timer to be edited; over what the connected timer holds as one step.
+   * @returns whether it is shown; see {@link OpenSetting.obstacle}.
+   */
+  async showSetting(setting: Setting): Promise<boolean> {
+    return await this.opened.show(setting);
   }
 
   /** Under what the work on a program of the timer on the screen is kept. */

@@ -1,6 +1,6 @@
 import { messages } from '../messages/index.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
 import { DENSITIES, type Density } from './density.js';
-import { SegmentChoice } from './segment-choice.js';
 
 /** How high the rows of the program are. */
 export function DensityChoice({ density }: { readonly density: Density }) {

@@ -1,5 +1,5 @@
 import { messages } from '../messages/index.js';
-import { SegmentChoice } from './segment-choice.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
 import { THEMES, type Theme } from './theme.js';
 
 /** How the page looks. */

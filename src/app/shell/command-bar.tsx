@@ -2,6 +2,8 @@ import { useRef } from 'preact/hooks';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
 import { FollowNote } from '../bench/follow-panel.js';
+import { SaveButtons } from '../library/save-buttons.js';
+import type { SaveSetting } from '../library/save-setting.js';
 import { messages } from '../messages/index.js';
 import { ReadButtons } from '../program/read-buttons.js';
 import { UndoButtons } from '../program/undo-buttons.js';
@@ -16,6 +18,7 @@ interface CommandBarProps {
   readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
+  readonly saveSetting: SaveSetting;
   /** Opens what shifts the row in hand and all after it; null where there is no room for it. */
   readonly onShift: (() => void) | null;
   /** Where there is no room for it beside the table: whether the picture is shown in its place. */
@@ -23,7 +26,7 @@ interface CommandBarProps {
 }
 
 /** How the program stands to the timer, and the way to it and back. */
-export function CommandBar({ session, write, bench, follow, onShift, picture }: CommandBarProps) {
+export function CommandBar({ session, write, bench, follow, saveSetting, onShift, picture }: CommandBarProps) {
   const { program, edits } = messages.value;
   const { editor } = session;
   const bar = useRef<HTMLElement>(null);
@@ -43,6 +46,7 @@ export function CommandBar({ session, write, bench, follow, onShift, picture }: 
           {picture.open ? program.table : program.picture}
         </button>
       )}
+      <SaveButtons {...{ session, saveSetting }} brief={picture !== null} />
       <div class="buttons">
         {/* On a phone they stand below the large figures. */}
         {!picture && <ReadButtons session={session} />}

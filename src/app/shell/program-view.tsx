@@ -4,6 +4,7 @@ import { fieldKey, fieldsOf, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
+import type { SaveSetting } from '../library/save-setting.js';
 import type { Memories } from '../memories/memories.js';
 import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
 import { messages, timerName } from '../messages/index.js';
@@ -29,11 +30,12 @@ export interface ProgramViewProps {
   readonly preferences: Preferences;
   readonly programPicture: ProgramPicture;
   readonly onPrint: () => void;
+  readonly saveSetting: SaveSetting;
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
-  const { session, write, memories, bench, follow, preferences, programPicture, onPrint } = props;
+  const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, onPrint } = props;
   const { program, header, about, views } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -102,7 +104,7 @@ export function ProgramView(props: ProgramViewProps) {
       )}
       {looking === null && (
         <CommandBar
-          {...{ session, write, bench, follow }}
+          {...{ session, write, bench, follow, saveSetting }}
           onShift={isNarrow ? null : () => tools.showFor(selected.peek())}
           picture={isNarrow ? { open: picture.value, onToggle: toggle } : null}
         />

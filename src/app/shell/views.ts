@@ -1,4 +1,4 @@
-import { effect, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, effect, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
@@ -12,19 +12,35 @@ export type View = (typeof VIEWS | typeof SIDE_VIEWS)[number];
 /** What a view is told of the window: its address, and when that changes. */
 export type AddressWindow = Pick<Window, 'location' | 'history' | 'addEventListener' | 'removeEventListener'>;
 
+/** A view, and a place in it: `#library/flights`. */
+interface Address {
+  readonly view: View;
+  /** What stands after the name of the view: empty, or words with `/` between them. */
+  readonly path: string;
+}
+
+/** A place in a view has no more than this. */
+const LONGEST_PATH = 300;
+
 /** Which view is shown. Its name stands in the address, so that Back works and a reload shows it again. */
 export class Views {
   readonly #shown = signal<View>('program');
   readonly shown: ReadonlySignal<View> = this.#shown;
+  readonly #path = signal('');
+  /** The place in the view that is shown; empty: its beginning. */
+  readonly path: ReadonlySignal<string> = this.#path;
   readonly #expert = signal(loadSetting('expert', v.boolean()) ?? false);
   /** Whether the pilot wants to see what only few need: the line. */
   readonly expert: ReadonlySignal<boolean> = this.#expert;
   readonly #leaving = new Set<(view: View) => void>();
 
-  show(view: View): void {
-    if (view === this.#shown.peek()) return;
-    for (const tell of this.#leaving) tell(this.#shown.peek());
-    this.#shown.value = view;
+  /** @param path the place in it. */
+  show(view: View, path = ''): void {
+    if (view !== this.#shown.peek()) for (const tell of this.#leaving) tell(this.#shown.peek());
+    batch(() => {
+      this.#shown.value = view;
+      this.#path.value = path;
+    });
   }
 
   setExpert(on: boolean): void {
@@ -46,15 +62,19 @@ export class Views {
    * @returns a function that ends it.
    */
   follow(window: AddressWindow): () => void {
-    const read = (): void => this.show(viewAt(window.location.hash) ?? 'program');
+    const read = (): void => {
+      const { view, path } = addressAt(window.location.hash) ?? PROGRAM;
+      this.show(view, path);
+    };
     read();
     // A browser would scroll before the view is there.
     tried(() => {
       window.history.scrollRestoration = 'manual';
     });
     const stop = effect(() => {
-      const view = this.shown.value;
-      if ((viewAt(window.location.hash) ?? 'program') !== view) window.history.pushState(null, '', `#${view}`);
+      const hash = hashOf({ view: this.shown.value, path: this.path.value });
+      const now = addressAt(window.location.hash) ?? PROGRAM;
+      if (hashOf(now) !== hash) window.history.pushState(null, '', hash);
     });
     window.addEventListener('popstate', read);
     window.addEventListener('hashchange', read);
@@ -66,7 +86,15 @@ export class Views {
   }
 }
 
-/** The view that a hash names; null when it names none. */
-export function viewAt(hash: string): View | null {
-  return [...VIEWS, ...SIDE_VIEWS].find((view) => hash === `#${view}`) ?? null;
+const PROGRAM: Address = { view: 'program', path: '' };
+
+/** The view that a hash names, and the place in it; null when it names none. */
+export function addressAt(hash: string): Address | null {
+  const [, name, path = ''] = /^#([a-z]+)(?:\/([\w/-]*))?$/.exec(hash) ?? [];
+  const view = [...VIEWS, ...SIDE_VIEWS].find((each) => each === name);
+  return view && path.length <= LONGEST_PATH ? { view, path } : null;
+}
+
+function hashOf({ view, path }: Address): string {
+  return path === '' ? `#${view}` : `#${view}/${path}`;
 }

@@ -75,11 +75,13 @@ const params = v.pipe(
   ),
   v.check((found) => Object.keys(found).length <= 20, 'more than a name says'),
 );
+/** The setting that a program belongs to. One that cannot be read is no reason to lose what was typed. */
+const of = v.optional(v.fallback(v.optional(v.object({ id: key, saved: held })), undefined));
 const steps = v.pipe(
   v.array(
     v.object({
       name: v.object({ code: v.picklist(STEP_CODES), params }),
-      state: v.object({ working: wanted, texts }),
+      state: v.object({ working: wanted, texts, of }),
     }),
   ),
   v.maxLength(MAX_STEPS),
@@ -99,6 +101,7 @@ export const draftSchema = v.pipe(
     working: wanted,
     /** Texts in fields that are no values yet, by field. */
     texts,
+    of,
     /**
      * What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft.
      */

@@ -1,0 +1,88 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { Library } from '../session/library.js';
+import type { ModelRecord, SettingRecord } from '../storage/index.js';
+import { foldedText, hasAll, searchWords } from './search.js';
+
+/** So many rows are drawn at first, and so many more each time the end of a list comes near. */
+const FIRST = 60;
+const MORE = 200;
+
+/** How the library is looked at: it outlasts its view. */
+export class Browse {
+  readonly #text = signal('');
+  readonly #archive = signal(false);
+  readonly #arranging = signal(false);
+  readonly #room = signal(FIRST);
+  /** What is searched for; empty: nothing is. */
+  readonly text: ReadonlySignal<string> = this.#text;
+  /** Whether what was put away is shown, too. */
+  readonly archive: ReadonlySignal<boolean> = this.#archive;
+  /** Whether rows can be moved. */
+  readonly arranging: ReadonlySignal<boolean> = this.#arranging;
+  /** How many rows of a list of settings are drawn. */
+  readonly room: ReadonlySignal<number> = this.#room;
+  /** The settings of each model, by its id; of none under null. What is in the archive is in it. */
+  readonly byModel: ReadonlySignal<ReadonlyMap<string | null, readonly SettingRecord[]>>;
+  /** The settings that are searched for; null while nothing is. */
+  readonly found: ReadonlySignal<readonly SettingRecord[] | null>;
+  /** The models that are shown. */
+  readonly models: ReadonlySignal<readonly ModelRecord[]>;
+  readonly #texts = new WeakMap<SettingRecord, string>();
+
+  constructor({ models, settings }: Pick<Library, 'models' | 'settings'>) {
+    this.byModel = computed(() => {
+      const known = new Set(models.list.value.map(({ key }) => key));
+      const map = new Map<string | null, SettingRecord[]>();
+      for (const record of settings.list.value) {
+        // A setting whose model is gone is still there.
+        const model = record.setting.model !== null && known.has(record.setting.model) ? record.setting.model : null;
+        const list = map.get(model);
+        if (list) list.push(record);
+        else map.set(model, [record]);
+      }
+      return map;
+    });
+    this.models = computed(() => models.list.value.filter(({ model }) => this.#archive.value || !model.archived));
+    this.found = computed(() => {
+      const words = searchWords(this.#text.value);
+      if (words.length === 0) return null;
+      const names = new Map(models.list.value.map(({ key, model }) => [key, foldedText(model.name)]));
+      return settings.list.value.filter((record) =>
+        hasAll(`${this.#textOf(record)}\n${names.get(record.setting.model ?? '') ?? ''}`, words),
+      );
+    });
+  }
+
+  search(text: string): void {
+    this.#text.value = text;
+    this.#room.value = FIRST;
+  }
+
+  showArchive(shown: boolean): void {
+    this.#archive.value = shown;
+  }
+
+  arrange(on: boolean): void {
+    this.#arranging.value = on;
+  }
+
+  /** The end of a list has come near. */
+  showMore(): void {
+    this.#room.value += MORE;
+  }
+
+  /** Another list is shown. */
+  anotherList(): void {
+    this.#room.value = FIRST;
+    this.#arranging.value = false;
+  }
+
+  #textOf(record: SettingRecord): string {
+    const known = this.#texts.get(record);
+    if (known !== undefined) return known;
+    const { name, note, tags } = record.setting;
+    const text = foldedText([name, note, ...tags].join('\n'));
+    this.#texts.set(record, text);
+    return text;
+  }
+}

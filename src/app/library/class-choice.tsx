@@ -1,0 +1,34 @@
+import { useId } from 'preact/hooks';
+import { CLASSES } from '../editing/new-program.js';
+import { messages } from '../messages/index.js';
+import { libraryMessages } from '../messages/library.js';
+import { SegmentChoice } from '../ui/segment-choice.js';
+
+const NONE = '';
+
+interface ClassChoiceProps {
+  /** A class that is none of the usual ones is offered beside them. */
+  readonly value: string | null;
+  readonly onChange: (timerClass: string | null) => void;
+}
+
+/** Of which class the timer of a model is. */
+export function ClassChoice({ value, onChange }: ClassChoiceProps) {
+  const { model: words } = libraryMessages.value;
+  const { classNames, unknownClass } = messages.value;
+  const name = useId();
+  const choices = [...new Set<string>([...CLASSES, ...(value === null ? [] : [value]), NONE])];
+  const names = Object.fromEntries(
+    choices.map((each) => [each, each === NONE ? words.noClass : (classNames[each] ?? unknownClass(each))]),
+  );
+  return (
+    <SegmentChoice
+      name={name}
+      title={words.timerClass}
+      choices={choices}
+      names={names}
+      chosen={value ?? NONE}
+      onChoose={(choice) => onChange(choice === NONE ? null : choice)}
+    />
+  );
+}

@@ -1,0 +1,54 @@
+import { LIMITS } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { ModelRecord } from '../storage/index.js';
+import { TextField } from './text-field.js';
+import './memory-names.css';
+
+/** As most timers have them. */
+const USUAL_MEMORIES = 4;
+
+interface MemoryNamesProps {
+  readonly session: Session;
+  readonly record: ModelRecord;
+  readonly onChange: (names: readonly string[]) => void;
+}
+
+/** What the pilot calls the memories of the model's timer. */
+export function MemoryNames({ session, record, onChange }: MemoryNamesProps) {
+  const { model: words } = libraryMessages.value;
+  const { memoryName } = messages.value;
+  const names = record.model.memoryNames;
+  const count = Math.max(memoriesOf(session, record), names.length);
+  return (
+    <fieldset class="memory-names">
+      <legend>{words.memories}</legend>
+      {Array.from({ length: count }, (_, memory) => (
+        <TextField
+          key={memory}
+          label={memoryName(memory)}
+          value={names[memory] ?? ''}
+          longest={LIMITS.name}
+          onSave={(text) => {
+            const now = session.library.models.get(record.key)?.model.memoryNames ?? names;
+            const length = Math.max(now.length, memory + 1);
+            onChange(Array.from({ length }, (_, at) => (at === memory ? text.trim() : (now[at] ?? ''))));
+          }}
+        />
+      ))}
+      <p class="hint">{words.memoriesHint}</p>
+    </fieldset>
+  );
+}
+
+/** How many memories its timer has, as far as anything that is kept of it says so. */
+function memoriesOf({ library }: Session, { key, verified }: ModelRecord): number {
+  const programs = [
+    ...verified.map(({ program }) => program),
+    ...library.settings.list.value.filter(({ setting }) => setting.model === key).map(({ setting }) => setting.program),
+  ];
+  return (
+    Math.max(...programs.map(({ identity }) => identity.memories).filter((count) => count > 1), 0) || USUAL_MEMORIES
+  );
+}

@@ -1,0 +1,81 @@
+import { useSignal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useEffect } from 'preact/hooks';
+import { timerName } from '../messages/index.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { ModelRecord } from '../storage/index.js';
+import { ArrangeButton } from './arrange.js';
+import type { Browse } from './browse.js';
+import { ArchiveButton } from './model-list.js';
+import { NewSettingDialog } from './new-setting-dialog.js';
+import type { Places } from './places.js';
+import { SettingList } from './setting-list.js';
+
+interface ModelColumnProps {
+  readonly session: Session;
+  readonly browse: Browse;
+  readonly places: Places;
+  /** Null: it is none of the library, or these are the settings of no model. */
+  readonly model: ModelRecord | null;
+  readonly isLoose: boolean;
+  /** The id of the setting that is chosen. */
+  readonly chosen: string | null;
+  /** The models are not in sight: here is the way to them. */
+  readonly back: boolean;
+  readonly onGo: (path: string) => void;
+  /** What belongs to the model, where there is no other place for it. */
+  readonly children?: ComponentChildren;
+}
+
+/** One model with its settings. */
+export function ModelColumn(props: ModelColumnProps) {
+  const { session, browse, places, model, isLoose, chosen, back, onGo, children } = props;
+  const words = libraryMessages.value;
+  const making = useSignal(false);
+  useEffect(() => browse.anotherList(), [browse]);
+  const all = browse.byModel.value.get(model?.key ?? null) ?? [];
+  const records = browse.archive.value ? all : all.filter(({ setting }) => !setting.archived);
+  const name = model?.model.name ?? words.models.loose;
+  return (
+    <section class="library-model" aria-label={name}>
+      {back && (
+        <a class="library-back" href="#library">
+          {words.models.back(words.models.all)}
+        </a>
+      )}
+      {!model && !isLoose ? (
+        <p class="hint">{words.setting.modelGone}</p>
+      ) : (
+        <>
+          <div class="library-head">
+            <div>
+              <h2>{name}</h2>
+              {model && model.model.timerClass !== null && (
+                <p class="hint">{timerName({ timerClass: model.model.timerClass })}</p>
+              )}
+            </div>
+            {records.length > 1 && <ArrangeButton browse={browse} />}
+          </div>
+          {records.length === 0 && <p class="hint">{words.model.noSettings}</p>}
+          <SettingList {...{ session, browse, records, chosen }} arranging={browse.arranging.value} />
+          <div class="buttons">
+            <button type="button" onClick={() => (making.value = true)}>
+              {words.model.makeSetting}
+            </button>
+            <ArchiveButton browse={browse} count={all.filter(({ setting }) => setting.archived).length} />
+          </div>
+          {model && places.modelSections(model)}
+          {children}
+        </>
+      )}
+      <NewSettingDialog
+        open={making.value}
+        session={session}
+        model={model}
+        onClose={() => (making.value = false)}
+        onMade={onGo}
+      />
+    </section>
+  );
+}

@@ -1,0 +1,147 @@
+import { useSignal } from '@preact/signals';
+import { timerName } from '../messages/index.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { ModelRecord } from '../storage/index.js';
+import { memo } from '../ui/memo.js';
+import { Arrange, ArrangeButton } from './arrange.js';
+import type { Browse } from './browse.js';
+import { NewModelDialog } from './new-model-dialog.js';
+import { addressOf, NO_MODEL } from './place.js';
+import type { Places } from './places.js';
+import { SettingList } from './setting-list.js';
+
+interface ModelListProps {
+  readonly session: Session;
+  readonly browse: Browse;
+  /** The id of the model that is chosen, and of its setting. */
+  readonly chosen: string | null;
+  readonly setting: string | null;
+  readonly places: Places;
+  readonly onGo: (path: string) => void;
+}
+
+/** All models, or the settings that are searched for among all of them. */
+export function ModelList({ session, browse, chosen, setting, places, onGo }: ModelListProps) {
+  const words = libraryMessages.value;
+  const making = useSignal(false);
+  const found = browse.found.value;
+  const { library } = session;
+  return (
+    <section class="library-models" aria-label={words.models.title}>
+      <div class="library-head">
+        <h1>{words.title}</h1>
+        {found === null && library.models.list.value.length > 1 && <ArrangeButton browse={browse} />}
+      </div>
+      <input
+        type="search"
+        class="library-search"
+        aria-label={words.search.label}
+        placeholder={words.search.placeholder}
+        autocomplete="off"
+        value={browse.text.value}
+        onInput={(event) => browse.search(event.currentTarget.value)}
+      />
+      {found === null ? (
+        <>
+          <Models {...{ session, browse, chosen }} />
+          <div class="buttons">
+            <button type="button" onClick={() => (making.value = true)}>
+              {words.models.make}
+            </button>
+            <ArchiveButton browse={browse} count={library.models.list.value.filter(isArchived).length} />
+            {places.library}
+          </div>
+        </>
+      ) : (
+        <>
+          <p class="hint" role="status">
+            {found.length === 0 ? words.search.nothing : words.search.found(found.length)}
+          </p>
+          <SettingList {...{ session, browse }} records={found} chosen={setting} withModel />
+        </>
+      )}
+      <NewModelDialog open={making.value} session={session} onClose={() => (making.value = false)} onMade={onGo} />
+    </section>
+  );
+}
+
+function isArchived({ model }: ModelRecord): boolean {
+  return model.archived;
+}
+
+function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'browse' | 'chosen'>) {
+  const words = libraryMessages.value;
+  const models = browse.models.value;
+  const loose = browse.byModel.value.get(null)?.length ?? 0;
+  const isArranging = browse.arranging.value && chosen === null;
+  return (
+    <Arrange
+      on={isArranging}
+      class="library-list"
+      items={models}
+      nameOf={({ model }) => model.name}
+      onMove={(keys) => void session.library.arrange(session.library.models, keys)}
+      after={
+        loose > 0 ? (
+          <li key={NO_MODEL}>
+            <a class="library-item" href={addressOf(null)} aria-current={chosen === NO_MODEL ? 'true' : undefined}>
+              <b>{words.models.loose}</b>
+              <span>{words.models.settings(loose)}</span>
+            </a>
+          </li>
+        ) : null
+      }
+    >
+      {(record) => (
+        <ModelRow
+          record={record}
+          count={browse.byModel.value.get(record.key)?.length ?? 0}
+          isChosen={chosen === record.key}
+          isKept={!session.library.models.unsaved.value.has(record.key)}
+        />
+      )}
+    </Arrange>
+  );
+}
+
+interface ModelRowProps {
+  readonly record: ModelRecord;
+  readonly count: number;
+  readonly isChosen: boolean;
+  readonly isKept: boolean;
+}
+
+const ModelRow = memo(ModelRowContent, ['record', 'count', 'isChosen', 'isKept']);
+
+function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
+  const words = libraryMessages.value;
+  const { name, timerClass, archived } = record.model;
+  return (
+    <a class="library-item" href={addressOf(record.key)} aria-current={isChosen ? 'true' : undefined}>
+      <b>{name}</b>
+      <span>
+        {[
+          timerClass === null ? words.models.noClass : timerName({ timerClass }),
+          words.models.settings(count),
+          archived && words.models.archived,
+          !isKept && words.unkept.mark,
+        ]
+          .filter(Boolean)
+          .join(' · ')}
+      </span>
+    </a>
+  );
+}
+
+/** What was put away is shown, or not, where there is any. */
+export function ArchiveButton({ browse, count }: { readonly browse: Browse; readonly count: number }) {
+  const { models: words } = libraryMessages.value;
+  if (count === 0) return null;
+  const isShown = browse.archive.value;
+  return (
+    <button type="button" class="quiet" aria-expanded={isShown} onClick={() => browse.showArchive(!isShown)}>
+      {isShown ? words.hideArchive : words.archive(count)}
+    </button>
+  );
+}

@@ -1,0 +1,72 @@
+import { LIMITS, type Model } from '../../program/index.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { ModelRecord } from '../storage/index.js';
+import { ClassChoice } from './class-choice.js';
+import { MemoryNames } from './memory-names.js';
+import { ModelPhoto } from './model-photo.js';
+import { ModelServos } from './model-servos.js';
+import type { Places } from './places.js';
+import { TextField } from './text-field.js';
+import './model-page.css';
+
+interface ModelPageProps {
+  readonly session: Session;
+  readonly places: Places;
+  readonly record: ModelRecord;
+  /** It was deleted: its page is left. */
+  readonly onGone: () => void;
+}
+
+/** All that is said of a model. Each part is kept as it is changed. */
+export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
+  const words = libraryMessages.value;
+  const { library } = session;
+  const { model } = record;
+  const change = (changed: Partial<Model>): void => {
+    // Onto what the library holds by now: another tab may have changed another part of it.
+    const now = library.models.get(record.key)?.model ?? model;
+    void library.keepModel({ ...now, ...changed });
+  };
+  const settings = library.settings.list.value.filter(({ setting }) => setting.model === record.key);
+  return (
+    <div class="model-page" key={record.key}>
+      <h2 class="model-title">{model.name}</h2>
+      <div class="buttons">{places.modelButtons(record)}</div>
+      <ModelPhoto model={model} onChange={(photo) => change({ photo })} />
+      <TextField
+        label={words.model.name}
+        value={model.name}
+        longest={LIMITS.name}
+        required
+        onSave={(name) => change({ name })}
+      />
+      <ClassChoice value={model.timerClass} onChange={(timerClass) => change({ timerClass })} />
+      <TextField
+        label={words.model.note}
+        value={model.note}
+        longest={LIMITS.note}
+        lines={3}
+        onSave={(note) => change({ note })}
+      />
+      <MemoryNames session={session} record={record} onChange={(memoryNames) => change({ memoryNames })} />
+      <ModelServos session={session} record={record} onChange={(servos) => change({ servos })} />
+      <div class="buttons">
+        <button type="button" class="quiet" onClick={() => change({ archived: !model.archived })}>
+          {model.archived ? words.model.unarchive : words.model.archive}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            library.removeModel(record.key);
+            onGone();
+          }}
+        >
+          {words.model.remove}
+        </button>
+      </div>
+      {settings.length > 0 && <p class="hint">{words.model.withSettings(settings.length)}</p>}
+    </div>
+  );
+}

@@ -1,0 +1,73 @@
+import { useSignal } from '@preact/signals';
+import { useEffect, useId, useRef } from 'preact/hooks';
+import type { Model } from '../../program/index.js';
+import { libraryMessages } from '../messages/library.js';
+import { drawPhoto, scaledPhoto } from './photo.js';
+import './model-photo.css';
+
+interface ModelPhotoProps {
+  readonly model: Model;
+  readonly onChange: (photo: string | null) => void;
+}
+
+/** A picture of the model, from a file or the camera. */
+export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
+  const { model: words } = libraryMessages.value;
+  const id = useId();
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const failed = useSignal(false);
+  const busy = useSignal(false);
+  const { photo } = model;
+  useEffect(() => {
+    const place = canvas.current;
+    if (!place || photo === null) return;
+    let isOld = false;
+    // What cannot be drawn any more is said; it stays where it is.
+    void drawPhoto(photo, place, () => isOld).catch(() => (failed.value = true));
+    return () => {
+      isOld = true;
+    };
+  }, [photo, failed]);
+  const take = async (file: File | undefined): Promise<void> => {
+    if (!file) return;
+    busy.value = true;
+    failed.value = false;
+    const scaled = await scaledPhoto(file).catch(() => null);
+    busy.value = false;
+    failed.value = scaled === null;
+    if (scaled !== null) onChange(scaled);
+  };
+  return (
+    <div class="model-photo">
+      {photo !== null && <canvas ref={canvas} role="img" aria-label={words.photoOf(model.name)} />}
+      <div class="buttons">
+        <label class="photo-button" for={id} aria-busy={busy.value}>
+          {photo === null ? words.takePhoto : words.changePhoto}
+        </label>
+        <input
+          id={id}
+          class="visually-hidden"
+          type="file"
+          accept="image/*"
+          onChange={(event) => {
+            const input = event.currentTarget;
+            void take(input.files?.[0]).finally(() => {
+              // The same file can be chosen again.
+              input.value = '';
+            });
+          }}
+        />
+        {photo !== null && (
+          <button type="button" class="quiet" onClick={() => onChange(null)}>
+            {words.removePhoto}
+          </button>
+        )}
+      </div>
+      {failed.value && (
+        <p class="bad-text" role="alert">
+          {words.photoFailed}
+        </p>
+      )}
+    </div>
+  );
+}

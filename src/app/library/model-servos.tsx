@@ -1,0 +1,66 @@
+import { useSignal } from '@preact/signals';
+import type { ServoUse, TimerProgram } from '../../program/index.js';
+import { dutyName, messages } from '../messages/index.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { ModelRecord } from '../storage/index.js';
+import { ServoDialog } from '../timeline/preview/servo-dialog.js';
+import { guessedUses } from '../timeline/preview/surfaces.js';
+import './model-servos.css';
+
+interface ModelServosProps {
+  readonly session: Session;
+  readonly record: ModelRecord;
+  readonly onChange: (servos: readonly ServoUse[]) => void;
+}
+
+/** What the servos of the model move, and between which steps. */
+export function ModelServos({ session, record, onChange }: ModelServosProps) {
+  const { model: words } = libraryMessages.value;
+  const { servoName } = messages.value;
+  const naming = useSignal(false);
+  const { servos } = record.model;
+  const program = programOf(session, record);
+  const isSaid = servos.length > 0;
+  return (
+    <section class="model-servos">
+      <h3>{words.servos}</h3>
+      {isSaid ? (
+        <ul>
+          {servos.map((use, servo) => (
+            <li key={servoName(servo)}>
+              <b>{servoName(servo)}</b> {dutyName(use)}
+              {use.duty !== 'none' && <span class="hint"> {words.servoWay(use.low, use.high)}</span>}
+            </li>
+          ))}
+        </ul>
+      ) : (
+        <p class="hint">
+          {words.servosUnknown} {words.servosHint}
+        </p>
+      )}
+      <div class="buttons">
+        <button type="button" disabled={!isSaid && !program} onClick={() => (naming.value = true)}>
+          {words.servosChange}
+        </button>
+      </div>
+      {!isSaid && !program && <p class="hint">{words.servosNoProgram}</p>}
+      <ServoDialog
+        open={naming.value}
+        uses={isSaid ? servos : program ? guessedUses(program) : []}
+        isNamed={isSaid}
+        onSave={(uses) => {
+          naming.value = false;
+          onChange(uses ?? []);
+        }}
+        onCancel={() => (naming.value = false)}
+      />
+    </section>
+  );
+}
+
+/** A program of the model, to guess from. */
+function programOf({ library }: Session, { key, verified }: ModelRecord): TimerProgram | null {
+  const setting = library.settings.list.value.find((each) => each.setting.model === key);
+  return setting?.setting.program ?? verified[0]?.program ?? null;
+}

@@ -1,0 +1,31 @@
+import { LIMITS } from '../../program/index.js';
+import './library-form.css';
+
+interface NameFieldProps {
+  readonly label: string;
+  readonly value: string;
+  readonly placeholder?: string;
+  /** It has the focus when its dialog opens. Default: yes. */
+  readonly first?: boolean;
+  readonly onChange: (text: string) => void;
+}
+
+/** A name in a dialog, which cannot be empty. */
+export function NameField({ label, value, placeholder, first = true, onChange }: NameFieldProps) {
+  return (
+    <label class="library-field">
+      <span>{label}</span>
+      <input
+        type="text"
+        autofocus={first}
+        required
+        pattern=".*\S.*"
+        maxLength={LIMITS.name}
+        autocomplete="off"
+        placeholder={placeholder}
+        value={value}
+        onInput={(event) => onChange(event.currentTarget.value)}
+      />
+    </label>
+  );
+}

@@ -1,0 +1,58 @@
+import { useSignal } from '@preact/signals';
+import { useId } from 'preact/hooks';
+import { libraryMessages } from '../messages/library.js';
+import { newId } from '../session/library.js';
+import type { Session } from '../session/session.js';
+import { Modal } from '../ui/modal.js';
+import { ClassChoice } from './class-choice.js';
+import { NameField } from './name-field.js';
+import { emptyModel } from './save-setting.js';
+import './library-form.css';
+
+interface NewModelDialogProps {
+  readonly open: boolean;
+  readonly session: Session;
+  readonly onClose: () => void;
+  /** It is made: its page is to be seen. */
+  readonly onMade: (id: string) => void;
+}
+
+/** Asks what a model is called, and of which class it is. */
+export function NewModelDialog({ open, session, ...props }: NewModelDialogProps) {
+  const { newModel: words } = libraryMessages.value;
+  const id = useId();
+  return (
+    <Modal open={open} title={words.title} titleId={id} held={false} onEscape={props.onClose}>
+      <Form session={session} {...props} />
+    </Modal>
+  );
+}
+
+function Form({ session, onClose, onMade }: Omit<NewModelDialogProps, 'open'>) {
+  const { newModel: words, model: fields } = libraryMessages.value;
+  const name = useSignal('');
+  const timerClass = useSignal<string | null>(session.editor.identity.peek()?.timerClass ?? null);
+  return (
+    <form
+      class="library-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        const model = emptyModel(newId(), name.value.trim(), timerClass.value);
+        void session.library.keepModel(model);
+        onClose();
+        onMade(model.id);
+      }}
+    >
+      <NameField label={fields.name} value={name.value} onChange={(text) => (name.value = text)} />
+      <ClassChoice value={timerClass.value} onChange={(letter) => (timerClass.value = letter)} />
+      <div class="buttons">
+        <button type="button" onClick={onClose}>
+          {words.cancel}
+        </button>
+        <button type="submit" class="primary">
+          {words.make}
+        </button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,38 @@
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { SaveSetting } from './save-setting.js';
+
+interface SaveButtonsProps {
+  readonly session: Session;
+  readonly saveSetting: SaveSetting;
+  /** Where there is little room: only what keeps changes of the open setting. */
+  readonly brief?: boolean;
+}
+
+/** Keeps the program on the screen: as what it was opened from, or as a new setting. */
+export function SaveButtons({ session, saveSetting, brief = false }: SaveButtonsProps) {
+  const { save: words } = libraryMessages.value;
+  const { opened } = session;
+  const unsaved = opened.unsaved.value;
+  const setting = opened.shown.value?.setting ?? null;
+  if (!session.editor.identity.value) return null;
+  const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);
+  return (
+    <>
+      {setting && count > 0 && (
+        <button
+          type="button"
+          title={words.state(setting.name, unsaved?.changes ?? 0, unsaved?.unreadable ?? 0)}
+          onClick={() => void saveSetting.save()}
+        >
+          {words.again}
+        </button>
+      )}
+      {!brief && (
+        <button type="button" class="quiet" onClick={() => saveSetting.open()}>
+          {setting ? words.asNew : words.open}
+        </button>
+      )}
+    </>
+  );
+}

@@ -1,0 +1,159 @@
+import { useSignal } from '@preact/signals';
+import { LIMITS, type Setting } from '../../program/index.js';
+import { changesSince } from '../editing/content.js';
+import { changeText } from '../messages/index.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import { Modal } from '../ui/modal.js';
+import { NameField } from './name-field.js';
+import type { SaveSetting } from './save-setting.js';
+import './library-form.css';
+
+interface SaveDialogProps {
+  readonly session: Session;
+  readonly saveSetting: SaveSetting;
+}
+
+/** Asks as what the program on the screen is kept, or what becomes of what another tab has saved meanwhile. */
+export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
+  const { save: words } = libraryMessages.value;
+  const current = saveSetting.current.value;
+  const isElsewhere = current?.step === 'elsewhere';
+  return (
+    <Modal
+      open={current !== null}
+      title={isElsewhere ? words.elsewhere.title : words.title}
+      titleId="save-setting-title"
+      held={false}
+      onEscape={() => saveSetting.dismiss()}
+    >
+      {current?.step === 'name' && <NameForm {...{ session, saveSetting }} />}
+      {current?.step === 'elsewhere' && <Elsewhere {...{ session, saveSetting }} theirs={current.theirs} />}
+    </Modal>
+  );
+}
+
+const NEW = 'new';
+const NONE = '';
+
+function NameForm({ session, saveSetting }: SaveDialogProps) {
+  const { save: words } = libraryMessages.value;
+  const { library, opened } = session;
+  const models = library.models.list.value;
+  const open = opened.shown.peek();
+  const name = useSignal(open?.setting?.name ?? '');
+  const note = useSignal('');
+  const modelName = useSignal('');
+  const model = useSignal(open ? (open.model?.id ?? NONE) : (suggested(session) ?? NEW));
+  return (
+    <form
+      class="library-form"
+      onSubmit={(event) => {
+        event.preventDefault();
+        const to = model.value === NEW ? { name: modelName.value.trim() } : model.value || null;
+        void saveSetting.saveAs({ name: name.value.trim(), note: note.value, model: to });
+      }}
+    >
+      <NameField
+        label={words.name}
+        placeholder={words.namePlace}
+        value={name.value}
+        onChange={(text) => (name.value = text)}
+      />
+      <label class="library-field">
+        <span>{words.model}</span>
+        <select value={model.value} onChange={(event) => (model.value = event.currentTarget.value)}>
+          {models.map(({ key, model: each }) => (
+            <option key={key} value={key}>
+              {each.name}
+            </option>
+          ))}
+          <option value={NEW}>{words.newModel}</option>
+          <option value={NONE}>{words.noModel}</option>
+        </select>
+      </label>
+      {model.value === NEW && (
+        <NameField
+          label={words.modelName}
+          first={false}
+          value={modelName.value}
+          onChange={(text) => (modelName.value = text)}
+        />
+      )}
+      <label class="library-field">
+        <span>{words.note}</span>
+        <textarea
+          rows={2}
+          maxLength={LIMITS.note}
+          value={note.value}
+          onInput={(event) => {
+            note.value = event.currentTarget.value;
+          }}
+        />
+      </label>
+      {!opened.savable.value && (
+        <p class="bad-text" role="alert">
+          {words.notSavable}
+        </p>
+      )}
+      <div class="buttons">
+        <button type="button" onClick={() => saveSetting.dismiss()}>
+          {words.cancel}
+        </button>
+        <button type="submit" class="primary" disabled={!opened.savable.value}>
+          {words.save}
+        </button>
+      </div>
+    </form>
+  );
+}
+
+/** The model that it is likely for: the only one of its class. */
+function suggested({ library, editor }: Session): string | null {
+  const timerClass = editor.identity.peek()?.timerClass;
+  const [first, ...more] = library.models.list
+    .peek()
+    .filter(({ model }) => !model.archived && model.timerClass === timerClass);
+  return first && more.length === 0 ? first.key : null;
+}
+
+/** So many differences are told one by one. */
+const MOST_TOLD = 6;
+
+function Elsewhere({ session, saveSetting, theirs }: SaveDialogProps & { readonly theirs: Setting }) {
+  const { save } = libraryMessages.value;
+  const { elsewhere: words } = save;
+  const working = session.editor.working.value;
+  if (!working) return null;
+  const changes = changesSince(theirs.program, working);
+  return (
+    <>
+      <p>{words.lead(changes.length)}</p>
+      {changes.length > 0 && (
+        <>
+          <p class="hint">{words.direction}</p>
+          <ul>
+            {changes.slice(0, MOST_TOLD).map((change) => (
+              <li key={changeText(working.identity, change)}>{changeText(working.identity, change)}</li>
+            ))}
+            {changes.length > MOST_TOLD && <li>{words.more(changes.length - MOST_TOLD)}</li>}
+          </ul>
+        </>
+      )}
+      <div class="buttons">
+        <button type="button" onClick={() => saveSetting.dismiss()}>
+          {save.cancel}
+        </button>
+        <button type="button" onClick={() => saveSetting.take()}>
+          {words.take}
+        </button>
+        <button type="button" onClick={() => void saveSetting.replace()}>
+          {words.replace}
+        </button>
+        <button type="button" class="primary" onClick={() => saveSetting.open()}>
+          {words.asNew}
+        </button>
+      </div>
+    </>
+  );
+}

@@ -1,0 +1,77 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import type { Setting } from '../../program/index.js';
+import { newId } from '../session/library.js';
+import type { Session } from '../session/session.js';
+
+/**
+ * The dialog that keeps what is on the screen.
+ * - `name`: as what, and under which model.
+ * - `elsewhere`: another tab has saved the open setting meanwhile: what shall be kept?
+ */
+export type SaveStep = { readonly step: 'name' } | { readonly step: 'elsewhere'; readonly theirs: Setting };
+
+/** What the pilot has said of a new setting. */
+export interface Named {
+  readonly name: string;
+  readonly note: string;
+  /** The id of a model; null: none; or the name of a new one. */
+  readonly model: string | null | { readonly name: string };
+}
+
+/** Keeps the program on the screen in the library. */
+export class SaveSetting {
+  readonly #current = signal<SaveStep | null>(null, { name: 'saveSetting' });
+  readonly current: ReadonlySignal<SaveStep | null> = this.#current;
+  readonly #session: Session;
+
+  constructor(session: Session) {
+    this.#session = session;
+  }
+
+  /** Asks as what the program shall be kept. */
+  open(): void {
+    if (this.#session.editor.working.peek()) this.#current.value = { step: 'name' };
+  }
+
+  /** Saves the open setting; asks where another tab has saved it, and where none is open. */
+  async save(): Promise<void> {
+    const { shown, unsaved, savable } = this.#session.opened;
+    const setting = shown.peek()?.setting;
+    if (!setting || !savable.peek()) return this.open();
+    if (unsaved.peek()?.elsewhere) this.#current.value = { step: 'elsewhere', theirs: setting };
+    else await this.#session.opened.save();
+  }
+
+  /** What another tab has saved gives way. */
+  async replace(): Promise<void> {
+    this.#current.value = null;
+    await this.#session.opened.save();
+  }
+
+  /** What another tab has saved comes to the screen, as a step that undo takes back. */
+  take(): void {
+    this.#current.value = null;
+    this.#session.opened.takeSaved();
+  }
+
+  /** @returns once the browser has kept it, or has not; it is in the library at once. */
+  async saveAs({ name, note, model }: Named): Promise<void> {
+    const { library, opened, editor } = this.#session;
+    const timerClass = editor.identity.peek()?.timerClass ?? null;
+    if (!opened.savable.peek()) return;
+    this.#current.value = null;
+    const isNew = model !== null && typeof model === 'object';
+    const id = isNew ? newId() : model;
+    const keeping = isNew && id !== null ? library.keepModel(emptyModel(id, model.name, timerClass)) : null;
+    await Promise.all([keeping, opened.saveAs({ model: id, name, note })]);
+  }
+
+  dismiss(): void {
+    this.#current.value = null;
+  }
+}
+
+/** A model of which nothing but its name is known, and perhaps the class of its timer. */
+export function emptyModel(id: string, name: string, timerClass: string | null) {
+  return { id, name, timerClass, note: '', servos: [], memoryNames: [], photo: null, archived: false } as const;
+}

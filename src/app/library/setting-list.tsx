@@ -1,0 +1,108 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { dateText } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { SettingRecord } from '../storage/index.js';
+import { memo } from '../ui/memo.js';
+import { Arrange } from './arrange.js';
+import type { Browse } from './browse.js';
+import { addressOf } from './place.js';
+
+interface SettingListProps {
+  readonly session: Session;
+  readonly browse: Browse;
+  readonly records: readonly SettingRecord[];
+  /** The id of the one that is chosen. */
+  readonly chosen: string | null;
+  /** They are of many models: each says of which. */
+  readonly withModel?: boolean;
+  /** Whether they can be put into another order now. */
+  readonly arranging?: boolean;
+}
+
+/** Settings, one in a row. Of a long list only what is near is drawn. */
+export function SettingList({ session, browse, records, chosen, withModel, arranging = false }: SettingListProps) {
+  const { settings, models } = session.library;
+  const room = browse.room.value;
+  const open = session.openSetting.value?.setting?.id ?? null;
+  const unsaved = settings.unsaved.value;
+  return (
+    <>
+      <Arrange
+        on={arranging}
+        class="library-list library-settings"
+        items={arranging ? records : records.slice(0, room)}
+        nameOf={({ setting }) => setting.name}
+        onMove={(keys) => void session.library.arrange(settings, keys)}
+      >
+        {(record) => (
+          <SettingRow
+            record={record}
+            address={addressOf(models.get(record.setting.model)?.key ?? null, record.key)}
+            model={withModel ? (models.get(record.setting.model)?.model.name ?? '') : ''}
+            isChosen={chosen === record.key}
+            isOpen={open === record.key}
+            isKept={!unsaved.has(record.key)}
+          />
+        )}
+      </Arrange>
+      {!arranging && records.length > room && <More key={room} browse={browse} left={records.length - room} />}
+    </>
+  );
+}
+
+interface SettingRowProps {
+  readonly record: SettingRecord;
+  readonly address: string;
+  readonly model: string;
+  readonly isChosen: boolean;
+  readonly isOpen: boolean;
+  readonly isKept: boolean;
+}
+
+const SettingRow = memo(SettingRowContent, ['record', 'address', 'model', 'isChosen', 'isOpen', 'isKept']);
+
+function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }: SettingRowProps) {
+  const words = libraryMessages.value;
+  const { name, at, tags, archived, program } = record.setting;
+  const [dt] = keyFigures(program);
+  return (
+    <a class="library-item" href={address} aria-current={isChosen ? 'true' : undefined}>
+      <span class="library-line">
+        <b>{name}</b>
+        <span>{dt && `${dt.label} ${dt.text}`}</span>
+      </span>
+      <span>
+        {[
+          model,
+          isOpen && words.list.open,
+          dateText(at),
+          ...tags,
+          archived && words.models.archived,
+          !isKept && words.unkept.mark,
+        ]
+          .filter(Boolean)
+          .join(' · ')}
+      </span>
+    </a>
+  );
+}
+
+/** The way to the rest of a long list, which takes itself when its place comes near. */
+function More({ browse, left }: { readonly browse: Browse; readonly left: number }) {
+  const { list } = libraryMessages.value;
+  const place = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    const isNear = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && browse.showMore(), {
+      rootMargin: '1200px',
+    });
+    if (place.current) isNear.observe(place.current);
+    return () => isNear.disconnect();
+  }, [browse]);
+  return (
+    <button type="button" class="quiet" ref={place} onClick={() => browse.showMore()}>
+      {list.more(left)}
+    </button>
+  );
+}

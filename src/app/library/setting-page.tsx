@@ -1,0 +1,199 @@
+import { useSignal } from '@preact/signals';
+import { LIMITS, type Setting } from '../../program/index.js';
+import { clockText, messages, timerName } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import { libraryMessages } from '../messages/library.js';
+import { newId } from '../session/library.js';
+import type { Session } from '../session/session.js';
+import type { SettingRecord } from '../storage/index.js';
+import { SmallLanes } from '../timeline/small-lanes.js';
+import { addressOf, addressPath, NO_MODEL } from './place.js';
+import type { Places } from './places.js';
+import { asTags, tagsText } from './tags.js';
+import { TextField } from './text-field.js';
+import './setting-page.css';
+
+interface SettingPageProps {
+  readonly session: Session;
+  readonly places: Places;
+  /** Null: it is not in the library. */
+  readonly setting: SettingRecord | null;
+  /** Where its settings are not in sight, the model that it belongs to, as in the address: the way back. */
+  readonly back: string | null;
+  /** What was opened is to be seen. */
+  readonly onProgram: () => void;
+  readonly onGo: (path: string) => void;
+}
+
+/** One setting: its picture and figures, what was noted, and what can be done with it. */
+export function SettingPage(props: SettingPageProps) {
+  const { session, places, setting: record, back, onGo } = props;
+  const words = libraryMessages.value;
+  const { library } = session;
+  const way = back !== null && (
+    <a class="library-back" href={addressOf(back)}>
+      {words.models.back(
+        back === NO_MODEL ? words.models.loose : (library.models.get(back)?.model.name ?? words.models.all),
+      )}
+    </a>
+  );
+  if (!record) {
+    return (
+      <>
+        {way}
+        <p class="hint">{words.setting.gone}</p>
+      </>
+    );
+  }
+  const { setting } = record;
+  const model = library.models.get(setting.model) ?? null;
+  const { program } = setting;
+  const change = (changed: Partial<Setting>): void => {
+    // Onto what the library holds by now: another tab may have changed another part of it.
+    const now = library.settings.get(record.key)?.setting ?? setting;
+    void library.keepSetting({ ...now, ...changed });
+  };
+  return (
+    <article class="setting-page" aria-label={setting.name}>
+      {way}
+      <h2 class="setting-title">{setting.name}</h2>
+      {setting.note !== '' && <p class="setting-note">{setting.note}</p>}
+      <div class="setting-lanes">
+        <SmallLanes program={program} />
+      </div>
+      <dl class="setting-figures">
+        {keyFigures(program).map(({ label, text }) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>{text}</dd>
+          </div>
+        ))}
+      </dl>
+      <div class="buttons">
+        <OpenButton {...props} record={record} />
+        {places.settingButtons(record, model)}
+      </div>
+      {places.settingSections(record, model)}
+      <TextField
+        label={words.setting.name}
+        value={setting.name}
+        longest={LIMITS.name}
+        required
+        onSave={(name) => change({ name })}
+      />
+      <TextField
+        label={words.setting.note}
+        value={setting.note}
+        longest={LIMITS.note}
+        lines={2}
+        onSave={(note) => change({ note })}
+      />
+      <TextField
+        label={words.setting.tags}
+        value={tagsText(setting.tags)}
+        longest={LIMITS.tags * (LIMITS.tag + 2)}
+        hint={words.setting.tagsHint}
+        onSave={(text) => change({ tags: asTags(text) })}
+      />
+      <label class="library-field">
+        <span>{words.setting.move}</span>
+        <select
+          value={model?.key ?? ''}
+          onChange={(event) => {
+            const to = event.currentTarget.value || null;
+            change({ model: to });
+            onGo(addressPath(to, record.key));
+          }}
+        >
+          <option value="">{words.setting.noModel}</option>
+          {library.models.list.value.map(({ key, model: each }) => (
+            <option key={key} value={key}>
+              {each.name}
+            </option>
+          ))}
+        </select>
+      </label>
+      <p class="hint">
+        {words.setting.origin(words.setting.from[setting.from], clockText(setting.at))}
+        {'. '}
+        {originText(program)}
+      </p>
+      <div class="buttons">
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            const copy = { ...setting, id: newId(), name: shortened(words.setting.copyName(setting.name)) };
+            void library.keepSetting(copy);
+            onGo(addressPath(model?.key ?? null, copy.id));
+          }}
+        >
+          {words.setting.duplicate}
+        </button>
+        <button type="button" class="quiet" onClick={() => change({ archived: !setting.archived })}>
+          {setting.archived ? words.setting.unarchive : words.setting.archive}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            library.settings.remove(record.key);
+            onGo(addressPath(model?.key ?? null));
+          }}
+        >
+          {words.setting.remove}
+        </button>
+      </div>
+    </article>
+  );
+}
+
+function OpenButton({ session, record, onProgram }: SettingPageProps & { readonly record: SettingRecord }) {
+  const words = libraryMessages.value;
+  const { opened, connection } = session;
+  const failed = useSignal(false);
+  const isOpen = session.openSetting.value?.setting?.id === record.key;
+  const obstacle = opened.obstacle(record.setting.program);
+  const unsaved = isOpen ? opened.unsaved.value : null;
+  const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);
+  const show = async (): Promise<void> => {
+    failed.value = !(await session.showSetting(record.setting));
+    if (!failed.peek()) onProgram();
+  };
+  if (isOpen) {
+    return (
+      <>
+        <button type="button" class="primary" onClick={onProgram}>
+          {words.setting.isOpen}
+        </button>
+        {count > 0 && <p class="hint setting-unsaved">{words.setting.unsaved(count)}</p>}
+      </>
+    );
+  }
+  return (
+    <>
+      <button type="button" class="primary" disabled={obstacle !== null} onClick={() => void show()}>
+        {connection.value ? words.setting.load : words.setting.open}
+      </button>
+      {obstacle !== null && <p class="hint setting-unsaved">{words.setting.obstacles[obstacle]}</p>}
+      {obstacle === null && failed.value && (
+        <p class="bad-text setting-unsaved" role="alert">
+          {words.setting.notShown}
+        </p>
+      )}
+    </>
+  );
+}
+
+/** What timer it is for. One that was made here is of no firmware. */
+function originText({ identity, memory }: Setting['program']): string {
+  const { setting } = libraryMessages.value;
+  const firmware = identity.firmware === '000' ? null : identity.firmware;
+  const functions = identity.functions - 1;
+  const timer = setting.timer(timerName(identity), firmware, functions, identity.servos);
+  return memory === null ? timer : `${timer}, ${messages.value.memoryName(memory)}`;
+}
+
+function shortened(name: string): string {
+  return name.slice(-LIMITS.name);
+}

@@ -1,0 +1,179 @@
+import type { SettingSource } from '../../program/index.js';
+import { plural } from './plural.js';
+
+/** Models and their settings. They come with the parts of the page that show them. */
+export const library = {
+  title: 'Library',
+  coming: 'Loading what this device keeps',
+  empty: {
+    title: 'No model yet',
+    lead: 'A model holds its settings: programs that you keep under a name, with notes, on this device alone.',
+    hint: 'Make a model, or save the program on the screen.',
+  },
+  search: {
+    label: 'Search settings',
+    placeholder: 'Search',
+    found: (count: number) => plural(count, 'setting', 'settings'),
+    nothing: 'No setting has all of these words in its name, note, tags or model.',
+  },
+  models: {
+    title: 'Models',
+    all: 'All models',
+    /** The way back to what lies above. */
+    back: (name: string) => `‹ ${name}`,
+    make: 'New model…',
+    settings: (count: number) => plural(count, 'setting', 'settings'),
+    loose: 'Without a model',
+    archive: (count: number) => `Archive (${count})`,
+    hideArchive: 'Hide the archive',
+    archived: 'archived',
+    noClass: 'class not said',
+    choose: 'Choose a model',
+  },
+  list: {
+    open: 'on the screen',
+    more: (count: number) => `Show more: ${count} left`,
+  },
+  arrange: {
+    start: 'Arrange',
+    done: 'Done',
+    hint: 'Drag a row by its handle, or use its arrows.',
+    drag: (name: string) => `Drag ${name}`,
+    up: (name: string) => `Move ${name} up`,
+    down: (name: string) => `Move ${name} down`,
+    signs: { up: '↑', down: '↓', drag: '⠿' },
+    moved: (name: string, place: number, of: number) => `${name}: ${place} of ${of}`,
+  },
+  model: {
+    name: 'Name',
+    timerClass: 'Class',
+    noClass: 'Not said',
+    note: 'Note',
+    noSettings: 'No setting yet. Open a program and save it here, or make a new one.',
+    makeSetting: 'New setting…',
+    memories: 'Names of its memories',
+    memoriesHint: 'What you call them, such as “calm” or “fly-off”. They stand wherever this timer is shown.',
+    servos: 'Servos',
+    servosHint: 'What each servo moves, and between which steps.',
+    servosUnknown: 'Not said yet.',
+    servosNoProgram: 'Keep a setting of this model first: it says how many servos there are.',
+    servosChange: 'Name the servos…',
+    servoWay: (low: number, high: number) => `${low} to ${high} steps`,
+    photoOf: (name: string) => `Picture of ${name}`,
+    takePhoto: 'Add a picture…',
+    changePhoto: 'Change the picture…',
+    removePhoto: 'Remove the picture',
+    photoFailed: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
+    archive: 'Archive',
+    unarchive: 'Take out of the archive',
+    remove: 'Delete the model',
+    withSettings: (count: number) =>
+      `If you delete it, its ${plural(count, 'setting goes', 'settings go')} with it. Undo brings all back.`,
+  },
+  setting: {
+    open: 'Open',
+    isOpen: 'On the screen: look at it',
+    load: 'Load into the table',
+    name: 'Name',
+    note: 'Note',
+    tags: 'Tags',
+    tagsHint: 'Words with commas between them, such as: calm, fly-off.',
+    from: {
+      typed: 'typed',
+      timer: 'read from a timer',
+      simulated: 'read from a simulated timer',
+      backup: 'from a backup',
+      file: 'from a file',
+      link: 'from a link',
+    } satisfies Record<SettingSource, string>,
+    origin: (source: string, time: string) => `${source}, ${time}`,
+    timer: (name: string, firmware: string | null, functions: number, servos: number) =>
+      [
+        name,
+        firmware === null ? null : `firmware ${firmware}`,
+        plural(functions, 'function', 'functions'),
+        plural(servos, 'servo', 'servos'),
+      ]
+        .filter(Boolean)
+        .join(', '),
+    duplicate: 'Duplicate',
+    copyName: (name: string) => `${name}, copy`,
+    move: 'Model',
+    noModel: 'None',
+    archive: 'Archive',
+    unarchive: 'Take out of the archive',
+    remove: 'Delete',
+    notShown: 'It could not be opened now. Try again.',
+    gone: 'This setting is not in the library any more.',
+    modelGone: 'This model is not in the library any more.',
+    unsaved: (count: number) => `${plural(count, 'change', 'changes')} on the screen not saved`,
+    obstacles: {
+      busy: 'Wait until the timer is free.',
+      following: 'The servos follow what is edited: end that first.',
+      'other-class': 'The timer that is connected is of another class. Disconnect it to open this setting.',
+      'other-layout':
+        'The timer that is connected has another number of functions or servos. Disconnect it to open this setting.',
+    },
+  },
+  save: {
+    /** Where nothing of the library is open. */
+    open: 'Save to library…',
+    again: 'Save',
+    againOf: (name: string) => `Save “${name}”`,
+    asNew: 'Save as new…',
+    title: 'Save to library',
+    name: 'Name of the setting',
+    namePlace: 'such as: fly-off, calm',
+    model: 'Model',
+    newModel: 'New model',
+    noModel: 'No model',
+    modelName: 'Name of the model',
+    note: 'Note',
+    save: 'Save',
+    cancel: 'Cancel',
+    notSavable: 'A field has no value that a timer can hold. Correct it first.',
+    state: (name: string, changes: number, unreadable: number) =>
+      changes + unreadable === 0
+        ? `${name}: saved`
+        : `${name}: ${plural(changes + unreadable, 'change', 'changes')} not saved`,
+    elsewhere: {
+      title: 'Another tab has saved this setting since you opened it.',
+      lead: (count: number) =>
+        count === 0
+          ? 'It holds what you have on the screen.'
+          : `What it holds differs from your screen in ${plural(count, 'value', 'values')}. Nothing of either is lost until you choose.`,
+      direction: 'What is saved there → what is on your screen:',
+      more: (count: number) => `And ${count} more.`,
+      replace: 'Replace it with mine',
+      asNew: 'Save mine as new…',
+      take: 'Take over what was saved there',
+    },
+  },
+  newModel: {
+    title: 'New model',
+    make: 'Make the model',
+    cancel: 'Cancel',
+  },
+  newSetting: {
+    title: 'New setting',
+    beginnings: { usual: 'Usual times', nothing: 'Nothing, all 0' },
+    make: 'Make the setting',
+  },
+  /** Deleted a moment ago. */
+  removed: {
+    title: (models: number, settings: number) =>
+      `${[models > 0 && plural(models, 'model', 'models'), settings > 0 && plural(settings, 'setting', 'settings')]
+        .filter(Boolean)
+        .join(' and ')} deleted.`,
+    undo: 'Undo',
+  },
+  unkept: {
+    title: 'This browser does not keep the library.',
+    advice: 'What you see lasts only while this page is open. Export it to a file before you close the page.',
+    mark: 'not kept by this browser',
+  },
+  nameNeeded: 'A name is needed: the one before is kept.',
+  /** Somebody else has changed the same text. */
+  theirs: (text: string) => `Another tab has saved here meanwhile: “${text}”. Yours is kept.`,
+  takeTheirs: 'Take that',
+};

@@ -1,0 +1,221 @@
+import { computed, effect, type ReadonlySignal, untracked } from '@preact/signals';
+import {
+  type Model,
+  requireProgram,
+  type Setting,
+  type SettingSource,
+  sameLayout,
+  type TimerProgram,
+} from '../../program/index.js';
+import { changesSince, type SettingOf } from '../editing/content.js';
+import { replaceAll } from '../editing/edit.js';
+import type { Draft } from '../storage/index.js';
+import { newId } from './library.js';
+import { fitsOnto } from './reader.js';
+import type { Session } from './session.js';
+
+/** A setting that is open, and the model that it belongs to. */
+export interface Opened {
+  readonly model: Model | null;
+  readonly setting: Setting | null;
+}
+
+/**
+ * Why a setting cannot be shown now.
+ * - `busy`: a job has the wire, or a timer is looked for.
+ * - `following`: the servos follow what is edited.
+ * - `other-class`, `other-layout`: the timer that is connected cannot take it.
+ */
+export type ShowObstacle = 'busy' | 'following' | 'other-class' | 'other-layout';
+
+/** How the program on the screen stands to the setting that it belongs to. */
+export interface Unsaved {
+  /** How many values differ from what the library holds. */
+  readonly changes: number;
+  /** Fields in which a text stands that is no value. */
+  readonly unreadable: number;
+  /** The library holds something else than when it was opened here: another tab has saved it. */
+  readonly elsewhere: boolean;
+}
+
+/** What a new setting is called, and where it goes. */
+export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags' | 'from'>> {}
+
+interface Screen {
+  /** Shows a program of no timer. */
+  show(program: TimerProgram, of: SettingOf): void;
+  showDraft(draft: Draft): void;
+  /** What is kept of unsaved changes of a setting. */
+  kept(id: string): Promise<Draft | undefined>;
+}
+
+/** Which setting of the library the program on the screen belongs to; the way in, and the way back. */
+export class OpenSetting {
+  /** Null: the program belongs to none. A setting that was deleted comes back with its undo. */
+  readonly shown: ReadonlySignal<Opened | null>;
+  /** Null where no setting is open. */
+  readonly unsaved: ReadonlySignal<Unsaved | null>;
+  /** Whether what is on the screen can be kept: no field is without a value, and no value beyond what a timer holds. */
+  readonly savable: ReadonlySignal<boolean>;
+  readonly #session: Session;
+  readonly #screen: Screen;
+  #following: ReadonlySignal<boolean> | null = null;
+
+  constructor(session: Session, screen: Screen) {
+    this.#session = session;
+    this.#screen = screen;
+    const { editor, library } = session;
+    const record = computed(() => library.settings.get(editor.of.value?.id ?? null));
+    this.shown = computed(() => {
+      const setting = record.value?.setting;
+      return setting ? { setting, model: library.models.get(setting.model)?.model ?? null } : null;
+    });
+    this.unsaved = computed(() => {
+      const of = editor.of.value;
+      const working = editor.working.value;
+      const held = record.value?.setting.program;
+      if (!of || !working || !held) return null;
+      const changes = sameLayout(held.identity, working.identity) ? changesSince(held, working).length : Infinity;
+      return { changes, unreadable: editor.unreadable.value.size, elsewhere: !isSame(of.saved, held) };
+    });
+    this.savable = computed(() => {
+      const working = editor.working.value;
+      return working !== null && editor.unreadable.value.size === 0 && isStorable(working);
+    });
+    effect(() => this.#follow());
+  }
+
+  /** Nothing is shown as long as this is true: the servos would move with it. */
+  notWhile(following: ReadonlySignal<boolean>): void {
+    this.#following = following;
+  }
+
+  /** Why a program cannot come to the screen now; null when it can. */
+  obstacle(program: TimerProgram): ShowObstacle | null {
+    const { connection, engaged, editor } = this.#session;
+    if (engaged.value) return 'busy';
+    if (!connection.value) return null;
+    if (this.#following?.value) return 'following';
+    const held = editor.baseline.value;
+    if (!held) return 'busy';
+    if (fitsOnto(program, held)) return null;
+    return program.identity.timerClass === held.identity.timerClass ? 'other-layout' : 'other-class';
+  }
+
+  /**
+   * A setting comes to the screen: with changes of it that were not saved where some are kept, to be edited without a
+   * timer; or over what the connected timer holds, as one step.
+   * @returns whether it is shown.
+   */
+  async show(setting: Setting): Promise<boolean> {
+    if (this.obstacle(setting.program)) return false;
+    const { editor, connection, notices } = this.#session;
+    const of = { id: setting.id, saved: setting.program };
+    if (connection.value) {
+      const { working } = editor;
+      if (!working.value) return false;
+      const name = { code: 'load-setting', params: { name: setting.name } } as const;
+      const { times, positions, idleThrottle } = setting.program;
+      const wanted = {
+        ...working.value,
+        times,
+        positions,
+        idleThrottle: idleThrottle ?? working.value.idleThrottle,
+      };
+      return editor.apply({ ...replaceAll(name, wanted), of }) === null;
+    }
+    if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
+    const kept = await this.#screen.kept(setting.id);
+    // A timer may have come meanwhile.
+    if (this.obstacle(setting.program) || connection.value) return false;
+    notices.dismiss();
+    // It is of no memory: what is known of one says nothing about it.
+    if (kept) this.#screen.showDraft(kept);
+    else this.#screen.show({ ...setting.program, memory: null }, of);
+    return true;
+  }
+
+  /**
+   * What is on the screen takes the place of what the library holds of the open setting.
+   * @returns whether the browser has kept it; it is in the library in any case.
+   */
+  async save(): Promise<boolean> {
+    const opened = this.shown.peek()?.setting;
+    const program = this.#program();
+    if (!opened || !program) return false;
+    const memory = program.memory ?? opened.program.memory;
+    const setting: Setting = {
+      ...opened,
+      program: { ...program, memory: memory !== null && memory < program.identity.memories ? memory : null },
+      at: Date.now(),
+      from: this.source(),
+    };
+    return await this.#keep(setting);
+  }
+
+  /**
+   * What is on the screen is kept as a new setting, which is open from then on.
+   * @returns whether the browser has kept it; it is in the library in any case.
+   */
+  async saveAs({ model, name, note = '', tags = [], from = this.source() }: NewSetting): Promise<boolean> {
+    const program = this.#program();
+    if (!program) return false;
+    const setting = { id: newId(), model, name, note, tags, at: Date.now(), program, from, archived: false };
+    return await this.#keep(setting);
+  }
+
+  /** What the library holds of the open setting comes to the screen, as one step. */
+  takeSaved(): void {
+    const { editor } = this.#session;
+    const setting = this.shown.peek()?.setting;
+    const working = editor.working.peek();
+    if (!setting || !working || !sameLayout(setting.program.identity, working.identity)) return;
+    const of = { id: setting.id, saved: setting.program };
+    editor.apply({ ...replaceAll({ code: 'saved-elsewhere', params: {} }, setting.program), of });
+  }
+
+  /** Where the values on the screen come from. */
+  source(): SettingSource {
+    const { editor, simulated } = this.#session;
+    if (editor.baseline.peek() === null || editor.dirty.peek()) return 'typed';
+    return simulated.peek() ? 'simulated' : 'timer';
+  }
+
+  #program(): TimerProgram | null {
+    return this.savable.peek() ? this.#session.editor.working.peek() : null;
+  }
+
+  async #keep(setting: Setting): Promise<boolean> {
+    const { library, editor } = this.#session;
+    const keeping = library.keepSetting(setting);
+    editor.saved({ id: setting.id, saved: setting.program });
+    await keeping;
+    return !library.settings.unsaved.peek().has(setting.id);
+  }
+
+  /** Another tab has saved what is open here, unchanged and of no timer: it follows, and undo brings it back. */
+  #follow(): void {
+    const { editor, library } = this.#session;
+    const of = editor.of.value;
+    const held = of && library.settings.get(of.id)?.setting.program;
+    const working = editor.working.peek();
+    if (!of || !held || !working || editor.madeAt.peek() === null || isSame(of.saved, held)) return;
+    const fits =
+      sameLayout(held.identity, working.identity) && held.identity.timerClass === working.identity.timerClass;
+    if (!fits || editor.unreadable.peek().size > 0 || !isSame(of.saved, working)) return;
+    untracked(() => this.takeSaved());
+  }
+}
+
+function isSame(a: TimerProgram, b: TimerProgram): boolean {
+  return sameLayout(a.identity, b.identity) && changesSince(a, b).length === 0;
+}
+
+function isStorable(program: TimerProgram): boolean {
+  try {
+    requireProgram(program);
+    return true;
+  } catch {
+    return false;
+  }
+}
