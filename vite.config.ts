@@ -88,7 +88,7 @@ const offline = VitePWA({
   injectManifest: {
     globPatterns: ['**/*'],
     // The way out for whoever publishes the page, and what the page itself never asks for.
-    globIgnores: ['kill-sw.js', 'inter-license.txt', '*.png', 'screenshots/*'],
+    globIgnores: ['kill-sw.js', 'library.schema.json', 'inter-license.txt', '*.png', 'screenshots/*'],
     manifestTransforms: [
       async (entries) => ({
         manifest: entries.map(({ url, size }) => ({

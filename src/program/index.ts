@@ -18,6 +18,7 @@ export {
   type Library,
   type Model,
   requireFlight,
+  requireLibrary,
   requireModel,
   requireProgram,
   requireSetting,
@@ -26,6 +27,17 @@ export {
   type SettingSource,
   SOURCES,
 } from './library.js';
+export {
+  type EntryFacts,
+  type FactsOf,
+  FILE_FORMAT,
+  FILE_VERSION,
+  formatLibraryFile,
+  type LibraryFile,
+  MAX_FILE,
+  parseLibraryFile,
+  type VerifiedMemory,
+} from './library-file.js';
 export { decodeLink, encodeLink, LINK_MARK, type SharedSetting } from './link-code.js';
 export {
   fieldKey,

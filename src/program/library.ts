@@ -1,4 +1,4 @@
-import { type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
+import { CodecError, type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
 import { requireShape, type TimerProgram } from './program.js';
 import { date, flag, id, list, measured, record, refuse, text, whole, within, word } from './require.js';
 
@@ -186,22 +186,42 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
 }
 
 /**
+ * Makes sure that a value is a library. The fields of its errors begin with `models[3]`, `settings[0]`, `flights[7]`.
+ * @throws CodecError as {@link requireModel}; also `duplicate` for an id that stands twice in one list.
+ */
+export function requireLibrary(value: unknown): Library {
+  const of = record<Library>(value, 'library');
+  return {
+    models: entries(of.models, 'models', requireModel),
+    settings: entries(of.settings, 'settings', requireSetting),
+    flights: entries(of.flights, 'flights', requireFlight),
+  };
+}
+
+/** A list of the library, each with an id of its own. */
+export function entries<T extends { readonly id: string }>(
+  value: unknown,
+  path: string,
+  require: (value: unknown, path: string) => T,
+): readonly T[] {
+  const ids = new Set<string>();
+  return list(value, path, Number.POSITIVE_INFINITY).map((each, at) => {
+    const entry = require(each, `${path}[${at}]`);
+    const field = `${path}[${at}].id`;
+    if (ids.has(entry.id)) throw new CodecError('duplicate', field, `${field} stands twice`, { value: entry.id });
+    ids.add(entry.id);
+    return entry;
+  });
+}
+
+/**
  * Makes sure that a value is a program that a timer can hold: positions and idle throttle up to 255, for a timer may
  * hold what nobody should set.
  * @throws CodecError as {@link requireModel}; also `bad-identity`.
  */
 export function requireProgram(value: unknown, path = 'program'): TimerProgram {
   const of = record<TimerProgram>(value, path);
-  const said = record<Identity>(of.identity, `${path}.identity`);
-  const identity = {
-    timerClass: said.timerClass,
-    firmware: said.firmware,
-    functions: said.functions,
-    memories: said.memories,
-    servos: said.servos,
-  } as Identity;
-  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${path}.identity.${name}`, 3);
-  within(path, () => requireIdentity(identity));
+  const identity = identityOf(of.identity, `${path}.identity`);
   const program: TimerProgram = {
     identity,
     memory:
@@ -221,6 +241,18 @@ export function requireProgram(value: unknown, path = 'program'): TimerProgram {
   };
   within(path, () => requireShape(program));
   return program;
+}
+
+/** Makes sure that a value is what a timer can say of itself. */
+export function identityOf(value: unknown, path: string): Identity {
+  const { timerClass, firmware, functions, memories, servos } = record<Identity>(value, path);
+  const identity = { timerClass, firmware, functions, memories, servos } as Identity;
+  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${path}.${name}`, 3);
+  for (const name of ['functions', 'memories', 'servos'] as const) {
+    if (typeof identity[name] !== 'number') refuse('wrong-type', `${path}.${name}`, 'a number', identity[name]);
+  }
+  within(path.replace(/\.?identity$/, ''), () => requireIdentity(identity));
+  return identity;
 }
 
 function servoUse(value: unknown, path: string): ServoUse {

@@ -6,6 +6,7 @@ import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import fc from 'fast-check';
 import { PageDecoder } from '../protocol/reference.js';
+import { KEPT_LAWS } from './kept-laws.js';
 import { LAWS } from './laws.js';
 import { hex, stream } from './streams.js';
 
@@ -26,18 +27,19 @@ const WARM_UP = 3;
 
 /**
  * Runs rounds of all laws until it is told to stop or one of them fails. Round n of seed s is round 0 of seed s + n.
- * @param {Protocol} protocol
- * @param {{ seed: number, cases: number, more: (round: number, cases: number) => boolean }} options cases: of each law
- * in each round
+ * @template {Protocol} P
+ * @param {P} protocol
+ * @param {{ seed: number, cases: number, more: (round: number, cases: number) => boolean,
+ *   laws?: Record<string, (protocol: P) => fc.IProperty<any>> }} options cases: of each law in each round
  * @returns {{ cases: number, failure: Failure | null }}
  */
-export function fuzz(protocol, { seed, cases, more }) {
+export function fuzz(protocol, { seed, cases, more, laws = LAWS }) {
   const marathon = longLived(protocol);
   const heap = [];
   let done = 0;
   for (let round = 0; more(round, done); round++) {
     const roundSeed = (seed + round) | 0;
-    for (const [law, property] of Object.entries(LAWS)) {
+    for (const [law, property] of Object.entries(laws)) {
       const result = fc.check(property(protocol), {
         seed: roundSeed,
         numRuns: cases,
@@ -91,23 +93,28 @@ async function main() {
   }
   // The built package, as those get it who install it.
   const protocol = await import('../../dist/lib/protocol/index.js');
+  const program = await import('../../dist/lib/program/index.js');
   const begin = performance.now();
   const seconds = () => (performance.now() - begin) / 1000;
   let told = 0;
   stdout.write(`Seed ${seed}, ${minutes} min${globalThis.gc ? '' : ', memory not watched: node --expose-gc'}\n`);
-  const { cases: done, failure } = fuzz(protocol, {
-    seed,
-    cases,
-    more: (round, count) => {
-      if (seconds() > told + 30) {
-        told = seconds();
-        stdout.write(
-          `${told.toFixed(0)} s: round ${round}, ${count} cases, heap ${(memoryUsage().heapUsed / 1e6).toFixed(1)} MB\n`,
-        );
-      }
-      return seconds() < 60 * minutes;
+  const { cases: done, failure } = fuzz(
+    { ...protocol, ...program },
+    {
+      laws: { ...LAWS, ...KEPT_LAWS },
+      seed,
+      cases,
+      more: (round, count) => {
+        if (seconds() > told + 30) {
+          told = seconds();
+          stdout.write(
+            `${told.toFixed(0)} s: round ${round}, ${count} cases, heap ${(memoryUsage().heapUsed / 1e6).toFixed(1)} MB\n`,
+          );
+        }
+        return seconds() < 60 * minutes;
+      },
     },
-  });
+  );
   if (!failure) {
     stdout.write(`${done} cases in ${seconds().toFixed(0)} s: every law held.\n`);
     return 0;

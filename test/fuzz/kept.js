@@ -126,7 +126,7 @@ export const flight = fc.record({
 });
 
 /** @template {{ id: string }} T @param {fc.Arbitrary<T>} of */
-const several = (of) => fc.uniqueArray(of, { maxLength: 4, selector: (each) => each.id });
+const several = (of) => fc.uniqueArray(of, { maxLength: 2, selector: (each) => each.id });
 
 /** @type {fc.Arbitrary<Library>} */
 export const library = fc.record({ models: several(model), settings: several(setting), flights: several(flight) });

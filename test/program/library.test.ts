@@ -86,6 +86,8 @@ describe('a program', () => {
     [{ identity: { ...program.identity, functions: 0 } }, 'bad-identity program.identity.functions'],
     [{ identity: { ...program.identity, firmware: '5x6' } }, 'bad-identity program.identity.firmware'],
     [{ identity: { ...program.identity, firmware: 536 } }, 'wrong-type program.identity.firmware'],
+    // What has no words for itself, and breaks whatever wants to show it.
+    [{ identity: { ...program.identity, servos: Object.create(null) } }, 'wrong-type program.identity.servos'],
     [{ identity: { ...program.identity, servos: 255 } }, 'bad-identity program.identity.servos'],
   ])('with %j is refused: %s', (change, refused) => {
     expect(codeOf(() => requireProgram({ ...program, ...change }))).toBe(refused);

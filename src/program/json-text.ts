@@ -1,0 +1,200 @@
+import { CodecError } from '../protocol/index.js';
+
+/*
+ * JSON with what `JSON.parse` does not tell: where a fault stands, also one that is found later by the path of a value;
+ * names that stand twice; and a limit of depth in place of a stack that overflows. Names such as `__proto__` are names
+ * like any other.
+ */
+
+/** Deeper than anything that a pilot keeps. */
+const DEEPEST = 32;
+/** Lines as wide as this still fit on a screen, or on a sheet of paper that lies on its side. */
+const WIDEST = 110;
+
+/** Hears where each value begins, by its path: `settings[3].name`. */
+type Listener = (path: string, offset: number) => void;
+
+/** @throws CodecError `bad-file` with `text` or `end` as field, `duplicate`, `too-large`; all with line and column. */
+export function readJson(text: string): unknown {
+  return new JsonReader(text, null).read();
+}
+
+/** Where a value begins, or where what it is missing from begins; line and column count from 1. */
+export function placeOf(text: string, path: string): { line: number; column: number } {
+  let best = { path: '', offset: 0 };
+  new JsonReader(text, (at, offset) => {
+    const next = path[at.length];
+    const within = at === '' || (path.startsWith(at) && (next === undefined || next === '.' || next === '['));
+    if (within && at.length >= best.path.length) best = { path: at, offset };
+  }).read();
+  return lineAndColumn(text, best.offset);
+}
+
+function lineAndColumn(text: string, offset: number): { line: number; column: number } {
+  const lines = text.slice(0, offset).split(/\r\n|\r|\n/);
+  return { line: lines.length, column: (lines.at(-1) as string).length + 1 };
+}
+
+/** All but quotes, backslashes and control characters. */
+const PLAIN = /[ !#-[\]-\uffff]*/y;
+const NUMBER = /-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
+const ESCAPED = new Map([...'"\\/bfnrt'].map((letter, at) => [letter, '"\\/\b\f\n\r\t'[at] as string]));
+const WORDS = new Map<string, unknown>([
+  ['true', true],
+  ['false', false],
+  ['null', null],
+]);
+
+class JsonReader {
+  readonly #text: string;
+  readonly #listener: Listener | null;
+  #at = 0;
+
+  constructor(text: string, listener: Listener | null) {
+    this.#text = text;
+    this.#listener = listener;
+  }
+
+  read(): unknown {
+    const value = this.#value('', 0);
+    this.#space();
+    if (this.#at < this.#text.length) this.#refuse('something follows the end');
+    return value;
+  }
+
+  #value(path: string, depth: number): unknown {
+    this.#space();
+    this.#listener?.(path, this.#at);
+    if (depth > DEEPEST) {
+      throw this.#error('too-large', path, `nested deeper than ${DEEPEST}`, { max: DEEPEST });
+    }
+    const next = this.#text[this.#at];
+    if (next === '{') return this.#object(path, depth);
+    if (next === '[') return this.#list(path, depth);
+    if (next === '"') return this.#string();
+    for (const [word, value] of WORDS) {
+      if (!this.#text.startsWith(word, this.#at)) continue;
+      this.#at += word.length;
+      return value;
+    }
+    NUMBER.lastIndex = this.#at;
+    const [number] = NUMBER.exec(this.#text) ?? [];
+    if (number === undefined) this.#refuse('a value must stand here');
+    this.#at += number.length;
+    return Number(number);
+  }
+
+  #object(path: string, depth: number): object {
+    const found: Record<string, unknown> = Object.create(null);
+    this.#each('}', () => {
+      this.#space();
+      const from = this.#at;
+      if (this.#text[this.#at] !== '"') this.#refuse('a name must stand here');
+      const name = this.#string();
+      const inside = path === '' ? name : `${path}.${name}`;
+      if (name in found) throw this.#error('duplicate', inside, 'this name stands twice', { value: name }, from);
+      this.#space();
+      this.#take(':');
+      found[name] = this.#value(inside, depth + 1);
+    });
+    return found;
+  }
+
+  #list(path: string, depth: number): unknown[] {
+    const found: unknown[] = [];
+    this.#each(']', () => {
+      found.push(this.#value(`${path}[${found.length}]`, depth + 1));
+    });
+    return found;
+  }
+
+  /** Goes through what stands between brackets, with commas between. */
+  #each(end: string, one: () => void): void {
+    this.#at++;
+    this.#space();
+    if (this.#text[this.#at] === end) {
+      this.#at++;
+      return;
+    }
+    for (;;) {
+      one();
+      this.#space();
+      if (this.#text[this.#at] !== ',') break;
+      this.#at++;
+    }
+    this.#take(end);
+  }
+
+  #string(): string {
+    this.#at++;
+    let found = '';
+    for (;;) {
+      PLAIN.lastIndex = this.#at;
+      const [run] = PLAIN.exec(this.#text) as unknown as [string];
+      found += run;
+      this.#at += run.length;
+      const next = this.#text[this.#at];
+      if (next === '"') break;
+      if (next !== '\\') this.#refuse('a text must end on its line');
+      found += this.#escape();
+    }
+    this.#at++;
+    return found;
+  }
+
+  #escape(): string {
+    const letter = this.#text[this.#at + 1] ?? '';
+    const plain = ESCAPED.get(letter);
+    if (plain !== undefined) {
+      this.#at += 2;
+      return plain;
+    }
+    const code = this.#text.slice(this.#at + 2, this.#at + 6);
+    if (letter !== 'u' || !/^[0-9A-Fa-f]{4}$/.test(code)) this.#refuse('no such character can follow \\');
+    this.#at += 6;
+    return String.fromCharCode(Number.parseInt(code, 16));
+  }
+
+  #space(): void {
+    for (;;) {
+      const code = this.#text.charCodeAt(this.#at);
+      if (code !== 0x20 && code !== 0x0a && code !== 0x0d && code !== 0x09) return;
+      this.#at++;
+    }
+  }
+
+  #take(wanted: string): void {
+    if (this.#text[this.#at] !== wanted) this.#refuse(`“${wanted}” must stand here`);
+    this.#at++;
+  }
+
+  #refuse(why: string): never {
+    const ended = this.#at >= this.#text.length;
+    throw this.#error('bad-file', ended ? 'end' : 'text', ended ? 'it ends too early' : why, {});
+  }
+
+  #error(
+    code: 'bad-file' | 'duplicate' | 'too-large',
+    field: string,
+    why: string,
+    details: { readonly value?: unknown; readonly max?: number },
+    at = this.#at,
+  ): CodecError {
+    const place = lineAndColumn(this.#text, at);
+    return new CodecError(code, field, `line ${place.line}, column ${place.column}: ${why}`, { ...details, ...place });
+  }
+}
+
+/** JSON that a person can read: what fits on a line stands on one, everything else has a line for each value. */
+export function writeJson(value: unknown, indent = ''): string {
+  const inner = `${indent}  `;
+  if (typeof value !== 'object' || value === null) return JSON.stringify(value);
+  const lines = Array.isArray(value)
+    ? value.map((each) => writeJson(each, inner))
+    : Object.entries(value).map(([name, each]) => `${JSON.stringify(name)}: ${writeJson(each, inner)}`);
+  const [open, close] = Array.isArray(value) ? ['[', ']'] : ['{ ', ' }'];
+  if (lines.length === 0) return `${open}${close}`.replace('  ', '');
+  const length = lines.reduce((sum, line) => sum + line.length + 2, indent.length + 4);
+  if (length <= WIDEST && !lines.some((line) => line.includes('\n'))) return `${open}${lines.join(', ')}${close}`;
+  return `${open.trim()}\n${lines.map((line) => inner + line).join(',\n')}\n${indent}${close.trim()}`;
+}

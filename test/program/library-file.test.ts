@@ -1,0 +1,224 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import {
+  type EntryFacts,
+  type FactsOf,
+  type Flight,
+  formatLibraryFile,
+  type Library,
+  type LibraryFile,
+  MAX_FILE,
+  type Model,
+  parseLibraryFile,
+} from '../../src/program/index.js';
+import { CodecError } from '../../src/protocol/index.js';
+import { breach } from './json-schema.js';
+import { FLIGHT, MODEL, SETTING } from './library-examples.js';
+
+const LIBRARY: Library = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
+const HEAD = { writtenAt: 1_795_000_000_000, writtenBy: 'Sidus Timer 0.2.0' };
+const TEXT = formatLibraryFile(LIBRARY, HEAD);
+
+const schema = JSON.parse(readFileSync(new URL('../../public/library.schema.json', import.meta.url), 'utf8'));
+
+const refused = (text: string): string => {
+  try {
+    parseLibraryFile(text);
+  } catch (error) {
+    if (!(error instanceof CodecError)) return String(error);
+    const { line, column } = error.details;
+    return `${error.code} ${error.field} ${line}:${column}`;
+  }
+  return 'taken';
+};
+
+/** The example with one text in it replaced. */
+const changed = (from: string | RegExp, to: string): string => {
+  const text = TEXT.replace(from, to);
+  expect(text).not.toBe(TEXT);
+  return text;
+};
+
+describe('a library file', () => {
+  it('shows each slot of a program on a line of its own', () => {
+    expect(TEXT).toContain(`
+      "program": {
+        "identity": { "timerClass": "Q", "firmware": "536", "functions": 4, "memories": 4, "servos": 2 },
+        "memory": "M2",
+        "motorStop": "10.00",
+        "idleThrottle": 12,
+        "slots": [
+          { "slot": "start", "positions": [15, 15] },
+          { "slot": "1", "time": "0.30", "positions": [25, 15] },
+          { "slot": "2", "time": "10.50", "positions": [40, 60] },
+          { "slot": "3", "time": "13.00", "positions": [55, 70] },
+          { "slot": "DT", "time": "180.00", "positions": [115, 115] }
+        ]
+      },
+`);
+    expect(TEXT.endsWith('}\n')).toBe(true);
+  });
+
+  it('reads as the example of docs/file-format.md shows, and is written as it', () => {
+    const page = readFileSync(new URL('../../docs/file-format.md', import.meta.url), 'utf8');
+    const [, example = ''] = /```json library\n(.*?)```/s.exec(page) ?? [];
+    const file = parseLibraryFile(example);
+    expect(file.library.settings[0]).toMatchObject({
+      model: 'lancer-07',
+      at: Date.UTC(2026, 10, 18, 11, 6, 40),
+      program: { memory: 0, times: [1000, 30, 1050, 1300, 18_000], idleThrottle: 12 },
+    });
+    expect(file.ignored).toEqual([]);
+    expect(formatLibraryFile(file.library, file)).toBe(example);
+    expect(breach(schema, JSON.parse(example))).toBeUndefined();
+  });
+
+  it('names what it passes over', () => {
+    const text = changed('"slot": "1"', '"slot": "1", "comment": "x"')
+      .replace('"version": 1,', '"version": 1, "$schema": "library.schema.json", "season": 2026,')
+      .replace('"duty": "other"', '"duty": "other", "__proto__": { "polluted": true }');
+    const file = parseLibraryFile(text);
+    expect(file.library).toEqual(LIBRARY);
+    expect(file.ignored).toEqual(['season', 'models[0].servos[1].__proto__', 'settings[0].program.slots[1].comment']);
+    expect({}).not.toHaveProperty('polluted');
+    const many = changed(
+      '"version": 1,',
+      `"version": 1,${Array.from({ length: 50 }, (_, at) => `"x${at}": 0,`).join('')}`,
+    );
+    expect(parseLibraryFile(many).ignored).toHaveLength(20);
+  });
+
+  it.each([
+    ['nothing', '', 'bad-file end 1:1'],
+    ['white space', ' \n\t', 'bad-file end 2:2'],
+    ['a recording', '# Sidus capture 1\n0.000 > 00', 'bad-file text 1:1'],
+    ['a page', '<!doctype html>\n<html>', 'bad-file text 1:1'],
+    ['another JSON', '{ "name": "sidus-timer", "version": 1 }', 'bad-file format 1:1'],
+    ['a list', '[]', 'bad-file format 1:1'],
+    ['a word', 'null', 'bad-file format 1:1'],
+    ['the letters of UTF-16', `ÿþ${[...TEXT].map((letter) => `${letter}\u0000`).join('')}`, 'bad-file encoding'],
+    ['UTF-16 without a mark', [...TEXT].map((letter) => `${letter}\u0000`).join(''), 'bad-file encoding'],
+    ['UTF-16 of the other order', [...TEXT].map((letter) => `\u0000${letter}`).join(''), 'bad-file encoding'],
+    ['UTF-16 read as UTF-8', `\uFFFD\uFFFD${TEXT}`, 'bad-file encoding'],
+    ['a file that was cut', TEXT.slice(0, TEXT.indexOf('"flights"')), 'bad-file end 46:3'],
+    ['another end', `${TEXT}}`, 'bad-file text 76:1'],
+    ['a comma too many', changed('"archived": false\n', '"archived": false,\n'), 'bad-file text 19:5'],
+    ['a comma too few', changed('"version": 1,', '"version": 1'), 'bad-file text 4:3'],
+    ['no quotes', changed('"version"', 'version'), 'bad-file text 3:3'],
+    ['a line inside of a text', changed('Turns left', 'Turns\nleft'), 'bad-file text 26:21'],
+    ['an unknown escape', changed('\\n', '\\x'), 'bad-file text 11:34'],
+    ['a number of no such form', changed('"low": 20', '"low": 020'), 'bad-file text 13:52'],
+    ['a name twice', changed('"version": 1,', '"version": 1,\n  "version": 1,'), 'duplicate version 4:3'],
+    [
+      'a prototype twice',
+      changed('"version": 1,', '"__proto__": 1, "__proto__": 2, "version": 1,'),
+      'duplicate __proto__ 3:19',
+    ],
+    ['a newer version', changed('"version": 1', '"version": 2'), 'newer-version version 3:14'],
+    [
+      'a newer version, all different',
+      '{ "format": "sidus-timer library", "version": 7 }',
+      'newer-version version 1:47',
+    ],
+    ['version 0', changed('"version": 1', '"version": 0'), 'out-of-range version 3:14'],
+    ['version 1.5', changed('"version": 1', '"version": 1.5'), 'not-an-integer version 3:14'],
+    ['no models', changed('"models"', '"model"'), 'wrong-type models 1:1'],
+    ['no name', changed('"name": "Lancer 07"', '"nam": "Lancer 07"'), 'wrong-type models[0].name 7:5'],
+    ['a wrong class', changed('"timerClass": "Q"', '"timerClass": "QQ"'), 'wrong-type models[0].timerClass 10:21'],
+    ['a time as a number', changed('"0.30"', '0.30'), 'wrong-type settings[0].program.slots[1].time 36:34'],
+    ['a finer time', changed('"0.30"', '"0.305"'), 'wrong-type settings[0].program.slots[1].time 36:34'],
+    ['a longer time', changed('"0.30"', '"655.36"'), 'out-of-range settings[0].program.slots[1].time 36:34'],
+    ['no motor stop', changed('"motorStop"', '"reserved"'), 'wrong-type settings[0].program.motorStop 29:18'],
+    [
+      'a step too far',
+      changed('[25, 15]', '[25, 256]'),
+      'out-of-range settings[0].program.slots[1].positions[1] 36:60',
+    ],
+    [
+      'a servo too many',
+      changed('[25, 15]', '[25, 15, 0]'),
+      'wrong-count settings[0].program.slots[1].positions 36:55',
+    ],
+    ['a servo too few', changed('[25, 15]', '[25]'), 'wrong-count settings[0].program.slots[1].positions 36:55'],
+    [
+      'slots in another order',
+      changed('"slot": "1"', '"slot": "2"'),
+      'unknown-word settings[0].program.slots[1].slot 36:21',
+    ],
+    ['a slot too few', changed(/ {10}\{ "slot": "3".*\n/, ''), 'unknown-word settings[0].program.slots[3].slot 38:21'],
+    ['no DT', changed(/,\n {10}\{ "slot": "DT".*\n/, '\n'), 'wrong-count settings[0].program.slots 34:18'],
+    ['a memory too many', changed('"memory": "M2"', '"memory": "M5"'), 'unknown-word settings[0].program.memory 31:19'],
+    ['M0', changed('"memory": "M2"', '"memory": "M0"'), 'unknown-word settings[0].program.memory 31:19'],
+    [
+      'too many servos',
+      changed(/"servos": 2 /, '"servos": 99 '),
+      'bad-identity settings[0].program.identity.servos 30:102',
+    ],
+    [
+      'no day',
+      changed('2026-11-18T11:06:40.000Z",\n      "p', '2026-02-30T11:06:40.000Z",\n      "p'),
+      'wrong-type settings[0].at 28:13',
+    ],
+    [
+      'a day before all days',
+      changed('2026-11-18T11:06:40.000Z",\n      "p', '1969-12-31T11:06:40.000Z",\n      "p'),
+      'out-of-range settings[0].at 28:13',
+    ],
+    ['too much wind', changed('"wind": 1.5', '"wind": 1e999'), 'out-of-range flights[0].wind 68:15'],
+  ])('that is %s is refused with its place', (_, text, expected) => {
+    expect(refused(text).replace(' undefined:undefined', '')).toBe(expected);
+    expect(refused(text.replaceAll(/\r?\n/g, '\r\n')).replace(' undefined:undefined', '')).toBe(expected);
+  });
+
+  it('has no id twice', () => {
+    const twice = { ...LIBRARY, settings: [SETTING, { ...SETTING, name: 'the same' }] };
+    expect(() => formatLibraryFile(twice, HEAD)).toThrowError(
+      expect.objectContaining({ code: 'duplicate', field: 'settings[1].id' }),
+    );
+    const [before = '', entry = '', after = ''] = TEXT.split(/(?<="settings": \[\n)(.*?)(?=\n {2}\],)/s);
+    expect(refused(`${before}${entry},\n${entry}${after}`)).toMatch(/^duplicate settings\[1\]\.id 46:13$/);
+  });
+
+  it('of 100 MB is refused unread, and none is written that could not be read', () => {
+    // Nothing in it is JSON: whoever looks at it finds another fault.
+    expect(refused('x'.repeat(100_000_000))).toMatch(/^too-large file/);
+    expect(refused('x'.repeat(MAX_FILE + 1))).toMatch(/^too-large file/);
+    expect(refused('x'.repeat(MAX_FILE))).toMatch(/^bad-file text/);
+    const photo = 'A'.repeat(200_000);
+    const models = Array.from({ length: MAX_FILE / photo.length }, (_, at) => ({ ...MODEL, photo, id: `m${at}` }));
+    expect(() => formatLibraryFile({ ...LIBRARY, models }, HEAD)).toThrowError(
+      expect.objectContaining({ code: 'too-large', field: 'file' }),
+    );
+  });
+
+  it.each(['[', '{"a":', '{"format":"sidus-timer library","version":1,"x":['])(
+    'nested a million times in %j is refused',
+    (part) => {
+      expect(refused(part.repeat(1_000_000))).toMatch(/^too-large .* 1:\d+$/);
+    },
+  );
+
+  it('is read from a text of any system, with or without a mark at its beginning', () => {
+    for (const end of ['\n', '\r\n', '\r', ' ']) {
+      expect(parseLibraryFile(`\uFEFF${TEXT.replaceAll('\n', end)}`).library).toEqual(LIBRARY);
+    }
+    expect(parseLibraryFile(JSON.stringify(JSON.parse(TEXT))).library).toEqual(LIBRARY);
+  });
+
+  it('carries what is known beside it', () => {
+    const { program } = SETTING;
+    const facts: FactsOf = new Map<Model | Flight, EntryFacts>([
+      [MODEL, { changedAt: 5, verified: [{ program, at: 7 }] }],
+      [FLIGHT, { changedAt: 9 }],
+    ]);
+    const file: LibraryFile = parseLibraryFile(formatLibraryFile(LIBRARY, { ...HEAD, facts }));
+    expect([...file.facts]).toEqual([...facts]);
+    expect(file).toMatchObject(HEAD);
+  });
+
+  it('is as its schema says, and the schema says nothing that is not tested', () => {
+    expect(breach(schema, JSON.parse(TEXT))).toBeUndefined();
+    expect(breach(schema, { ...JSON.parse(TEXT), version: 2 })).toBe('version: const');
+    expect(() => breach({ multipleOf: 2 }, 3)).toThrow('multipleOf is not known');
+  });
+});
