@@ -12,14 +12,15 @@ const HEADERS = {
 };
 
 /**
- * Serves dist/site on this machine.
- * @param {{ port?: number, base?: string }} [options] port: 0 takes a free one; base: the path under which the page
- * lies
+ * Serves the built page on this machine.
+ * @param {{ port?: number, base?: string, folder?: string }} [options] port: 0 takes a free one; base: the path under
+ * which the page lies; folder: where it was built to. Default: dist/site
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
-export async function serve({ port = 0, base = '/' } = {}) {
+export async function serve({ port = 0, base = '/', folder } = {}) {
   const server = await preview({
     base,
+    ...(folder ? { build: { outDir: folder } } : {}),
     logLevel: 'warn',
     preview: { host: '127.0.0.1', port, strictPort: true, headers: HEADERS },
   });
