@@ -44,6 +44,23 @@ const securityPolicy: Plugin = {
 };
 
 /**
+ * The start stands in the page as it comes, and is drawn before any script. It is written down from the page itself:
+ * test/app/first-picture.test.tsx.
+ */
+const firstPicture: Plugin = {
+  name: 'first-picture',
+  transformIndexHtml: {
+    // As it is: its addresses are those of the built page.
+    order: 'post',
+    handler: (html) =>
+      html.replace(
+        '<!-- first picture -->',
+        readFileSync(new URL('src/app/first-picture.html', import.meta.url), 'utf8').trim(),
+      ),
+  },
+};
+
+/**
  * The letters that every screen needs come with the page; those of other languages when one is written. The licence
  * goes with the files, as it demands.
  */
@@ -119,7 +136,7 @@ export default defineConfig({
     'import.meta.env.VITE_VERSION': JSON.stringify(version),
     'import.meta.env.VITE_NEWS': JSON.stringify(news),
   },
-  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, securityPolicy, font, offline],
+  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, firstPicture, securityPolicy, font, offline],
   build: {
     outDir: '../../dist/site',
     emptyOutDir: true,

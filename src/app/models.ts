@@ -66,6 +66,8 @@ export interface ModelOptions extends SessionOptions {
   readonly erasers?: Erasers | undefined;
   /** Loads the page again. */
   readonly reload?: (() => void) | undefined;
+  /** Default: a new one. */
+  readonly theme?: Theme;
   /** What was found missing when the page was opened. Default: nothing. */
   readonly lacks?: readonly Lack[];
 }
@@ -79,6 +81,7 @@ export function createModels({
   lacks,
   erasers = NOTHING_KEPT,
   reload = () => {},
+  theme = new Theme(),
   ...options
 }: ModelOptions): AppModels {
   const keeping = new Keeping(options.tab, lacks);
@@ -109,7 +112,7 @@ export function createModels({
     printOrder: new PrintOrder(),
     browse: new Browse(session.library),
     saveSetting: new SaveSetting(session),
-    theme: new Theme(),
+    theme,
     density: new Density(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),

@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
+import { afterPaint } from './browser/after-paint.js';
 import { lacksOf, media, openDoors, tabNumberOf } from './browser/doors.js';
 import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
@@ -10,7 +11,7 @@ import { type AppModels, createModels } from './models.js';
 import { fetchParts, fetchSimulated } from './parts.js';
 import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
-import { Theme } from './settings/theme.js';
+import type { Theme } from './settings/theme.js';
 import { FramedPage, isFramed } from './shell/framed-page.js';
 import { shortcutOf } from './shell/shortcut.js';
 import { browserStorage } from './storage/index.js';
@@ -18,11 +19,11 @@ import { browserStorage } from './storage/index.js';
 /**
  * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or
  * never answers keeps the page from being drawn.
+ * @param theme in which the first picture was drawn.
  * @returns the models of the page; null inside of a frame, where it does not work.
  */
-export function openPage(root: HTMLElement): AppModels | null {
+export function openPage(root: HTMLElement, theme: Theme): AppModels | null {
   if (isFramed(window)) {
-    tried(() => new Theme().follow(document, media('(prefers-color-scheme: dark)')));
     render(<FramedPage address={location.href} />, root);
     return null;
   }
@@ -39,10 +40,10 @@ export function openPage(root: HTMLElement): AppModels | null {
     lacks: lacksOf(doors),
     erasers: browserErasers(service('serial')),
     reload: () => location.reload(),
+    theme,
   });
-  const { session, views, follow, update, keeping, theme, density, installation } = models;
+  const { session, views, follow, update, keeping, density, installation } = models;
   installation.follow(window);
-  tried(() => theme.follow(document, doors.dark));
   const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
   tried(() => density.follow(document, media(TABLET)));
@@ -83,15 +84,4 @@ export function openPage(root: HTMLElement): AppModels | null {
     onMissing();
   }
   return models;
-}
-
-/** Once the first picture was drawn: in the frame after the next one; in a tab that draws nothing, soon. */
-function afterPaint(work: () => void): void {
-  let isDone = false;
-  const once = (): void => {
-    if (!isDone) work();
-    isDone = true;
-  };
-  requestAnimationFrame(() => requestAnimationFrame(once));
-  setTimeout(once, 500);
 }

@@ -42,14 +42,23 @@ export class AppPage {
       await context.addInitScript(inject('workbench'));
     }
     await page.goto(inject(at));
-    return new AppPage(page);
+    const app = new AppPage(page);
+    await app.#works();
+    return app;
+  }
+
+  /** Until the page has taken the place of its picture: it has said how high rows are. */
+  async #works(): Promise<void> {
+    await this.page.locator('html[data-density]').waitFor();
   }
 
   /** Another tab with the same storage, and a bench of its own where this one has one. */
   async sibling(): Promise<AppPage> {
     const page = await this.page.context().newPage();
     await page.goto(this.page.url());
-    return new AppPage(page);
+    const app = new AppPage(page);
+    await app.#works();
+    return app;
   }
 
   button(name: string | RegExp): Locator {
@@ -330,7 +339,7 @@ export class AppPage {
   /** Loads the page again. */
   async reload(): Promise<void> {
     await this.page.reload();
-    await this.page.getByRole('banner').waitFor();
+    await this.#works();
   }
 
   async expectNoSidewaysScrolling(): Promise<void> {

@@ -73,7 +73,7 @@ export async function visited(): Promise<{ host: Host; page: Page; script: strin
   const page = await newPage({}, []);
   await page.goto(host.url);
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
-  const script = [...host.files.keys()].find((name) => /^assets\/.*\.js$/.test(name)) ?? '';
+  const [, script = ''] = /src="\.\/(assets\/[\w-]+\.js)"/.exec(String(host.files.get('index.html'))) ?? [];
   return { host, page, script };
 }
 

@@ -19,8 +19,6 @@ export interface Doors {
   readonly locks: Service<'locks'> | null;
   readonly channel: TabChannel | null;
   readonly libraryChannel: TabChannel | null;
-  /** Whether the system is dark. */
-  readonly dark: Query | null;
   /** Whether small choices can be kept. */
   readonly settings: boolean;
 }
@@ -36,7 +34,6 @@ export function openDoors(): Doors {
     locks: service('locks'),
     channel: tried(() => openTabChannel()),
     libraryChannel: tried(() => openTabChannel('library')),
-    dark: media('(prefers-color-scheme: dark)'),
     settings: keepsSettings(),
   };
 }

@@ -1,0 +1,53 @@
+import '@fontsource-variable/inter/wght.css';
+import './ui/fonts.css';
+import './ui/tokens.css';
+import './ui/base.css';
+import './ui/shared.css';
+// What the first picture is drawn with.
+import './app.css';
+import './shell/header.css';
+import './shell/status-strip.css';
+import './connect/start-screen.css';
+import './connect/start-cards.css';
+import './connect/step-list.css';
+import './timeline/small-lanes.css';
+import { afterPaint } from './browser/after-paint.js';
+import { media } from './browser/doors.js';
+import { tried } from './browser/services.js';
+import { earlyClicks } from './early-clicks.js';
+import { first } from './messages/en-first.js';
+import { Theme } from './settings/theme.js';
+
+/*
+ * All that comes before the first picture. The start stands in index.html: here it gets its colours, and when it was
+ * drawn the page itself is fetched, which takes its place.
+ */
+const root = document.getElementById('app') as HTMLElement;
+const theme = new Theme();
+tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
+// Inside of another page, or at the address of another view, it is not what comes.
+if (window.top !== window.self || !['', '#program'].includes(location.hash)) root.replaceChildren();
+root.hidden = false;
+const doEarlyClick = earlyClicks(root);
+afterPaint(async () => {
+  try {
+    const { openPage } = await import('./open-page.js');
+    openPage(root, theme);
+    doEarlyClick();
+  } catch (error) {
+    sayFailed();
+    throw error;
+  }
+});
+
+/** Where the page has no words yet, nor anything else. */
+function sayFailed(): void {
+  const notice = document.createElement('p');
+  notice.role = 'alert';
+  notice.className = 'notice bad';
+  const again = document.createElement('button');
+  again.textContent = first.again;
+  again.addEventListener('click', () => location.reload());
+  notice.append(first.failed, ' ', again);
+  document.body.prepend(notice);
+}

@@ -1,0 +1,48 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { expect, test } from 'vitest';
+
+const SITE = join(import.meta.dirname, '../../dist/site');
+
+/** What a script weighs on its way, in kB. */
+function weightOf(file: string): number {
+  return gzipSync(readFileSync(join(SITE, file))).length / 1000;
+}
+
+function sum(files: Iterable<string>): number {
+  return [...files].reduce((total, file) => total + weightOf(file), 0);
+}
+
+/** A script, those that it names at its head, and so on. */
+function withImports(file: string, known = new Set<string>()): Set<string> {
+  known.add(file);
+  for (const [, name] of readFileSync(join(SITE, file), 'utf8').matchAll(/(?:from|import)\s*"\.\/([\w-]+\.js)"/g)) {
+    if (!known.has(`assets/${name}`)) withImports(`assets/${name}`, known);
+  }
+  return known;
+}
+
+test('at most 60 kB of script come before the first picture, and no more than needed before the page works', () => {
+  const html = readFileSync(join(SITE, 'index.html'), 'utf8');
+  const scripts = readdirSync(join(SITE, 'assets'))
+    .filter((name) => name.endsWith('.js'))
+    .map((name) => `assets/${name}`);
+  const named = [...html.matchAll(/(?:src|href)="\.\/(assets\/[\w-]+\.js)"/g)].map(([, file]) => file as string);
+  const first = new Set(named.flatMap((file) => [...withImports(file)]));
+  const page = withImports(scripts.find((file) => file.startsWith('assets/open-page-')) ?? '');
+  const working = new Set([...first, ...page]);
+  const stage = (file: string): number => (first.has(file) ? 1 : working.has(file) ? 2 : 3);
+  const rows = scripts
+    .toSorted((a, b) => stage(a) - stage(b) || weightOf(b) - weightOf(a))
+    .map((file) => `${stage(file)} ${weightOf(file).toFixed(1).padStart(6)} ${file}`);
+  const table = [
+    'Scripts, kB compressed: 1 before the first picture, 2 before the page works, 3 its parts, fetched after that',
+    ...rows,
+    `1: ${sum(first).toFixed(1)}, with 2: ${sum(working).toFixed(1)}, all: ${sum(scripts).toFixed(1)}`,
+  ].join('\n');
+  process.stdout.write(`${table}\n`);
+  expect(sum(first), table).toBeGreaterThan(1);
+  expect(sum(first), table).toBeLessThanOrEqual(60);
+  expect(sum(working), table).toBeLessThanOrEqual(115);
+});
