@@ -1,0 +1,149 @@
+import type { Flight } from '../../program/index.js';
+import type { FlightRecord } from '../storage/index.js';
+import type { FlightFilter } from './flight-filter.js';
+
+/** A full round of most classes, in seconds. */
+export const ROUND_MAXIMUM = 180;
+
+export interface Totals {
+  readonly flights: number;
+  /** Seconds; null where no result was noted. */
+  readonly best: number | null;
+  readonly average: number | null;
+  /** Flights of a numbered round with a result, and those of them that reached the maximum of a round. */
+  readonly rounds: number;
+  readonly maxima: number;
+}
+
+/** The flights of one day at one place. */
+export interface FlightDay {
+  readonly key: string;
+  readonly place: string;
+  /** Of the latest flight, in milliseconds since 1970. */
+  readonly at: number;
+  readonly records: readonly FlightRecord[];
+}
+
+/**
+ * Those that the filter asks for, in the order in which they are given.
+ * @param now milliseconds since 1970: the periods end today.
+ */
+export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
+  const { model, setting, place } = filter;
+  const { from, before } = rangeOf(filter, now);
+  const words = plain(filter.text).split(/\s+/).filter(Boolean);
+  return records.filter((record) => {
+    const { flight } = record;
+    if (model !== 'all' && flight.model !== (model === 'none' ? null : model.id)) return false;
+    if (setting !== null && flight.setting !== setting) return false;
+    if (place !== null && flight.place !== place) return false;
+    if ((from !== null && flight.at < from) || (before !== null && flight.at >= before)) return false;
+    return words.length === 0 || words.every((word) => textOf(record).includes(word));
+  });
+}
+
+/** The same flights by day and place, newest first as they are given: each place of a day stands once. */
+export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] {
+  const days = new Map<string, { place: string; at: number; records: FlightRecord[] }>();
+  for (const record of records) {
+    const { at, place } = record.flight;
+    const key = `${dayOf(at)} ${place}`;
+    const day = days.get(key);
+    if (day) day.records.push(record);
+    else days.set(key, { place, at, records: [record] });
+  }
+  return [...days].map(([key, day]) => ({ key, ...day }));
+}
+
+export function totalsOf(records: readonly FlightRecord[]): Totals {
+  let [timed, sum, best, rounds, maxima] = [0, 0, Number.NEGATIVE_INFINITY, 0, 0];
+  for (const { flight } of records) {
+    if (flight.result === null) continue;
+    timed += 1;
+    sum += flight.result;
+    best = Math.max(best, flight.result);
+    if (!isRound(flight)) continue;
+    rounds += 1;
+    if (flight.result >= ROUND_MAXIMUM) maxima += 1;
+  }
+  const none = timed === 0;
+  return { flights: records.length, best: none ? null : best, average: none ? null : sum / timed, rounds, maxima };
+}
+
+/** Whether it was a numbered round: a fly-off goes on beyond the maximum. */
+export function isRound({ round }: Pick<Flight, 'round'>): boolean {
+  return /^\d/.test(round.trim());
+}
+
+/** The places of the log, the one flown at last first. */
+export function placesOf(records: readonly FlightRecord[]): readonly string[] {
+  return [...new Set(records.map(({ flight }) => flight.place))].filter((place) => place !== '');
+}
+
+/** The models of the log by id, with the name of the latest flight. */
+export function modelsOf(records: readonly FlightRecord[]): ReadonlyMap<string, string> {
+  const models = new Map<string, string>();
+  for (const { flight } of records) {
+    if (flight.model !== null && !models.has(flight.model)) models.set(flight.model, flight.modelName);
+  }
+  return models;
+}
+
+/** The midnight with which a day begins, or that of some days before or after. */
+export function midnight(at: number, days = 0): number {
+  const date = new Date(at);
+  return new Date(date.getFullYear(), date.getMonth(), date.getDate() + days).getTime();
+}
+
+/** The period of a filter: from the first millisecond, and before the second. A day that is none is left open. */
+export function rangeOf(
+  { period, from, until }: Pick<FlightFilter, 'period' | 'from' | 'until'>,
+  now: number,
+): { readonly from: number | null; readonly before: number | null } {
+  if (period === 'own') return { from: beginOf(from), before: beginOf(until, 1) };
+  const begins = {
+    all: null,
+    today: midnight(now),
+    month: midnight(now, -30),
+    year: new Date(new Date(now).getFullYear(), 0, 1).getTime(),
+  };
+  return { from: begins[period], before: null };
+}
+
+/** A day as it is written in a field, with the days after it; null when it is none. */
+function beginOf(day: string, after = 0): number | null {
+  const [, year, month, date] = /^(\d{4,6})-(\d\d)-(\d\d)$/.exec(day) ?? [];
+  if (year === undefined) return null;
+  const begin = new Date(Number(year), Number(month) - 1, Number(date) + after).getTime();
+  return Number.isFinite(begin) ? begin : null;
+}
+
+/** A day of the calendar as it is written in files and fields: `2026-11-22`. */
+export function dayOf(at: number): string {
+  const date = new Date(at);
+  const two = (part: number): string => String(part).padStart(2, '0');
+  return `${String(date.getFullYear()).padStart(4, '0')}-${two(date.getMonth() + 1)}-${two(date.getDate())}`;
+}
+
+/** The time of a day: `14:05`. */
+export function timeOf(at: number): string {
+  const date = new Date(at);
+  return `${String(date.getHours()).padStart(2, '0')}:${String(date.getMinutes()).padStart(2, '0')}`;
+}
+
+/** Made once for each record: a record that changes is another one. */
+const texts = new WeakMap<FlightRecord, string>();
+
+function textOf(record: FlightRecord): string {
+  const known = texts.get(record);
+  if (known !== undefined) return known;
+  const { place, modelName, settingName, round, note } = record.flight;
+  const text = plain([place, modelName, settingName, round, note].join('\n'));
+  texts.set(record, text);
+  return text;
+}
+
+/** Small letters without their marks, so that “Gyula” finds “GYŰLA”. */
+function plain(text: string): string {
+  return text.normalize('NFD').replaceAll(/\p{M}/gu, '').toLowerCase();
+}

@@ -1,0 +1,70 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { CSV_COLUMNS, type CsvColumn, flightsCsv, SEPARATORS } from '../../../src/app/flights/flights-csv.js';
+import { flightMessages } from '../../../src/app/messages/flights.js';
+import { meant, readCsv } from './csv-reader.js';
+import { anyFlight, PLAIN, recordOf } from './flights.js';
+
+/** The columns in which a pilot's words stand. */
+const WORDS = ['place', 'model', 'setting', 'round', 'note'] as const;
+const { columns: heads } = flightMessages.value.csv;
+
+describe('the table of flights', () => {
+  it('is read back by a reader of its own, for every flight and with both separators', () => {
+    fc.assert(
+      fc.property(fc.array(anyFlight, { maxLength: 8 }), fc.constantFrom(...SEPARATORS), (flights, separator) => {
+        const csv = flightsCsv(flights, { separator, heads });
+        expect(csv.startsWith('\uFEFF')).toBe(true);
+        const [head, ...rows] = readCsv(csv.slice(1), separator);
+        expect(head).toEqual(CSV_COLUMNS.map((column) => heads[column]));
+        expect(rows.length).toBe(flights.length);
+        flights.forEach((flight, at) => {
+          const cells = Object.fromEntries(
+            CSV_COLUMNS.map((column, index) => [column, rows[at]?.[index] ?? '']),
+          ) as Record<CsvColumn, string>;
+          const number = (text = ''): number | null => (text === '' ? null : Number(text));
+          const [year = 0, month = 0, day = 0, hour = 0, minute = 0] = `${cells.date}-${cells.time}`
+            .split(/[-:]/)
+            .map(Number);
+          expect(new Date(year, month - 1, day, hour, minute).getTime()).toBe(flight.at - (flight.at % 60_000));
+          expect(WORDS.map((name) => meant(cells[name]))).toEqual([
+            flight.place,
+            flight.modelName,
+            flight.settingName,
+            flight.round,
+            flight.note,
+          ]);
+          expect([cells.wind, cells.temperature, cells.result].map(number)).toEqual([
+            flight.wind,
+            flight.temperature,
+            flight.result,
+          ]);
+          expect([cells.timerClass, cells.memory, cells.dt, cells.motorStop]).toEqual(['Q', '1', '180', '10']);
+          // No cell of the pilot's words is worked out by a spreadsheet.
+          for (const name of WORDS) {
+            expect(cells[name]).not.toMatch(/^\s*[=+\-@＝＋－＠]|^[\t\r\n]/);
+          }
+        });
+      }),
+    );
+  });
+
+  it('says times with units in its head, numbers with a point, and a minus that stays a number', () => {
+    const flight = { ...PLAIN, temperature: -2.5, wind: 3.5, result: 178.25, note: '=HYPERLINK("x")' };
+    const [head, row] = flightsCsv([flight], { separator: ';', heads }).split('\r\n');
+    expect(head).toBe(
+      '\uFEFF"Date";"Time";"Place";"Model";"Setting";"Timer class";"Memory";"DT (s)";"Motor stop (s)";"Wind (m/s)";"Temperature (°C)";"Round";"Result (s)";"Note"',
+    );
+    expect(row).toBe(`2026-11-22;14:05;;;;"Q";1;180;10;3.5;-2.5;;178.25;"'=HYPERLINK(""x"")"`);
+  });
+
+  it('has no motor stop for a class without a motor, and no memory where none is known', () => {
+    const { program } = PLAIN;
+    const flight = {
+      ...PLAIN,
+      program: { ...program, memory: null, identity: { ...program.identity, timerClass: 'B' } },
+    };
+    const [, row] = flightsCsv([recordOf(flight).flight], { separator: ',', heads }).split('\r\n');
+    expect(row).toBe('2026-11-22,14:05,,,,"B",,180,,,,,,');
+  });
+});
