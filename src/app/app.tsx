@@ -1,6 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
+import { FLIGHTS } from './flights/flight-filter.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import * as parts from './parts.js';
@@ -46,7 +47,12 @@ export function App({ models }: { readonly models: AppModels }) {
       />
     ),
     bench: () => <parts.bench.Part {...{ session, views, write, bench, follow }} />,
-    library: () => <parts.library.Part models={models} />,
+    library: () =>
+      views.path.value === FLIGHTS ? (
+        <parts.flights.Part session={session} log={models.flights} />
+      ) : (
+        <parts.library.Part models={models} />
+      ),
     print: () => <parts.print.Part session={session} order={models.printOrder} onPrint={() => window.print()} />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
     settings: () => <parts.settings.Part {...{ session, preferences, theme, density, erase, views }} />,

@@ -1,6 +1,8 @@
 import { fieldKey } from '../program/index.js';
 import { setValues } from './editing/edit.js';
+import { FLIGHTS } from './flights/flight-filter.js';
 import type { SaveSetting } from './library/save-setting.js';
+import { flightMessages } from './messages/flights.js';
 import { messages, presetText, stepText, timerName } from './messages/index.js';
 import { libraryMessages } from './messages/library.js';
 import type { AppModels } from './models.js';
@@ -11,7 +13,7 @@ import { VIEWS } from './shell/views.js';
 
 /** All that can be done now, what is wanted most first. What cannot be done now is not in it. */
 export function commandsOf(models: AppModels): readonly Command[] {
-  return [...programCommands(models), ...timerCommands(models), ...pageCommands(models)];
+  return [...programCommands(models), ...timerCommands(models), ...flightCommands(models), ...pageCommands(models)];
 }
 
 function programCommands({ session, views, write, preferences, bench, printOrder, saveSetting }: AppModels): Command[] {
@@ -60,6 +62,18 @@ function saveCommands(session: Session, saveSetting: SaveSetting): Command[] {
   return [
     ...(name !== undefined && differs ? [{ name: save.againOf(name), run: () => void saveSetting.save() }] : []),
     { name: name === undefined ? save.open : save.asNew, run: () => saveSetting.open() },
+  ];
+}
+
+function flightCommands({ views, flights }: AppModels): Command[] {
+  const words = flightMessages.value;
+  const flying = (): void => {
+    const key = flights.flying();
+    if (key !== null) flights.fillIn(key);
+  };
+  return [
+    ...(flights.held.value ? [{ name: words.flying.button, run: flying }] : []),
+    { name: messages.value.palette.goTo(words.title), run: () => views.show('library', FLIGHTS) },
   ];
 }
 

@@ -1,4 +1,6 @@
 import { commandsOf } from './commands.js';
+import { FlightDialog } from './flights/flight-dialog.js';
+import { FlyingThis } from './flights/flying-this.js';
 import { SaveDialog } from './library/save-dialog.js';
 import { GoOn, LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
@@ -11,11 +13,18 @@ import { WriteDialog } from './write/write-dialog.js';
 
 /** What can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, write, memories, leaving, erase, update, saveSetting } = models;
+  const { session, write, memories, leaving, flights, erase, update, saveSetting } = models;
+  const after = (
+    <>
+      <FlyingThis session={session} log={flights} onFillIn={() => write.dismiss()} />
+      <GoOn write={write} leaving={leaving} />
+    </>
+  );
   return (
     <>
-      <WriteDialog session={session} write={write} after={<GoOn write={write} leaving={leaving} />} />
+      <WriteDialog session={session} write={write} after={after} />
       <MemoriesDialog session={session} jobs={memories.jobs} />
+      <FlightDialog session={session} log={flights} />
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />
       <SaveDialog session={session} saveSetting={saveSetting} />

@@ -4,6 +4,7 @@ import type { Lack } from './browser/doors.js';
 import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
 import { Installation } from './connect/installation.js';
+import { FlightLog } from './flights/flight-log.js';
 import { Browse } from './library/browse.js';
 import { SaveSetting } from './library/save-setting.js';
 import { FrameForm } from './line/frame-form.js';
@@ -48,6 +49,8 @@ export interface AppModels {
   /** How the library is looked at, and how something comes into it. */
   readonly browse: Browse;
   readonly saveSetting: SaveSetting;
+  /** What is logged with one tap, and how the log is looked at: it outlasts its view. */
+  readonly flights: FlightLog;
   readonly theme: Theme;
   readonly density: Density;
   readonly preferences: Preferences;
@@ -113,6 +116,7 @@ export function createModels({
     browse: new Browse(session.library),
     saveSetting: new SaveSetting(session),
     theme,
+    flights: new FlightLog(session, write),
     density: new Density(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),

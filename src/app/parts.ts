@@ -7,6 +7,7 @@ export const program = onDemand(async () => (await import('./shell/program-view.
 export const memories = onDemand(async () => (await import('./memories/memories-page.js')).MemoriesPage);
 export const bench = onDemand(async () => (await import('./shell/bench-view.js')).BenchView);
 export const library = onDemand(async () => (await import('./library-page.js')).LibraryPage);
+export const flights = onDemand(async () => (await import('./flights/flights-view.js')).FlightsView);
 export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
 export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
 export const print = onDemand(async () => (await import('./print/print-view.js')).PrintView);
@@ -17,7 +18,7 @@ export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** Fetches all of them, the program first. */
 export async function fetchParts(): Promise<void> {
-  for (const part of [program, dialogs, figures, modelLine, memories, bench, line, settings, library, print])
+  for (const part of [program, dialogs, figures, modelLine, memories, bench, line, settings, library, print, flights])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
   await fetchSimulated().catch(() => {});

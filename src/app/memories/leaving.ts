@@ -1,8 +1,7 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
-import { fieldKey, type ProgramField } from '../../program/index.js';
-import { setValues } from '../editing/edit.js';
 import type { JobKind } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
+import { putBackDt } from '../write/put-back.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import type { Memories } from './memories.js';
 
@@ -72,17 +71,11 @@ export class Leaving {
     if (this.#question.value?.goingBack === false) await this.#session.disconnect();
   }
 
-  /** Puts a short DT back to the long one from before, as an edit, and shows it as any write is shown. */
+  /** Puts a short DT back by a write that is shown first; after it the pilot can go on. */
   async putBack(): Promise<void> {
-    const { editor, shortDt } = this.#session;
-    const short = shortDt.held.value;
-    const identity = editor.identity.value;
-    if (this.#question.value?.goingBack !== false || !short || !identity) return;
+    if (this.#question.value?.goingBack !== false) return;
     this.#question.value = null;
-    const field: ProgramField = { kind: 'time', slot: identity.functions };
-    editor.apply(setValues({ code: 'preset', params: { field: fieldKey(field) } }, [{ field, value: short.back }]));
-    await this.#write.open();
-    this.#puttingBack.value = this.#write.current.value !== null;
+    this.#puttingBack.value = await putBackDt(this.#session, this.#write);
   }
 
   /** Stays connected; while the way back is under way, stops it. */

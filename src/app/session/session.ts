@@ -140,7 +140,7 @@ export class Session {
       standing: this.standing,
       nextFlight,
       simulated: reader.simulated,
-      model: () => null,
+      model: () => this.modelAtHand.value?.id ?? null,
     });
     this.keptWork = new KeptWork(this, drafts, (draft) => reader.showDraft(draft));
     this.keptPrograms = new KeptPrograms(drafts);

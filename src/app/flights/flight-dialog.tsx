@@ -1,0 +1,267 @@
+import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
+import { LIMITS } from '../../program/index.js';
+import { flightMessages } from '../messages/flights.js';
+import { figureText, messages, presetText } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import { Modal } from '../ui/modal.js';
+import { SlotTable } from '../ui/slot-table.js';
+import { FlightForm } from './flight-form.js';
+import { placesOf, timeOf } from './flight-list.js';
+import type { FlightLog } from './flight-log.js';
+import { clockOf, dayText, heldText } from './flight-text.js';
+import { measureText } from './measures.js';
+import { MeasureField, MeasureProblem, Stepper } from './stepper.js';
+import './flight-dialog.css';
+
+interface FlightDialogProps {
+  readonly session: Session;
+  readonly log: FlightLog;
+}
+
+/** One flight, to be filled in with cold hands: what is noted first stands first. */
+export function FlightDialog({ session, log }: FlightDialogProps) {
+  const { form: words } = flightMessages.value;
+  const { flights, models } = session.library;
+  const key = log.filling.value;
+  const isHere = flights.get(key) !== undefined;
+  useEffect(() => {
+    // The models to choose from, and the places and the flight before.
+    if (key !== null) void Promise.all([models.load(), flights.load()]);
+  }, [key, models, flights]);
+  return (
+    <Modal open={isHere} title={words.title} titleId="flight-title" held={false} onEscape={() => log.close()}>
+      {key !== null && isHere && <Form key={key} id={key} session={session} log={log} />}
+    </Modal>
+  );
+}
+
+interface FormProps extends FlightDialogProps {
+  /** Of the flight. */
+  readonly id: string;
+}
+
+function Form({ id, session, log }: FormProps) {
+  const { form: words, row } = flightMessages.value;
+  const { flights } = session.library;
+  const form = useMemo(() => {
+    const list = flights.list.peek();
+    const at = list.findIndex(({ key }) => key === id);
+    const opened = list[at];
+    return opened ? new FlightForm(log, opened.flight, list[at + 1]?.flight ?? null) : null;
+  }, [id, log, flights]);
+  const box = useRef<HTMLDivElement>(null);
+  if (!form) return null;
+  const flight = form.flight.value;
+  const done = (): void => {
+    // What is typed and cannot be read is shown once more; Escape leaves it.
+    const wrong = box.current?.querySelector<HTMLElement>('[aria-invalid="true"]');
+    if (wrong) wrong.focus();
+    else log.close();
+  };
+  return (
+    <div class="flight-form" ref={box}>
+      <p class="flight-of">
+        <strong>{[flight.modelName || row.noModel, flight.settingName].filter(Boolean).join(' · ')}</strong>
+        <span>{heldText(flight.program)}</span>
+        <span class="hint">{[dayText(flight.at), timeOf(flight.at), flight.place].filter(Boolean).join(' · ')}</span>
+      </p>
+      <Result form={form} />
+      <Round form={form} />
+      <ShortDtNote {...{ session, log, form, id }} />
+      <div class="flight-steppers">
+        <Stepper form={form} measure="wind" label={words.wind} unit={words.windUnit} />
+        <Stepper form={form} measure="temperature" label={words.temperature} unit={words.temperatureUnit} />
+      </div>
+      <label class="flight-field">
+        {words.note}
+        <textarea
+          rows={2}
+          maxLength={LIMITS.note}
+          value={flight.note}
+          onInput={({ currentTarget }) => form.setNote(currentTarget.value)}
+        />
+      </label>
+      <Where session={session} form={form} />
+      <Flown form={form} />
+      <div class="buttons flight-closing">
+        <button type="button" class="quiet" onClick={() => log.remove(id)}>
+          {words.remove}
+        </button>
+        {form.changed.value && (
+          <button type="button" class="quiet" onClick={() => form.undo()}>
+            {words.undo}
+          </button>
+        )}
+        <button type="button" class="primary" onClick={done}>
+          {words.done}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+function Result({ form }: { readonly form: FlightForm }) {
+  const { form: words } = flightMessages.value;
+  const [id, note, hint] = [useId(), useId(), useId()];
+  const { result } = form.flight.value;
+  return (
+    <div class="flight-field flight-result">
+      <label for={id}>{words.result}</label>
+      <span class="flight-result-line">
+        <MeasureField form={form} measure="result" id={id} note={`${note} ${hint}`} />
+        <button type="button" class="chip" aria-pressed={result === 180} onClick={() => form.type('result', '180')}>
+          {words.full}
+        </button>
+      </span>
+      <MeasureProblem form={form} measure="result" unit={words.resultUnit} note={note} />
+      <span class="hint" id={hint}>
+        {result === null ? words.resultHint : words.readAs(clockOf(result), measureText(result))}
+      </span>
+    </div>
+  );
+}
+
+function Round({ form }: { readonly form: FlightForm }) {
+  const { form: words } = flightMessages.value;
+  const { round } = form.flight.value;
+  return (
+    <fieldset class="flight-field flight-rounds">
+      <legend>{words.round}</legend>
+      <span class="flight-chips">
+        {Object.entries(words.rounds).map(([value, name]) => (
+          <button
+            type="button"
+            class="chip"
+            key={value}
+            aria-pressed={round === value}
+            onClick={() => form.pickRound(value)}
+          >
+            {name}
+          </button>
+        ))}
+        <input
+          type="text"
+          autocomplete="off"
+          aria-label={words.round}
+          maxLength={LIMITS.round}
+          value={round}
+          onInput={({ currentTarget }) => form.setRound(currentTarget.value)}
+        />
+      </span>
+    </fieldset>
+  );
+}
+
+/** A round of a contest with a DT for trimming: it is asked before it is flown, and said after. */
+function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: FlightForm }) {
+  const { shortDt, memoryName } = messages.value;
+  const { form: words } = flightMessages.value;
+  const flight = form.flight.value;
+  const { identity, memory, times } = flight.program;
+  const held = session.shortDt.held.value;
+  if (flight.round === '' || !session.shortDt.isShort(flight.program)) return null;
+  const dt = presetText(times[identity.functions] as number);
+  const canPutBack = held !== null && log.canPutBack(flight);
+  return (
+    <div class="notice bad" role="alert">
+      <p>
+        {canPutBack ? (
+          <>
+            <strong>{shortDt.held(memory === null ? null : memoryName(memory), dt)}</strong>{' '}
+            {shortDt.ask(presetText(held.back))}
+          </>
+        ) : (
+          <strong>{words.shortDt(dt)}</strong>
+        )}
+      </p>
+      {canPutBack && (
+        <button type="button" onClick={() => void log.putBack(id)}>
+          {shortDt.putBack(presetText(held.back))}
+        </button>
+      )}
+    </div>
+  );
+}
+
+function Where({ session, form }: { readonly session: Session; readonly form: FlightForm }) {
+  const { form: words, row } = flightMessages.value;
+  const { models, flights } = session.library;
+  const flight = form.flight.value;
+  const places = useId();
+  const known = models.get(flight.model);
+  const listed = models.list.value.filter(({ model, key }) => !model.archived || key === flight.model);
+  return (
+    <details>
+      <summary>{words.when}</summary>
+      <div class="flight-where">
+        <label class="flight-field">
+          {words.date}
+          <input
+            type="datetime-local"
+            aria-invalid={form.problems.value.has('at')}
+            value={form.when}
+            onChange={({ currentTarget }) => form.setWhen(currentTarget.value)}
+          />
+        </label>
+        {form.problems.value.has('at') && (
+          <p class="bad-text" role="alert">
+            {words.unreadable['not-a-date']}
+          </p>
+        )}
+        <label class="flight-field">
+          {words.place}
+          <input
+            type="text"
+            list={places}
+            autocomplete="off"
+            maxLength={LIMITS.place}
+            value={flight.place}
+            onInput={({ currentTarget }) => form.setPlace(currentTarget.value)}
+          />
+        </label>
+        <datalist id={places}>
+          {placesOf(flights.list.value).map((place) => (
+            <option key={place} value={place} />
+          ))}
+        </datalist>
+        <label class="flight-field">
+          {words.model}
+          <select
+            value={flight.model ?? ''}
+            onChange={({ currentTarget }) => form.setModel(models.get(currentTarget.value)?.model ?? null)}
+          >
+            <option value="">{row.noModel}</option>
+            {flight.model !== null && !known && <option value={flight.model}>{flight.modelName}</option>}
+            {listed.map(({ key, model }) => (
+              <option key={key} value={key}>
+                {model.name}
+              </option>
+            ))}
+          </select>
+        </label>
+      </div>
+    </details>
+  );
+}
+
+/** A copy of what the timer held: nothing changes it any more. */
+function Flown({ form }: { readonly form: FlightForm }) {
+  const { form: words } = flightMessages.value;
+  const { program: names } = messages.value;
+  const { program } = form.flight.value;
+  return (
+    <details>
+      <summary>{words.flown}</summary>
+      <SlotTable
+        program={program}
+        caption={words.flownCaption}
+        class="flown-values"
+        headings={[names.time]}
+        rows={program.times.map((time, slot) => ({
+          slot,
+          cells: [figureText(program.identity, { kind: 'time', slot }, time)],
+        }))}
+      />
+    </details>
+  );
+}

@@ -1,0 +1,172 @@
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { flightMessages } from '../messages/flights.js';
+import { presetText } from '../messages/index.js';
+import type { ShortDt } from '../session/short-dt.js';
+import type { FlightRecord } from '../storage/index.js';
+import { type FlightDay, isRound, timeOf } from './flight-list.js';
+import { dayText, isFull, resultText } from './flight-text.js';
+import { measureText } from './measures.js';
+import './flight-rows.css';
+
+interface FlightRowsProps {
+  readonly days: readonly FlightDay[];
+  readonly shortDt: ShortDt;
+  readonly onOpen: (key: string) => void;
+}
+
+/** So many rows come and go together. */
+const CHUNK = 40;
+/** How high a row and a head are about, in rem, where they have not been seen yet. */
+const ABOUT = { row: 4, head: 3.4 };
+
+/** A part of a day, as long as a chunk at most. */
+interface Part extends FlightDay {
+  /** It goes on with a day that has begun before. */
+  readonly goesOn: boolean;
+  /** How many flights the whole day has. */
+  readonly count: number;
+}
+
+/**
+ * The flights by day and place. Of ten thousand only those near the window are in the page; the others keep their
+ * place.
+ */
+export function FlightRows({ days, ...props }: FlightRowsProps) {
+  return (
+    <div class="flight-days">
+      {chunksOf(days).map((parts, at) => (
+        <Near
+          key={parts[0]?.records[0]?.key}
+          begin={at === 0}
+          about={parts.reduce(
+            (sum, { goesOn, records }) => sum + (goesOn ? 0 : ABOUT.head) + records.length * ABOUT.row,
+            0,
+          )}
+        >
+          {() => parts.map((part) => <Day key={`${part.key} ${part.records[0]?.key}`} part={part} {...props} />)}
+        </Near>
+      ))}
+    </div>
+  );
+}
+
+/** The days in turn, cut so that no chunk is long. */
+function chunksOf(days: readonly FlightDay[]): readonly (readonly Part[])[] {
+  const chunks: Part[][] = [[]];
+  let room = CHUNK;
+  for (const day of days) {
+    for (let from = 0; from < day.records.length; ) {
+      if (room === 0) {
+        chunks.push([]);
+        room = CHUNK;
+      }
+      const records = day.records.slice(from, from + room);
+      chunks.at(-1)?.push({ ...day, records, goesOn: from > 0, count: day.records.length });
+      room -= records.length;
+      from += records.length;
+    }
+  }
+  return chunks;
+}
+
+interface NearProps {
+  /** It is drawn at once. */
+  readonly begin: boolean;
+  /** How high it is about, in rem. */
+  readonly about: number;
+  readonly children: () => ComponentChildren;
+}
+
+/** What is drawn only while it is near the window. */
+function Near({ begin, about, children }: NearProps) {
+  const box = useRef<HTMLDivElement>(null);
+  const [isNear, setNear] = useState(begin);
+  /** As high as it was when it was seen. */
+  const [height, setHeight] = useState<number | null>(null);
+  useEffect(() => {
+    const { current: element } = box;
+    if (!element) return;
+    const observer = new IntersectionObserver(
+      ([entry]) => {
+        if (!entry) return;
+        // What has the keyboard stays.
+        if (!entry.isIntersecting && element.contains(document.activeElement)) return;
+        if (!entry.isIntersecting && entry.boundingClientRect.height > 0) setHeight(entry.boundingClientRect.height);
+        setNear(entry.isIntersecting);
+      },
+      { rootMargin: '1200px 0px' },
+    );
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, []);
+  return (
+    <div ref={box} style={isNear ? undefined : { height: height === null ? `${about}rem` : `${height}px` }}>
+      {isNear && children()}
+    </div>
+  );
+}
+
+interface DayProps extends Omit<FlightRowsProps, 'days'> {
+  readonly part: Part;
+}
+
+function Day({ part, ...props }: DayProps) {
+  const words = flightMessages.value;
+  const { at, place, goesOn, count, records } = part;
+  const title = words.day(dayText(at), place);
+  return (
+    <section class="flight-day" aria-label={title}>
+      {!goesOn && (
+        <h2>
+          <span>{title}</span> <span class="flight-count">{words.dayCount(count)}</span>
+        </h2>
+      )}
+      <ul>
+        {records.map((record) => (
+          <Row key={record.key} record={record} {...props} />
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+interface RowProps extends Omit<FlightRowsProps, 'days'> {
+  readonly record: FlightRecord;
+  /** It stands under no day. */
+  readonly withDay?: boolean;
+}
+
+export function Row({ record: { key, flight }, shortDt, onOpen, withDay = false }: RowProps) {
+  const { row: words } = flightMessages.value;
+  const { wind, temperature, round, result, note, program } = flight;
+  const facts = [
+    withDay ? flightMessages.value.day(dayText(flight.at), flight.place) : null,
+    round === '' ? null : words.round(round),
+    wind === null ? null : words.wind(measureText(wind)),
+    temperature === null ? null : words.temperature(measureText(temperature)),
+    note.split('\n')[0] || null,
+  ].filter((fact) => fact !== null);
+  return (
+    <li>
+      <button type="button" class="flight-row" onClick={() => onOpen(key)}>
+        <span class="flight-time">{timeOf(flight.at)}</span>
+        <span class="flight-what">
+          <b>{flight.modelName || words.noModel}</b>
+          {flight.settingName && ` · ${flight.settingName}`}
+          {facts.length > 0 && <small>{facts.join(' · ')}</small>}
+        </span>
+        <span class="flight-end">
+          {result === null ? (
+            <small>{words.noResult}</small>
+          ) : (
+            <b class={isRound(flight) && isFull(flight) ? 'full' : undefined}>{resultText(result)}</b>
+          )}
+          {shortDt.isShort(program) && (
+            <small class="bad-text">{words.dt(presetText(program.times[program.identity.functions] as number))}</small>
+          )}
+        </span>
+      </button>
+    </li>
+  );
+}

@@ -1,0 +1,51 @@
+import type { Flight, TimerProgram } from '../../program/index.js';
+import { formatFigure, formatTime } from '../editing/units.js';
+import { flightMessages } from '../messages/flights.js';
+import { messages } from '../messages/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import { ROUND_MAXIMUM } from './flight-list.js';
+
+/** A result as a large figure: “2:58 min”, “40.5 s”. */
+export function resultText(seconds: number): string {
+  const { text, unit } = formatFigure(Math.round(seconds * 100), 100);
+  const { figure, units } = messages.value.times;
+  return figure(text, units[unit]);
+}
+
+/** The same on a clock, without its unit: “2:58”. */
+export function clockOf(seconds: number): string {
+  return formatTime(Math.round(seconds * 100));
+}
+
+/** Whether a round was flown to its end. */
+export function isFull({ result }: Pick<Flight, 'result'>): boolean {
+  return result !== null && result >= ROUND_MAXIMUM;
+}
+
+/** What a program is known by: “DT 3:00 min”, “motor stop 10.0 s”. */
+export function figuresOf(program: TimerProgram): readonly string[] {
+  return keyFigures(program).map(({ label, text }) => `${label} ${text}`);
+}
+
+/** The memory and the figures of a program that a timer holds. */
+export function heldText(program: TimerProgram): string {
+  const { memory } = program;
+  const { flying } = flightMessages.value;
+  return flying.held(memory === null ? null : messages.value.memoryName(memory), figuresOf(program));
+}
+
+/** A day as the head of a group: “Sun 22 Nov 2026”. */
+export function dayText(at: number): string {
+  return formatterOf(messages.value.locale).format(at);
+}
+
+/** Made once: a formatter is dear, and there are thousands of days. */
+const formatters = new Map<string, Intl.DateTimeFormat>();
+
+function formatterOf(locale: string): Intl.DateTimeFormat {
+  const known = formatters.get(locale);
+  if (known) return known;
+  const made = new Intl.DateTimeFormat(locale, { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric' });
+  formatters.set(locale, made);
+  return made;
+}

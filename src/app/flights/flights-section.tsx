@@ -1,0 +1,62 @@
+import { useEffect } from 'preact/hooks';
+import { flightMessages } from '../messages/flights.js';
+import type { Session } from '../session/session.js';
+import { type FlightFilter, NO_FILTER } from './flight-filter.js';
+import { filtered } from './flight-list.js';
+import type { FlightLog } from './flight-log.js';
+import { Row } from './flight-rows.js';
+import { TotalsLine } from './totals-line.js';
+import './flights-section.css';
+
+interface FlightsSectionProps {
+  readonly session: Session;
+  readonly log: FlightLog;
+  /** Whose flights: those of a model, or of a setting, by its id. */
+  readonly of: { readonly model: string } | { readonly setting: string };
+  /** The log is to be seen. */
+  readonly onAll: () => void;
+}
+
+/** So many of the latest stand on the page of a model or a setting. */
+const SOME = 5;
+
+/** The flights of a model or a setting: the latest, the totals, and the way to all of them. */
+export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps) {
+  const words = flightMessages.value;
+  const { flights } = session.library;
+  useEffect(() => void flights.load(), [flights]);
+  const only: Partial<FlightFilter> = 'model' in of ? { model: { id: of.model } } : { setting: of.setting };
+  const showAll = (): void => {
+    log.showOnly(only);
+    onAll();
+  };
+  const records = filtered(flights.list.value, { ...NO_FILTER, ...only }, 0);
+  return (
+    <section class="flights-of">
+      <h2>{words.title}</h2>
+      {records.length === 0 ? (
+        <p class="hint">{flights.loaded.value ? words.section.none : words.loading}</p>
+      ) : (
+        <>
+          <TotalsLine records={records} />
+          <ul>
+            {records.slice(0, SOME).map((record) => (
+              <Row
+                key={record.key}
+                record={record}
+                shortDt={session.shortDt}
+                onOpen={(key) => log.fillIn(key)}
+                withDay
+              />
+            ))}
+          </ul>
+          <div class="buttons">
+            <button type="button" onClick={showAll}>
+              {words.section.all}
+            </button>
+          </div>
+        </>
+      )}
+    </section>
+  );
+}

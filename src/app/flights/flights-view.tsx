@@ -1,0 +1,79 @@
+import { useEffect } from 'preact/hooks';
+import { flightMessages } from '../messages/flights.js';
+import type { Session } from '../session/session.js';
+import { CsvExport } from './csv-export.js';
+import { FilterBar } from './filter-bar.js';
+import { NO_FILTER } from './flight-filter.js';
+import { filtered, grouped } from './flight-list.js';
+import type { FlightLog } from './flight-log.js';
+import { FlightRows } from './flight-rows.js';
+import { FlyingThis } from './flying-this.js';
+import { TotalsLine } from './totals-line.js';
+import './flights-view.css';
+
+export interface FlightsViewProps {
+  readonly session: Session;
+  readonly log: FlightLog;
+}
+
+/** The log of flights: newest first, by day and place, with what is filtered and its totals. */
+export function FlightsView({ session, log }: FlightsViewProps) {
+  const words = flightMessages.value;
+  const { library } = session;
+  const { list, loaded, removed } = library.flights;
+  useEffect(() => {
+    void library.flights.load();
+    void library.load();
+  }, [library]);
+  const filter = log.filter.value;
+  const shown = filtered(list.value, filter, Date.now());
+  return (
+    <div class="flights">
+      <div class="flights-head">
+        <h1>{words.title}</h1>
+        <a href="#library">{words.library}</a>
+      </div>
+      <FlyingThis session={session} log={log} />
+      {removed.value.length > 0 && (
+        <div class="notice" role="status">
+          <p>{words.removed(removed.value.length)}</p>
+          <button type="button" onClick={() => library.flights.undoRemove()}>
+            {words.undoRemove}
+          </button>
+        </div>
+      )}
+      {!loaded.value && list.value.length === 0 && (
+        <p class="hint" role="status">
+          {words.loading}
+        </p>
+      )}
+      {loaded.value && list.value.length === 0 && (
+        <div class="flights-empty">
+          <p>
+            <strong>{words.empty.title}</strong>
+          </p>
+          <p class="hint">{words.empty.advice}</p>
+        </div>
+      )}
+      {list.value.length > 0 && (
+        <>
+          <details class="flights-tools" open={filter !== NO_FILTER}>
+            <summary>{words.filter.title}</summary>
+            <FilterBar session={session} log={log} />
+          </details>
+          <div class="flights-sum">
+            <TotalsLine records={shown} />
+            {shown.length < list.value.length && (
+              <button type="button" class="quiet" onClick={() => log.showOnly()}>
+                {words.filter.clear}
+              </button>
+            )}
+          </div>
+          {shown.length === 0 && <p class="hint">{words.nothingFound}</p>}
+          <FlightRows days={grouped(shown)} shortDt={session.shortDt} onOpen={(key) => log.fillIn(key)} />
+          {loaded.value && <CsvExport records={shown} />}
+        </>
+      )}
+    </div>
+  );
+}

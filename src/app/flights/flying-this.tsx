@@ -1,0 +1,56 @@
+import { useEffect } from 'preact/hooks';
+import { flightMessages } from '../messages/flights.js';
+import type { Session } from '../session/session.js';
+import { timeOf } from './flight-list.js';
+import type { FlightLog } from './flight-log.js';
+import { heldText } from './flight-text.js';
+import './flying-this.css';
+
+interface FlyingThisProps {
+  readonly session: Session;
+  readonly log: FlightLog;
+  /** The flight is to be filled in. */
+  readonly onFillIn?: () => void;
+}
+
+/** One tap logs a flight with what the timer holds; then it says so, and can be undone or filled in. */
+export function FlyingThis({ session, log, onFillIn }: FlyingThisProps) {
+  const { flying: words, row } = flightMessages.value;
+  const { flights } = session.library;
+  const key = log.logged.value;
+  const logged = flights.get(key)?.flight;
+  const held = log.held.value;
+  // What was logged belongs to the place where it was.
+  useEffect(() => () => log.forgetLogged(), [log]);
+  if (logged) {
+    const fillIn = (): void => {
+      log.fillIn(logged.id);
+      onFillIn?.();
+    };
+    return (
+      <div class="flying-this">
+        <p role="status">
+          <strong>{words.logged(timeOf(logged.at), [logged.modelName || row.noModel, logged.place])}</strong>
+          {flights.unsaved.value.has(logged.id) && <span class="bad-text"> {words.unkept}</span>}
+        </p>
+        <div class="buttons">
+          <button type="button" class="quiet" onClick={() => log.undo()}>
+            {words.undo}
+          </button>
+          <button type="button" onClick={fillIn}>
+            {words.fillIn}
+          </button>
+        </div>
+      </div>
+    );
+  }
+  if (!held) return null;
+  return (
+    <div class="flying-this">
+      <p class="hint">{heldText(held)}</p>
+      <button type="button" onClick={() => log.flying()}>
+        {words.button}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,80 @@
+import { useId } from 'preact/hooks';
+import { flightMessages } from '../messages/flights.js';
+import type { FlightForm } from './flight-form.js';
+import { type Measure, RANGES } from './measures.js';
+import './stepper.css';
+
+interface StepperProps {
+  readonly form: FlightForm;
+  readonly measure: Measure;
+  readonly label: string;
+  readonly unit: string;
+}
+
+/** A number for cold hands: a large button down and up, and a field between them. */
+export function Stepper({ form, measure, label, unit }: StepperProps) {
+  const { form: words } = flightMessages.value;
+  const [id, note] = [useId(), useId()];
+  return (
+    <div class="stepper">
+      <label for={id}>
+        {label} <small>{unit}</small>
+      </label>
+      <span class="stepper-line">
+        <button type="button" aria-label={words.less(label)} onClick={() => form.step(measure, -1)}>
+          {words.stepDown}
+        </button>
+        <MeasureField {...{ form, measure, id, note }} />
+        <button type="button" aria-label={words.more(label)} onClick={() => form.step(measure, 1)}>
+          {words.stepUp}
+        </button>
+      </span>
+      <MeasureProblem {...{ form, measure, unit, note }} />
+    </div>
+  );
+}
+
+interface MeasureFieldProps {
+  readonly form: FlightForm;
+  readonly measure: Measure;
+  readonly id: string;
+  /** Of what is said about it. */
+  readonly note: string;
+}
+
+export function MeasureField({ form, measure, id, note }: MeasureFieldProps) {
+  return (
+    <input
+      type="text"
+      // A number pad without a minus or a colon is of no use here.
+      inputMode={measure === 'wind' ? 'decimal' : 'text'}
+      autocomplete="off"
+      id={id}
+      aria-describedby={note}
+      aria-invalid={form.problems.value.has(measure)}
+      value={form.textOf(measure)}
+      onInput={({ currentTarget }) => form.type(measure, currentTarget.value)}
+      onBlur={() => form.leave(measure)}
+    />
+  );
+}
+
+interface MeasureProblemProps {
+  readonly form: FlightForm;
+  readonly measure: Measure;
+  readonly unit: string;
+  readonly note: string;
+}
+
+/** Why a number was not taken. */
+export function MeasureProblem({ form, measure, unit, note }: MeasureProblemProps) {
+  const { form: words } = flightMessages.value;
+  const problem = form.problems.value.get(measure);
+  if (!problem) return null;
+  const { min, max } = RANGES[measure];
+  return (
+    <p class="bad-text stepper-problem" id={note} role="alert">
+      {problem === 'out-of-range' ? words.range(min, max, unit) : words.unreadable[problem]}
+    </p>
+  );
+}

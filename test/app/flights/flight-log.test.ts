@@ -1,0 +1,267 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { FlightForm } from '../../../src/app/flights/flight-form.js';
+import type { Flight, Model, ProgramField } from '../../../src/program/index.js';
+import { type AppBench, connectedBench, idle, reloaded, run } from '../bench/bench.js';
+import { PLAIN } from './flights.js';
+
+beforeEach(() => localStorage.clear());
+
+const DT: ProgramField = { kind: 'time', slot: 10 };
+const S1: ProgramField = { kind: 'position', servo: 0, slot: 2 };
+const LANCER: Model = {
+  id: 'lancer',
+  name: 'Lancer 07',
+  timerClass: 'Q',
+  note: '',
+  servos: [],
+  memoryNames: [],
+  photo: null,
+  archived: false,
+};
+
+const logged = ({ session }: AppBench): readonly Flight[] =>
+  session.library.flights.list.value.map(({ flight }) => flight);
+const latest = (app: AppBench): Flight => logged(app)[0] as Flight;
+const kept = ({ store }: AppBench) => [...store.flights.records.values()].map(({ flight }) => flight);
+
+/** Types a DT, and writes what differs. */
+async function write(app: AppBench, dt: string): Promise<void> {
+  app.editor.type(DT, dt);
+  await run(app.write.open());
+  app.session.safety.confirm();
+  await run(app.write.start());
+  app.write.dismiss();
+}
+
+/** A flight in the log, and the form in which it is filled in. */
+async function opened(changes: Partial<Flight> = {}, before: Flight | null = null) {
+  const app = await connectedBench();
+  await app.session.library.keepFlight({ ...PLAIN, ...changes });
+  return { app, form: new FlightForm(app.flights, latest(app), before) };
+}
+
+describe('one tap', () => {
+  it('logs what the timer was verified to hold, and never what is merely typed', async () => {
+    const app = await connectedBench();
+    await write(app, '4:00');
+    const { times, positions } = structuredClone(app.timer.core.content);
+    app.editor.type(DT, '20 s');
+    app.editor.type(S1, '7');
+    app.flights.flying();
+    await idle();
+    expect(latest(app).program).toMatchObject({ memory: 0, times, positions });
+    expect(times[10]).toBe(24_000);
+    const { wind, temperature, round, result, note, place, model, modelName } = latest(app);
+    expect([wind, temperature, round, result, note, place, model, modelName]).toEqual([
+      null,
+      null,
+      '',
+      null,
+      '',
+      '',
+      null,
+      '',
+    ]);
+    expect(kept(app)).toEqual(logged(app));
+    await write(app, '3:00');
+    expect(latest(app).program.times[10], 'a copy never changes').toBe(24_000);
+    const again = await reloaded(app);
+    await again.session.library.flights.load();
+    expect(logged(again)).toEqual(logged(app));
+  });
+
+  it('logs nothing where it is not known what flies next', async () => {
+    const app = await connectedBench();
+    expect(app.flights.held.value, 'read is enough').not.toBeNull();
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') app.timer.core.sleep();
+    };
+    await write(app, '4:00');
+    expect(app.flights.held.value, 'a write was cut off').toBeNull();
+    app.flights.flying();
+    await run(app.session.disconnect());
+    app.flights.flying();
+    expect([app.flights.held.value, logged(app)]).toEqual([null, []]);
+  });
+
+  it('knows the model at hand, and the place where the pilot was last', async () => {
+    const app = await connectedBench();
+    await app.session.library.load();
+    await app.session.library.keepModel(LANCER);
+    app.session.recognition.say(LANCER);
+    app.flights.flying();
+    await idle();
+    expect([latest(app).model, latest(app).modelName]).toEqual(['lancer', 'Lancer 07']);
+    await app.flights.change(latest(app).id, { place: 'Gyula' });
+    await app.session.library.keepModel({ ...LANCER, name: 'Lancer 07b' });
+    app.flights.flying();
+    await idle();
+    const names = logged(app).map(({ place, modelName }) => `${place} ${modelName}`);
+    expect(names.sort(), 'the name of its day').toEqual(['Gyula Lancer 07', 'Gyula Lancer 07b']);
+  });
+
+  it('names the setting on the screen only where nothing on it differs from the timer', async () => {
+    const app = await connectedBench();
+    await app.session.library.load();
+    await app.session.library.keepModel(LANCER);
+    await app.session.opened.saveAs({ model: 'lancer', name: 'calm' });
+    app.flights.flying();
+    expect(latest(app)).toMatchObject({ model: 'lancer', settingName: 'calm' });
+    app.editor.type(DT, '20 s');
+    app.flights.flying();
+    await idle();
+    const names = logged(app).map(({ settingName }) => settingName);
+    expect(names.sort()).toEqual(['', 'calm']);
+  });
+
+  it('is undone, and what was deleted comes back', async () => {
+    const app = await connectedBench();
+    app.flights.flying();
+    app.flights.undo();
+    expect([logged(app), app.flights.logged.value]).toEqual([[], null]);
+    await idle();
+    expect(kept(app)).toEqual([]);
+    app.flights.flying();
+    await idle(0);
+    const flight = latest(app);
+    app.flights.fillIn(flight.id);
+    app.flights.remove(flight.id);
+    expect([logged(app), app.flights.filling.value]).toEqual([[], null]);
+    app.session.library.flights.undoRemove();
+    await idle();
+    expect([logged(app), kept(app)]).toEqual([[flight], [flight]]);
+  });
+
+  it('is on the screen where the browser keeps nothing, and is kept when it does again', async () => {
+    const app = await connectedBench();
+    app.store.broken = true;
+    app.flights.flying();
+    await idle();
+    expect([logged(app).length, kept(app).length]).toEqual([1, 0]);
+    expect(app.session.library.flights.unsaved.value.has(latest(app).id)).toBe(true);
+    app.store.broken = false;
+    await app.session.library.keepAgain();
+    expect(kept(app)).toEqual(logged(app));
+  });
+
+  it('once more needs no timer', async () => {
+    const app = await connectedBench();
+    app.flights.flying();
+    await idle(0);
+    await app.flights.change(latest(app).id, { place: 'Gyula', result: 170, note: 'good air', round: '1' });
+    await run(app.session.disconnect());
+    const first = latest(app);
+    app.flights.flyAgain(first);
+    await idle();
+    const again = logged(app).find(({ id }) => id !== first.id);
+    expect(again).toMatchObject({ program: first.program, place: 'Gyula', result: null, note: '', round: '' });
+  });
+});
+
+describe('the form of a flight', () => {
+  it('keeps what can be read at once, and leaves in the field what cannot', async () => {
+    const { app, form } = await opened();
+    form.type('wind', '3,5');
+    form.type('result', '2:58');
+    form.type('temperature', 'warm');
+    await idle(0);
+    expect(latest(app)).toMatchObject({ wind: 3.5, result: 178, temperature: null });
+    expect([form.textOf('wind'), form.textOf('result'), form.textOf('temperature')]).toEqual(['3,5', '2:58', 'warm']);
+    expect([...form.problems.value]).toEqual([['temperature', 'not-a-number']]);
+    for (const measure of ['wind', 'result', 'temperature'] as const) form.leave(measure);
+    expect([form.textOf('wind'), form.textOf('result'), form.textOf('temperature')]).toEqual(['3.5', '178', 'warm']);
+    form.type('wind', '');
+    await idle(0);
+    expect(latest(app).wind).toBeNull();
+    form.type('wind', '99');
+    expect([latest(app).wind, form.problems.value.get('wind')]).toEqual([null, 'out-of-range']);
+  });
+
+  it('steps from what it was on the flight before of the same day, else from what is usual', async () => {
+    const before = { ...PLAIN, id: 'before', at: PLAIN.at - 60_000, wind: 4.5 };
+    const { form } = await opened({}, before);
+    form.step('wind', 1);
+    form.step('temperature', -1);
+    expect([form.textOf('wind'), form.textOf('temperature')]).toEqual(['4.5', '15']);
+    form.step('wind', 1);
+    form.step('temperature', -1);
+    expect([form.textOf('wind'), form.textOf('temperature')]).toEqual(['5', '14']);
+    const other = await opened({}, { ...before, at: before.at - 86_400_000 });
+    other.form.step('wind', 1);
+    expect(other.form.textOf('wind')).toBe('2');
+  });
+
+  it('takes a round back that is picked twice, and a date', async () => {
+    const { app, form } = await opened();
+    form.pickRound('3');
+    expect(form.flight.value.round).toBe('3');
+    form.pickRound('3');
+    expect(form.flight.value.round).toBe('');
+    expect(form.when).toBe('2026-11-22T14:05');
+    form.setWhen('2026-11-20T09:30');
+    await idle(0);
+    expect(latest(app).at).toBe(new Date(2026, 10, 20, 9, 30).getTime());
+    form.setWhen('');
+    expect([form.problems.value.has('at'), latest(app).at]).toEqual([true, new Date(2026, 10, 20, 9, 30).getTime()]);
+  });
+
+  it('is put back as it was, without what another tab has changed meanwhile', async () => {
+    const { app, form } = await opened({ wind: 2 });
+    const first = latest(app);
+    form.type('wind', '5');
+    form.type('result', 'x');
+    form.setNote('typed');
+    await idle(0);
+    await app.session.library.keepFlight({ ...latest(app), temperature: 20 });
+    expect(form.changed.value).toBe(true);
+    form.undo();
+    await idle(0);
+    expect(latest(app)).toEqual({ ...first, temperature: 20 });
+    expect([form.changed.value, form.textOf('wind'), form.textOf('result')]).toEqual([false, '2', '']);
+    form.setNote('again');
+    await idle(0);
+    expect(latest(app).note).toBe('again');
+  });
+
+  it('keeps the last letter of many that are typed while the browser is slow', async () => {
+    const { app, form } = await opened();
+    for (const note of ['g', 'go', 'goo', 'good']) form.setNote(note);
+    await idle(0);
+    expect(kept(app).map(({ note }) => note)).toEqual(['good']);
+  });
+});
+
+describe('a round with a short DT', () => {
+  it('is put back by a write, and flown with what that has verified', async () => {
+    const app = await connectedBench();
+    await write(app, '20 s');
+    app.flights.flying();
+    await idle(0);
+    const { id } = latest(app);
+    expect(app.flights.canPutBack(latest(app))).toBe(true);
+    app.flights.fillIn(id);
+    await run(app.flights.putBack(id));
+    expect([app.flights.filling.value, app.timer.core.content.times[10]], 'asked first').toEqual([null, 2000]);
+    await run(app.write.start());
+    await idle(0);
+    expect(app.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    expect([latest(app).program.times[10], app.timer.core.content.times[10]]).toEqual([18_000, 18_000]);
+    app.write.dismiss();
+    await write(app, '25 s');
+    expect(latest(app).program.times[10], 'that write was for nothing else').toBe(18_000);
+  });
+
+  it('is not put back where it has a result, where the timer holds something else, or where the write is left', async () => {
+    const app = await connectedBench();
+    await write(app, '20 s');
+    app.flights.flying();
+    await idle(0);
+    const flight = latest(app);
+    expect(app.flights.canPutBack({ ...flight, result: 20 })).toBe(false);
+    await run(app.flights.putBack(flight.id));
+    app.write.dismiss();
+    await write(app, '25 s');
+    expect(latest(app).program.times[10]).toBe(2000);
+    expect(app.flights.canPutBack(latest(app)), 'not what the timer holds').toBe(false);
+  });
+});

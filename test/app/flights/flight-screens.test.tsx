@@ -1,0 +1,190 @@
+import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { type AppBench, idle } from '../bench/bench.js';
+import { button, connected, opened, press, type } from '../screen.js';
+import { PLAIN } from './flights.js';
+
+beforeEach(() => localStorage.clear());
+
+const form = () => within(screen.getByRole('dialog', { name: 'Flight' }));
+const flights = ({ session }: AppBench) => session.library.flights.list.value.map(({ flight }) => flight);
+const rows = () => [...document.querySelectorAll('.flight-row')].map(({ textContent }) => textContent);
+const days = () => [...document.querySelectorAll('.flight-day h2')].map(({ textContent }) => textContent);
+
+async function toLog(app: AppBench): Promise<void> {
+  app.models.views.show('library', 'flights');
+  await idle();
+}
+
+function fill(name: string, text: string): void {
+  act(() => void fireEvent.input(form().getByRole('textbox', { name }), { target: { value: text } }));
+}
+
+/** A season: two days at two places. */
+async function season(): Promise<AppBench> {
+  const app = await opened();
+  const day = (date: number, hour: number) => new Date(2026, 10, date, hour).getTime();
+  const some = [
+    { id: 'a', at: day(21, 9), place: 'Wiese', modelName: 'Lancer', model: 'l', result: 180, round: '1' },
+    { id: 'b', at: day(21, 10), place: 'Wiese', modelName: 'Lancer', model: 'l', result: 171.5, round: '2', wind: 3.5 },
+    { id: 'c', at: day(22, 9), place: 'Gyula', modelName: 'Vega', model: 'v', note: 'strong thermal\nsecond line' },
+  ];
+  for (const flight of some) await app.session.library.keepFlight({ ...PLAIN, ...flight });
+  await toLog(app);
+  return app;
+}
+
+describe('the log', () => {
+  it('shows flights by day and place, newest first, with their totals', async () => {
+    await season();
+    expect(days()).toEqual(['Sun, 22 Nov 2026 · Gyula 1 flight', 'Sat, 21 Nov 2026 · Wiese 2 flights']);
+    expect(rows()).toEqual([
+      '09:00Vegastrong thermalno result',
+      '10:00LancerRound 2 · 3.5 m/s2:51.5 min',
+      '09:00LancerRound 13:00 min',
+    ]);
+    expect(document.querySelector('.flight-totals')?.textContent).toBe(
+      '3 flightsbest 3:00 minaverage 2:56 min1 of 2 rounds at 3:00 min or more',
+    );
+  });
+
+  it('is filtered, and shows all again', async () => {
+    await season();
+    const choose = async (name: string, value: string): Promise<void> => {
+      act(() => void fireEvent.change(screen.getByRole('combobox', { name }), { target: { value } }));
+      await idle(0);
+    };
+    await choose('Model', 'id l');
+    expect(rows().length).toBe(2);
+    act(() => void fireEvent.input(screen.getByRole('searchbox', { name: 'Search' }), { target: { value: 'gyula' } }));
+    expect(screen.getByText('No flight fits this filter.')).toBeTruthy();
+    await choose('Model', 'all');
+    expect(rows()).toEqual(['09:00Vegastrong thermalno result']);
+    await press('Show all');
+    expect(rows().length).toBe(3);
+    await choose('Period', 'own');
+    act(() => void fireEvent.change(screen.getByLabelText('To'), { target: { value: '2026-11-21' } }));
+    expect(rows().length).toBe(2);
+  });
+
+  it('opens a flight, fills it in, deletes it and takes that back', async () => {
+    const app = await season();
+    act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
+    fill('Result', '2:58');
+    expect(form().getByText('2:58 min, 178 s')).toBeTruthy();
+    await press('5');
+    await press('Wind: more');
+    await press('Temperature: less');
+    fill('Note', 'better');
+    await press('Done');
+    expect(screen.queryByRole('dialog')).toBeNull();
+    expect(flights(app)[0]).toMatchObject({ result: 178, round: '5', wind: 2, temperature: 15, note: 'better' });
+    expect(rows()[0]).toBe('09:00VegaRound 5 · 2 m/s · 15 °C · better2:58 min');
+    act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
+    await press('Delete');
+    expect([rows().length, screen.queryByRole('dialog')]).toEqual([2, null]);
+  });
+
+  it('leads back to what cannot be read, and Escape leaves it', async () => {
+    const app = await season();
+    act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
+    fill('Wind m/s', 'much');
+    expect(form().getByRole('alert').textContent).toBe('Not a number.');
+    await press('Done');
+    expect(document.activeElement).toBe(form().getByRole('textbox', { name: 'Wind m/s' }));
+    fill('Wind m/s', '51');
+    expect(form().getByRole('alert').textContent).toBe('0 to 50 m/s.');
+    act(() => void screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true })));
+    expect([screen.queryByRole('dialog'), flights(app)[0]?.wind]).toEqual([null, null]);
+  });
+
+  it('is saved as a table with what is shown', async () => {
+    await season();
+    const saved: Blob[] = [];
+    vi.stubGlobal('URL', Object.assign(URL, { createObjectURL: (blob: Blob) => String(saved.push(blob)) }));
+    act(() => void fireEvent.change(screen.getByRole('combobox', { name: 'Model' }), { target: { value: 'id v' } }));
+    act(
+      () =>
+        void fireEvent.change(screen.getByRole('combobox', { name: 'Between columns' }), { target: { value: ',' } }),
+    );
+    await press('Save as a table (CSV)');
+    const text = await saved[0]?.text();
+    expect(saved[0]?.type).toBe('text/csv');
+    expect(text?.split('\r\n').length).toBe(3);
+    expect(text).toContain('2026-11-22,09:00,"Gyula","Vega"');
+    expect(localStorage.getItem('sidus-timer/csv-separator')).toBe('","');
+  });
+
+  it('says what it is for while it is empty', async () => {
+    await toLog(await opened());
+    expect(screen.getByText('No flight is logged yet.')).toBeTruthy();
+    expect(screen.queryByRole('button', { name: 'Flying this' })).toBeNull();
+  });
+});
+
+describe('after a verified write', () => {
+  it('one tap logs the flight; it is undone, or filled in', async () => {
+    const app = await connected();
+    await type('DT time', '20 s');
+    await press('Write…');
+    expect(screen.queryByRole('button', { name: 'Flying this' }), 'not before it').toBeNull();
+    app.session.safety.confirm();
+    await idle(0);
+    await press(/^Write \d+ change/);
+    await press('Flying this');
+    const dialog = within(screen.getByRole('dialog', { name: 'Write to the timer' }));
+    expect(dialog.getByText(/^Flight logged \d\d:\d\d · No model$/)).toBeTruthy();
+    expect(flights(app).map(({ program }) => program.times[10])).toEqual([2000]);
+    dialog.getByRole('button', { name: 'Undo' }).click();
+    await idle(0);
+    expect(flights(app)).toEqual([]);
+    await press('Flying this');
+    await press('Fill in');
+    expect(screen.getAllByRole('dialog').length).toBe(1);
+    await press('3');
+    expect(form().getByRole('alert').textContent).toContain('DT of M1 is 20 s. Put back to 3 min?');
+    await press('Put back to 3 min…');
+    await press(/^Write \d+ change/);
+    expect(app.timer.core.content.times[10]).toBe(18_000);
+    expect(flights(app).map(({ program, round }) => [program.times[10], round])).toEqual([[18_000, '3']]);
+  });
+
+  it('offers nothing where the timer did not take it all', async () => {
+    const app = await connected();
+    await type('DT time', '20 s');
+    await press('Write…');
+    app.session.safety.confirm();
+    await idle(0);
+    app.timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') app.timer.core.content.times[10] = 1900;
+    };
+    await press(/^Write \d+ change/);
+    expect(within(screen.getByRole('dialog')).queryByRole('button', { name: 'Flying this' })).toBeNull();
+  });
+});
+
+describe('the page of a model', () => {
+  it('shows its flights, and leads to all of them', async () => {
+    const app = await season();
+    await app.session.library.keepModel({
+      id: 'l',
+      name: 'Lancer',
+      timerClass: 'Q',
+      note: '',
+      servos: [],
+      memoryNames: [],
+      photo: null,
+      archived: false,
+    });
+    app.models.views.show('library', 'l');
+    await idle();
+    expect(rows()).toEqual([
+      '10:00LancerSat, 21 Nov 2026 · Wiese · Round 2 · 3.5 m/s2:51.5 min',
+      '09:00LancerSat, 21 Nov 2026 · Wiese · Round 13:00 min',
+    ]);
+    await press('All its flights');
+    expect(app.models.views.path.value).toBe('flights');
+    expect([rows().length, days().length]).toEqual([2, 1]);
+    expect(button('Show all')).toBeTruthy();
+  });
+});
