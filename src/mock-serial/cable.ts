@@ -40,7 +40,7 @@ export class Cable {
    */
   #dueAtPage = 0;
   #arrivedAtPage = 0;
-  #behind: { readonly due: number; readonly callback: () => void }[] = [];
+  #behind: { readonly due: number; readonly callback: () => void; readonly onCut: () => void }[] = [];
 
   constructor(ends: CableEnds, options: PlugOptions & { readonly clock: Clock }) {
     const timed = options.timing === true || (options.latency ?? 0) > 0;
@@ -69,9 +69,12 @@ export class Cable {
     this.#toPage.send(bytes);
   }
 
-  /** Calls back once all that was sent to the page before has arrived, never before this call has returned. */
-  behindToPage(callback: () => void): void {
-    this.#behind.push({ due: this.#dueAtPage, callback });
+  /**
+   * Calls back once all that was sent to the page before has arrived, never before this call has returned; or `onCut`
+   * when it never will.
+   */
+  behindToPage(callback: () => void, onCut: () => void = () => {}): void {
+    this.#behind.push({ due: this.#dueAtPage, callback, onCut });
     this.clock.after(0, () => this.#callBehind());
   }
 
@@ -83,7 +86,9 @@ export class Cable {
   /** Drops what is under way in either direction, for good. */
   cut(): void {
     for (const line of [this.#toDevice, this.#toPage, this.#back]) line.cut();
+    const behind = this.#behind;
     this.#behind = [];
+    for (const { onCut } of behind) onCut();
   }
 
   /** Replaces what was cut. */

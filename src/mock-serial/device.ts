@@ -1,10 +1,18 @@
+import { networkError } from './errors.js';
 import type { InputSignals, MockDevice, OpenedOptions, ReadErrorKind, SetSignals, WriteErrorKind } from './types.js';
 
 /** What lies between the device and the page, as far as the device can reach it. */
 export interface PortSide {
   readonly outputSignals: SetSignals;
-  readonly cable: { sendToPage(bytes: Uint8Array): void; behindToPage(callback: () => void): void };
-  readonly receiver: { readonly lost: number; fail(kind: ReadErrorKind): void };
+  readonly cable: {
+    sendToPage(bytes: Uint8Array): void;
+    behindToPage(callback: () => void, onCut?: () => void): void;
+  };
+  readonly receiver: {
+    readonly lost: number;
+    fail(kind: ReadErrorKind): void;
+    mark(tell: (kept: boolean) => void): void;
+  };
   readonly transmitter: { pull(): void; failNext(error: WriteErrorKind | Error, after: number): void };
   setInputSignals(signals: Partial<InputSignals>): void;
 }
@@ -15,9 +23,9 @@ export class Device implements MockDevice {
   onopenchange: ((opened: OpenedOptions | null) => void) | null = null;
   busy: boolean;
   failSignals = false;
-  readonly #port: PortSide;
+  #port: PortSide;
   #unplugged = false;
-  /** Bytes written here while there was no cable. */
+  /** Bytes written here while there was no cable, and those that ports before this one have lost. */
   #unsent = 0;
   #arrived: Uint8Array[] = [];
   #readers: ((bytes: Uint8Array) => void)[] = [];
@@ -50,9 +58,21 @@ export class Device implements MockDevice {
     });
   }
 
-  write(bytes: ArrayLike<number>): void {
-    if (this.#unplugged) this.#unsent += bytes.length;
-    else this.#port.cable.sendToPage(Uint8Array.from(bytes));
+  write(bytes: ArrayLike<number>): Promise<void> {
+    const written = new Promise<void>((resolve, reject) => {
+      const discarded = (): void => reject(networkError('The bytes were discarded.'));
+      if (this.#unplugged) {
+        this.#unsent += bytes.length;
+        discarded();
+        return;
+      }
+      const { cable, receiver } = this.#port;
+      cable.sendToPage(Uint8Array.from(bytes));
+      cable.behindToPage(() => receiver.mark((kept) => (kept ? resolve() : discarded())), discarded);
+    });
+    // Whoever does not ask what became of the bytes is not told.
+    written.catch(() => {});
+    return written;
   }
 
   error(kind: ReadErrorKind): void {
@@ -90,5 +110,13 @@ export class Device implements MockDevice {
 
   replug(): void {
     this.#unplugged = false;
+  }
+
+  /** Plugged in at another port. */
+  moveTo(port: PortSide): void {
+    this.#unsent = this.lost;
+    this.#port = port;
+    this.setOpened(null);
+    this.replug();
   }
 }

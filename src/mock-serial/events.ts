@@ -34,11 +34,14 @@ const dispatching = new WeakSet<Event>();
  */
 export class ConnectionTarget extends EventTarget {
   readonly #parent: ConnectionTarget | null;
+  readonly #onceNeverFires: boolean;
   #registrations: Registration[] = [];
-  readonly #handlers = new Map<string, { readonly handler: unknown; readonly listener: Listener }>();
+  readonly #handlers = new Map<string, { handler: unknown; readonly listener: Listener }>();
 
-  constructor(parent: ConnectionTarget | null) {
+  /** @param onceNeverFires see `ChromiumWays`. */
+  constructor(parent: ConnectionTarget | null, onceNeverFires = false) {
     super();
+    this.#onceNeverFires = onceNeverFires;
     this.#parent = parent;
   }
 
@@ -61,15 +64,16 @@ export class ConnectionTarget extends EventTarget {
   }
 
   override addEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
-    const { capture = false, once = false, signal } = typeof options === 'object' ? options : { capture: options };
-    if (listener === null || signal?.aborted || this.#find(type, listener, Boolean(capture))) return;
-    this.#registrations.push({ type, listener, capture: Boolean(capture), once, removed: false });
+    const { capture = false, once = false, signal } = listenerOptions(options);
+    if (!isListener(listener) || signal?.aborted || this.#find(type, listener, Boolean(capture))) return;
+    if (once && this.#onceNeverFires) return;
+    this.#registrations.push({ type, listener, capture: Boolean(capture), once: Boolean(once), removed: false });
     signal?.addEventListener('abort', () => this.removeEventListener(type, listener, capture));
   }
 
   override removeEventListener(type: string, listener: Listener | null, options?: boolean | ListenerOptions): void {
-    const capture = typeof options === 'object' ? options.capture : options;
-    const found = listener && this.#find(type, listener, Boolean(capture));
+    const { capture } = listenerOptions(options);
+    const found = isListener(listener) && this.#find(type, listener, Boolean(capture));
     if (found) this.#remove(found);
   }
 
@@ -122,16 +126,35 @@ export class ConnectionTarget extends EventTarget {
     return (this.#handlers.get(type)?.handler ?? null) as EventHandler;
   }
 
+  /** One that takes the place of another keeps the place among the listeners; after null it comes last. */
   #setHandler(type: string, handler: EventHandler): void {
     const former = this.#handlers.get(type);
-    if (former) this.removeEventListener(type, former.listener);
-    this.#handlers.delete(type);
-    if (typeof handler !== 'function') return;
-    // A function of its own, since the page may have added the same handler as a listener too.
-    const listener = (event: Event): void => handler.call(this, event);
-    this.#handlers.set(type, { handler, listener });
-    this.addEventListener(type, listener);
+    const isSet = (typeof handler === 'object' && handler !== null) || typeof handler === 'function';
+    if (!isSet) {
+      if (former) this.removeEventListener(type, former.listener);
+      this.#handlers.delete(type);
+    } else if (former) {
+      former.handler = handler;
+    } else {
+      // A function of its own, since the page may have added the same handler as a listener too.
+      const listener = (event: Event): void => this.#handler(type)?.call(this, event);
+      this.#handlers.set(type, { handler, listener });
+      this.addEventListener(type, listener);
+    }
   }
+}
+
+/** What Web IDL makes of the third argument: null and undefined are no options. */
+function listenerOptions(options: boolean | ListenerOptions | null | undefined): ListenerOptions {
+  if (options === null || options === undefined) return {};
+  return typeof options === 'object' || typeof options === 'function' ? options : { capture: Boolean(options) };
+}
+
+/** Whether there is a listener at all: null and undefined are none. @throws TypeError for what cannot be one. */
+function isListener(listener: Listener | null | undefined): listener is Listener {
+  if (listener === null || listener === undefined) return false;
+  if (typeof listener === 'object' || typeof listener === 'function') return true;
+  throw new TypeError('The listener must be a function or an object.');
 }
 
 /** One dispatch of an event: what it shows of itself on the way, and whether a listener has stopped it. */

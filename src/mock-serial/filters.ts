@@ -1,4 +1,5 @@
 import type { PortFilter, PortInfo, PortRequestOptions } from './types.js';
+import { dictionary, sequence, unsigned } from './web-idl.js';
 
 /** What all service classes of the Bluetooth standard itself end with. */
 const BLUETOOTH_BASE_UUID = '-0000-1000-8000-00805f9b34fb';
@@ -52,13 +53,40 @@ function matches(info: PortInfo, filter: PortFilter): boolean {
 }
 
 /**
+ * What Web IDL does to the argument of `requestPort()`: the union of a text and a number is told by its type.
+ * @throws TypeError
+ */
+export function convertRequestOptions(options: PortRequestOptions): PortRequestOptions {
+  const serviceClass = (id: unknown): number | string =>
+    typeof id === 'number' || typeof id === 'bigint' ? unsigned(id, 32) : `${id}`;
+  const of = dictionary(options);
+  const { allowedBluetoothServiceClassIds: allowed } = of;
+  const allowedIds = allowed && sequence(allowed, 'allowedBluetoothServiceClassIds').map(serviceClass);
+  const { filters } = of;
+  return {
+    allowedBluetoothServiceClassIds: allowedIds,
+    filters:
+      filters === undefined
+        ? undefined
+        : sequence(filters, 'filters').map((filter) => {
+            const { bluetoothServiceClassId: id, usbProductId, usbVendorId } = dictionary(filter);
+            return {
+              bluetoothServiceClassId: id === undefined ? undefined : serviceClass(id),
+              usbProductId: usbProductId === undefined ? undefined : unsigned(usbProductId, 16),
+              usbVendorId: usbVendorId === undefined ? undefined : unsigned(usbVendorId, 16),
+            };
+          }),
+  };
+}
+
+/**
  * Which ports a chooser offers for a request.
  * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a service class, or
  * when a service class is none.
  */
 export function offered(options: PortRequestOptions): (info: PortInfo) => boolean {
-  const filters = [...(options.filters ?? [])].map(checkFilter);
-  const allowed = [...(options.allowedBluetoothServiceClassIds ?? [])].map(serviceClassUuid);
+  const filters = (options.filters ?? []).map(checkFilter);
+  const allowed = (options.allowedBluetoothServiceClassIds ?? []).map(serviceClassUuid);
   return (info) => {
     const service = info.bluetoothServiceClassId;
     // The standard's blocklist names no service class but those of the Bluetooth standard itself.

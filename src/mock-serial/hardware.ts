@@ -5,7 +5,21 @@ import { networkError } from './errors.js';
 import { normalizeInfo } from './filters.js';
 import { Receiver } from './receiver.js';
 import { Transmitter } from './transmitter.js';
-import type { InputSignals, OpenedOptions, OutputSignals, PlugOptions, PortInfo, SetSignals } from './types.js';
+import type {
+  ChromiumWays,
+  InputSignals,
+  OpenedOptions,
+  OutputSignals,
+  PlugOptions,
+  PortInfo,
+  SetSignals,
+} from './types.js';
+
+/** What a port is plugged in with, and by whose ways. */
+export interface HardwareOptions extends PlugOptions {
+  readonly clock: Clock;
+  readonly ways: ChromiumWays;
+}
 
 /** What lies behind a port: the operating system's buffers, the cable and the device at its end, plugged in or not. */
 export class Hardware {
@@ -19,21 +33,41 @@ export class Hardware {
   granted: boolean;
   /** The site gave the port up and has not been granted it since. */
   forgotten = false;
-  readonly #options: PlugOptions;
+  readonly #options: HardwareOptions;
+  /** The device is at another port now. */
+  #isLeft = false;
   #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
   #input: InputSignals = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
 
   /** @throws TypeError when the information names something that is no Bluetooth service class. */
-  constructor(info: PortInfo, options: PlugOptions & { readonly clock: Clock }) {
+  constructor(info: PortInfo, options: HardwareOptions, device?: Device) {
     this.info = normalizeInfo(info);
     this.#options = options;
     this.granted = options.granted ?? false;
-    this.device = new Device(this, options.busy ?? false);
+    this.device = device ?? new Device(this, options.busy ?? false);
     this.cable = new Cable(
       { toDevice: (bytes) => this.device.arrive(bytes), toPage: (bytes) => this.receiver.push(bytes) },
       options,
     );
-    this.transmitter = new Transmitter(this.cable, () => this.device.waits);
+    this.transmitter = new Transmitter(
+      this.cable,
+      () => this.device.waits,
+      options.ways.firstLostWriteResolves ?? false,
+    );
+  }
+
+  /** Whether the browser finds it again by itself, and calls it the same port. */
+  get isBluetooth(): boolean {
+    return this.info.bluetoothServiceClassId !== undefined;
+  }
+
+  /** What a wired device is plugged in again at: another port, with the same device. */
+  again(): Hardware {
+    const { granted, device } = this;
+    const hardware = new Hardware(this.info, { ...this.#options, granted }, device);
+    this.#isLeft = true;
+    device.moveTo(hardware);
+    return hardware;
   }
 
   get outputSignals(): SetSignals {
@@ -56,7 +90,9 @@ export class Hardware {
   open(options: OpenedOptions): void {
     if (!this.plugged || this.forgotten || this.device.busy) throw networkError('Failed to open serial port.');
     this.cable.setRate(options);
-    this.receiver.open(options.bufferSize, options.flowControl === 'hardware' || this.#options.backpressure === true);
+    const { backpressure = false, ways } = this.#options;
+    const isPatient = options.flowControl === 'hardware' || backpressure || ways.bufferNeverOverruns === true;
+    this.receiver.open(options.bufferSize, isPatient);
     this.transmitter.open(options.bufferSize);
     this.#output = { ...this.#output, dataTerminalReady: true };
     this.device.setOpened(options);
@@ -64,17 +100,21 @@ export class Hardware {
 
   close(): void {
     this.receiver.close();
+    this.#letGo();
+  }
+
+  #letGo(): void {
     this.transmitter.close();
     this.#output = { dataTerminalReady: false, requestToSend: false, break: false };
-    this.device.setOpened(null);
+    if (!this.#isLeft) this.device.setOpened(null);
   }
 
   forget(): void {
     this.granted = false;
     this.forgotten = true;
-    this.receiver.abandon();
+    this.receiver.fail('lost');
     this.transmitter.abandon();
-    this.close();
+    this.#letGo();
   }
 
   unplug(): void {

@@ -2,6 +2,7 @@ export type { EventHandler, Listener, ListenerOptions } from './events.js';
 export { MockSerialPort } from './port.js';
 export { MockSerial } from './serial.js';
 export type {
+  ChromiumWays,
   Fault,
   InputSignals,
   MockDevice,

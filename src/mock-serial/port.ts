@@ -3,6 +3,7 @@ import { ConnectionTarget } from './events.js';
 import type { Hardware } from './hardware.js';
 import { checkOpenOptions, convertOpenOptions } from './open-options.js';
 import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } from './types.js';
+import { dictionary } from './web-idl.js';
 
 /**
  * A `SerialPort` as the Web Serial standard has it, with a `device` at its other end. `MockSerial.plug` makes them.
@@ -86,16 +87,22 @@ export class MockSerialPort extends ConnectionTarget {
     const cancelled = readable?.cancel();
     if (writable?.locked) throw new TypeError('Cannot close the port while its writable is locked.');
     this.#state = 'closing';
-    // Neither a stream that has failed already nor one that fails now keeps the port open.
+    // A stream that fails now does not keep the port open. But one that a chunk of the wrong type has broken does, for
+    // ever: nothing ends it any more. So it is in the standard and in Chromium, and a page has to live with it.
     await Promise.allSettled([cancelled, writable?.abort(invalidState('The port is closed.'))]);
+    await this.#hardware.transmitter.ended;
+    if (this.#state !== 'closing') return;
     this.#hardware.close();
     this.#state = 'closed';
   }
 
-  /** The `forget()` method: the site gives up its permission. An open port is closed as if its device were lost. */
+  /**
+   * The `forget()` method: the site gives up its permission. An open port is closed as if its device were lost: what
+   * has arrived can still be read.
+   */
   async forget(): Promise<void> {
     this.#hardware.forget();
-    if (this.#state === 'opened') this.#state = 'closed';
+    this.#state = 'closed';
   }
 
   /**
@@ -105,13 +112,13 @@ export class MockSerialPort extends ConnectionTarget {
    * @throws NetworkError when the device is unplugged or fails.
    */
   async setSignals(signals: OutputSignals = {}): Promise<void> {
+    const { break: breaking, dataTerminalReady, requestToSend } = converted(signals);
     this.#checkOpened();
-    const { dataTerminalReady, requestToSend, break: breaking } = signals;
     if (dataTerminalReady === undefined && requestToSend === undefined && breaking === undefined) {
       throw new TypeError('At least one signal must be given.');
     }
     this.#checkSignals('Failed to set control signals.');
-    this.#hardware.setOutputSignals(signals);
+    this.#hardware.setOutputSignals({ dataTerminalReady, requestToSend, break: breaking });
   }
 
   /**
@@ -132,4 +139,15 @@ export class MockSerialPort extends ConnectionTarget {
   #checkSignals(message: string): void {
     if (!this.#hardware.plugged || this.#hardware.device.failSignals) throw networkError(message);
   }
+}
+
+/** What Web IDL does to the argument of `setSignals()`. @throws TypeError */
+function converted(signals: OutputSignals): OutputSignals {
+  const flag = (value: unknown): boolean | undefined => (value === undefined ? undefined : Boolean(value));
+  const { break: breaking, dataTerminalReady, requestToSend } = dictionary(signals);
+  return {
+    break: flag(breaking),
+    dataTerminalReady: flag(dataTerminalReady),
+    requestToSend: flag(requestToSend),
+  };
 }

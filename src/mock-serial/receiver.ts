@@ -2,6 +2,8 @@ import { streamError } from './errors.js';
 import type { ReadErrorKind } from './types.js';
 
 type Item = Uint8Array | ReadErrorKind;
+/** Told whether all bytes before it are in the buffer, or some of them lost. */
+type Mark = (kept: boolean) => void;
 
 /**
  * The reading side of a port: a buffer of `bufferSize` bytes and the stream that hands them to the page. The stream
@@ -11,15 +13,19 @@ export class Receiver {
   /** Bytes that came and will never be read: the port was closed, the device lost, or the buffer full. */
   lost = 0;
   #open = false;
-  /** The standard's [[readFatal]]. */
+  /** The standard's [[readFatal]]: a stream has told of the loss. */
   #fatal = false;
+  /** Nothing comes any more; what has come can be read. */
+  #over = false;
   #capacity = 0;
   #patient = false;
   #size = 0;
   /** What the buffer holds, in the order in which it came. */
   #queue: Item[] = [];
   /** What waits for room, if the device is patient. */
-  #backlog: Item[] = [];
+  #backlog: (Item | Mark)[] = [];
+  /** How many bytes were lost before the last mark. */
+  #lostBefore = 0;
   #stream: ReadableStream<Uint8Array> | null = null;
   #controller: ReadableByteStreamController | null = null;
   /** The page waits for a read. */
@@ -36,8 +42,10 @@ export class Receiver {
 
   /** @param patient the device waits for room, where otherwise bytes are lost. */
   open(capacity: number, patient: boolean): void {
+    this.close();
     this.#open = true;
     this.#fatal = false;
+    this.#over = false;
     this.#capacity = capacity;
     this.#patient = patient;
   }
@@ -68,7 +76,7 @@ export class Receiver {
   }
 
   push(bytes: Uint8Array): void {
-    if (!this.#open || this.#fatal) {
+    if (!this.#open || this.#over) {
       this.lost += bytes.length;
       return;
     }
@@ -80,19 +88,23 @@ export class Receiver {
   }
 
   fail(kind: ReadErrorKind): void {
-    if (!this.#open || this.#fatal) return;
+    if (!this.#open || this.#over) return;
     if (kind === 'lost') {
-      this.#fatal = true;
-      this.#backlog = [];
+      this.#over = true;
+      this.#dropBacklog();
     }
     this.#backlog.push(kind);
     this.#refill();
     this.#serve();
   }
 
-  /** Fails the stream at once, whatever the buffer still holds. */
-  abandon(): void {
-    this.#controller?.error(streamError('lost'));
+  /** Tells, once that is known, whether all bytes that came since the last mark are in the buffer. */
+  mark(tell: Mark): void {
+    const lost = this.lost - this.#lostBefore;
+    this.#lostBefore = this.lost;
+    if (lost > 0) tell(false);
+    else if (this.#backlog.length > 0) this.#backlog.push(tell);
+    else tell(true);
   }
 
   #overrun(bytes: number): ReadErrorKind[] {
@@ -103,6 +115,10 @@ export class Receiver {
   /** Moves what has room from the backlog to the buffer; errors take none. */
   #refill(): void {
     for (let next = this.#backlog.shift(); next !== undefined; next = this.#backlog.shift()) {
+      if (typeof next === 'function') {
+        next(true);
+        continue;
+      }
       const room = this.#capacity - this.#size;
       if (typeof next !== 'string' && next.length > room) {
         this.#backlog.unshift(next.slice(room));
@@ -121,6 +137,7 @@ export class Receiver {
     if (!controller || !this.#wanted || next === undefined) return;
     this.#wanted = false;
     if (typeof next === 'string') {
+      if (next === 'lost') this.#fatal = true;
       this.#queue.shift();
       controller.error(streamError(next));
       this.#replaceStream();
@@ -156,7 +173,18 @@ export class Receiver {
 
   #discard(): void {
     this.#queue = [];
-    this.#backlog = [];
+    this.#dropBacklog();
     this.#size = 0;
+  }
+
+  /** What was held back never gets into the buffer. */
+  #dropBacklog(): void {
+    const dropped = this.#backlog;
+    this.#backlog = [];
+    for (const each of dropped) {
+      if (typeof each === 'function') each(false);
+      else if (typeof each !== 'string') this.lost += each.length;
+    }
+    this.#lostBefore = this.lost;
   }
 }

@@ -1,9 +1,9 @@
 import { type Clock, realClock } from '../line/index.js';
 import { ConnectionTarget } from './events.js';
-import { offered } from './filters.js';
+import { convertRequestOptions, offered } from './filters.js';
 import { Hardware } from './hardware.js';
 import { MockSerialPort } from './port.js';
-import type { MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
+import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
 
 /**
  * A `navigator.serial` without a browser: the Web Serial standard's `Serial`, and what a user and a workbench do to it:
@@ -21,11 +21,14 @@ export class MockSerial extends ConnectionTarget {
    */
   userActivation: boolean;
   readonly #clock: Clock;
+  readonly #ways: ChromiumWays;
   readonly #ports = new Map<MockSerialPort, Hardware>();
   #choice: MockSerialPort | null = null;
 
   constructor(options: MockSerialOptions = {}) {
-    super(null);
+    const ways = waysOf(options.chromium);
+    super(null, ways.onceNeverFires);
+    this.#ways = ways;
     this.#clock = options.clock ?? realClock;
     this.userActivation = options.userActivation ?? false;
   }
@@ -36,11 +39,8 @@ export class MockSerial extends ConnectionTarget {
    * @throws TypeError when the information names something that is no Bluetooth service class.
    */
   plug(info: PortInfo = {}, options: PlugOptions = {}): MockSerialPort {
-    const hardware = new Hardware(info, { ...options, clock: options.clock ?? this.#clock });
-    const port = new MockSerialPort(hardware, this);
-    this.#ports.set(port, hardware);
-    this.#announce('connect', port);
-    return port;
+    const clock = options.clock ?? this.#clock;
+    return this.#bring(new Hardware(info, { ...options, clock, ways: this.#ways }));
   }
 
   /**
@@ -56,16 +56,21 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Plugs a device in again at the port it had, as the browser does for a device it recognises; the page must close the
-   * port before it can use it again. For a device that returns as a new object, `plug` it with the same information
-   * and, if the permission is remembered, `granted`.
+   * Plugs a device in again, as a browser does that recognises it. A wired one comes back as another port, with the
+   * same `device` and the same permission; the old port stays unplugged for good, and its `open()` fails with
+   * NetworkError. A Bluetooth one comes back as the port it was; the page must close that before it can use it again.
+   * For a device that the browser does not recognise, `plug` it with the same information.
+   * @param options `samePort`: also a wired one comes back as the port it was. Default false.
+   * @returns the port at which it is now.
    * @throws TypeError when the port is not one of this object's.
    */
-  replug(port: MockSerialPort): void {
+  replug(port: MockSerialPort, { samePort = false }: { readonly samePort?: boolean } = {}): MockSerialPort {
     const hardware = this.#hardware(port);
-    if (hardware.plugged) return;
+    if (hardware.plugged) return port;
+    if (!hardware.isBluetooth && !samePort) return this.#bring(hardware.again());
     hardware.replug();
     this.#announce('connect', port);
+    return port;
   }
 
   /** What the user answers to the chooser from now on: a port, or null to dismiss it. */
@@ -75,13 +80,15 @@ export class MockSerial extends ConnectionTarget {
 
   /**
    * The `getPorts()` method: the ports that are plugged in and that the site may use, in the order in which they came.
+   * A Bluetooth port is known while it is off, too.
    */
   async getPorts(): Promise<MockSerialPort[]> {
-    return [...this.#ports].filter(([, { plugged, granted }]) => plugged && granted).map(([port]) => port);
+    return [...this.#ports].filter(([, it]) => it.granted && (it.plugged || it.isBluetooth)).map(([port]) => port);
   }
 
   /**
    * The `requestPort()` method. The site may use the port that the user chooses.
+   * @throws TypeError when the argument is of another type, such as filters that are no list.
    * @throws SecurityError without user activation.
    * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a Bluetooth
    *   service class, or when a service class is none.
@@ -89,10 +96,11 @@ export class MockSerial extends ConnectionTarget {
    *   is unplugged, matches no filter, or is one of a Bluetooth service class that the request does not allow.
    */
   async requestPort(options: PortRequestOptions = {}): Promise<MockSerialPort> {
+    const converted = convertRequestOptions(options);
     if (!this.userActivation) {
       throw new DOMException('Must be handling a user gesture to show a permission request.', 'SecurityError');
     }
-    const isOffered = offered(options);
+    const isOffered = offered(converted);
     await null;
     const port = this.#choice;
     const hardware = port && this.#ports.get(port);
@@ -102,6 +110,13 @@ export class MockSerial extends ConnectionTarget {
     hardware.granted = true;
     hardware.forgotten = false;
     return port as MockSerialPort;
+  }
+
+  #bring(hardware: Hardware): MockSerialPort {
+    const port = new MockSerialPort(hardware, this);
+    this.#ports.set(port, hardware);
+    this.#announce('connect', port);
+    return port;
   }
 
   #hardware(port: MockSerialPort): Hardware {
@@ -114,4 +129,9 @@ export class MockSerial extends ConnectionTarget {
     if (!this.#hardware(port).granted) return;
     queueMicrotask(() => port.dispatchEvent(new Event(type, { bubbles: true })));
   }
+}
+
+function waysOf(chromium: boolean | ChromiumWays = false): ChromiumWays {
+  if (typeof chromium === 'object') return chromium;
+  return { firstLostWriteResolves: chromium, bufferNeverOverruns: chromium, onceNeverFires: chromium };
 }

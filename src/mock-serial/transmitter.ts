@@ -10,14 +10,22 @@ interface Operation {
   readonly reject: (reason: unknown) => void;
 }
 
+/** What tells the length of an ArrayBuffer of any realm, and throws for all else, shared memory too. */
+const lengthOf = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, 'byteLength')?.get as (this: unknown) => number;
+
 /** The bytes of a chunk as they are now: none once its buffer is detached, as Web IDL has it. @throws TypeError */
 function bytesOf(chunk: unknown): Uint8Array {
   const buffer = ArrayBuffer.isView(chunk) ? chunk.buffer : chunk;
-  if (!(buffer instanceof ArrayBuffer)) throw new TypeError('The chunk must be an ArrayBuffer or a view of one.');
-  if (buffer.byteLength === 0) return new Uint8Array();
+  let length: number;
+  try {
+    length = lengthOf.call(buffer);
+  } catch {
+    throw new TypeError('The chunk must be an ArrayBuffer or a view of one.');
+  }
+  if (length === 0) return new Uint8Array();
   return ArrayBuffer.isView(chunk)
     ? new Uint8Array(chunk.buffer, chunk.byteOffset, chunk.byteLength)
-    : new Uint8Array(buffer);
+    : new Uint8Array(buffer as ArrayBuffer);
 }
 
 /** Not ByteLengthQueuingStrategy, so that a chunk of the wrong type gets as far as the standard's own error. */
@@ -36,8 +44,14 @@ function sizeOf(chunk: unknown): number {
 export class Transmitter {
   readonly #cable: Cable;
   readonly #deviceWaits: () => boolean;
-  /** The standard's [[writeFatal]]. */
+  /** The standard's [[writeFatal]]: a stream has told of the loss. */
   #fatal = false;
+  /** The device is gone. */
+  #gone = false;
+  /** The next write resolves all the same, as in Chromium. */
+  #spared = false;
+  readonly #sparesFirst: boolean;
+  #onEnded: (() => void)[] = [];
   #capacity = 0;
   /** Bytes taken from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
   #held = 0;
@@ -49,10 +63,14 @@ export class Transmitter {
   #operation: Operation | null = null;
   #failure: { readonly error: WriteErrorKind | Error; after: number } | null = null;
 
-  /** @param deviceWaits whether the device waits for bytes it has not been sent. */
-  constructor(cable: Cable, deviceWaits: () => boolean) {
+  /**
+   * @param deviceWaits whether the device waits for bytes it has not been sent.
+   * @param sparesFirst see `ChromiumWays.firstLostWriteResolves`.
+   */
+  constructor(cable: Cable, deviceWaits: () => boolean, sparesFirst: boolean) {
     this.#cable = cable;
     this.#deviceWaits = deviceWaits;
+    this.#sparesFirst = sparesFirst;
   }
 
   /** The standard's [[writable]]. */
@@ -60,8 +78,15 @@ export class Transmitter {
     return this.#stream;
   }
 
+  /** Settles when there is no stream, or no more: an operation or the loss of the device has ended it. */
+  get ended(): Promise<void> {
+    if (!this.#stream) return Promise.resolve();
+    return new Promise((resolve) => this.#onEnded.push(resolve));
+  }
+
   open(capacity: number): void {
     this.#fatal = false;
+    this.#gone = false;
     this.#capacity = capacity;
   }
 
@@ -102,9 +127,10 @@ export class Transmitter {
 
   /** The device is gone. A stream nobody is using learns of it when it is used next. */
   lose(): void {
-    this.#fatal = true;
+    this.#gone = true;
     this.#discard();
-    if (this.#operation) this.#fail(streamError('lost'));
+    if (this.#operation) this.#failed();
+    else this.#spared = this.#sparesFirst;
   }
 
   /** Fails the stream at once. */
@@ -116,6 +142,10 @@ export class Transmitter {
 
   async #write(chunk: unknown): Promise<void> {
     bytesOf(chunk);
+    if (this.#spared) {
+      this.#spared = false;
+      return;
+    }
     let done = 0;
     await this.#run(() => {
       // Looked at afresh each time: the page may detach the buffer while it waits for room.
@@ -177,12 +207,16 @@ export class Transmitter {
 
   /** Fails the operation if the device is gone or a failure has been asked for. */
   #failed(): boolean {
-    if (this.#fatal) {
+    if (this.#gone) {
+      this.#fatal = true;
       this.#fail(streamError('lost'));
     } else if (this.#failure?.after === 0) {
       const { error } = this.#failure;
       this.#failure = null;
-      if (error === 'lost') this.#fatal = true;
+      if (error === 'lost') {
+        this.#gone = true;
+        this.#fatal = true;
+      }
       this.#fail(typeof error === 'string' ? streamError(error) : error);
     } else {
       return false;
@@ -234,6 +268,9 @@ export class Transmitter {
   #replaceStream(): void {
     this.#stream = null;
     this.#controller = null;
+    const ended = this.#onEnded;
+    this.#onEnded = [];
+    for (const resolve of ended) resolve();
   }
 
   #discard(): void {

@@ -126,6 +126,18 @@ export interface MockSerialOptions {
   readonly clock?: Clock;
   /** Whether `requestPort()` may ask the user. Default false, as in a page that nobody has touched. */
   readonly userActivation?: boolean;
+  /** The ways of Chromium that are not the standard's: all of them, or some. Default: none. */
+  readonly chromium?: boolean | ChromiumWays;
+}
+
+/** What a real Chromium was seen to do otherwise than the standard has it. */
+export interface ChromiumWays {
+  /** The first write after an unplug resolves, although nobody is there; the next one rejects. */
+  readonly firstLostWriteResolves?: boolean;
+  /** What comes while the buffer is full waits for room: there is no BufferOverrunError. */
+  readonly bufferNeverOverruns?: boolean;
+  /** A listener that was added to Serial with `{ once: true }` is never called. */
+  readonly onceNeverFires?: boolean;
 }
 
 /** The other end of a port: what a test or a simulator sees and does there. */
@@ -145,7 +157,7 @@ export interface MockDevice {
   readonly signals: SetSignals;
   /**
    * Bytes written here that the page will never see: the port was unplugged or closed, or its buffer full, when they
-   * came.
+   * came; or they were held back and never got into it.
    */
   readonly lost: number;
   /**
@@ -154,8 +166,12 @@ export interface MockDevice {
    * @returns an empty array once the port is unplugged and all that had arrived before is read.
    */
   read(): Promise<Uint8Array>;
-  /** Sends bytes to the page. Those that find the port unplugged or closed when they arrive are counted in `lost`. */
-  write(bytes: ArrayLike<number>): void;
+  /**
+   * Sends bytes to the page. Those that find the port unplugged or closed when they arrive are counted in `lost`.
+   * @returns settles when all of them are in the buffer of the port; rejects with NetworkError when some were
+   * discarded. Nobody has to wait for it.
+   */
+  write(bytes: ArrayLike<number>): Promise<void>;
   /**
    * Lets the page's reading fail, behind all bytes written before; see `ReadErrorKind`. Nothing happens while the port
    * is closed.

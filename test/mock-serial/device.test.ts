@@ -211,7 +211,7 @@ describe('timing', () => {
     await clock.advance(50);
     serial.unplug(port);
     await port.close();
-    serial.replug(port);
+    serial.replug(port, { samePort: true });
     await port.open({ baudRate: 9600 });
     const reader = reading(port);
     device.write(counted(8));
@@ -226,7 +226,7 @@ describe('timing', () => {
     void writing(port).write(counted(96));
     await clock.advance(50);
     serial.unplug(port);
-    serial.replug(port);
+    serial.replug(port, { samePort: true });
     await port.readable?.cancel().catch(() => {});
     const read = device.read();
     await clock.advance(1000);

@@ -30,7 +30,7 @@ describe('connect and disconnect events', () => {
     expect(port.connected).toBe(false);
     await settled();
     expect(seen).toEqual([['disconnect', port, serial, true]]);
-    serial.replug(port);
+    serial.replug(port, { samePort: true });
     expect(port.connected).toBe(true);
     await settled();
     expect(seen.at(-1)).toEqual(['connect', port, serial, true]);
@@ -78,7 +78,7 @@ describe('connect and disconnect events', () => {
     await settled();
     serial.onconnect = (event) => seen.push(event.type);
     serial.ondisconnect = (event) => seen.push(event.type);
-    serial.replug(port);
+    serial.replug(port, { samePort: true });
     serial.unplug(port);
     serial.unplug(port);
     await settled();
@@ -127,7 +127,7 @@ describe('onconnect and ondisconnect attributes', () => {
     expect(second).toHaveBeenCalledTimes(2);
     serial.ondisconnect = null;
     expect(serial.ondisconnect).toBeNull();
-    serial.replug(port);
+    serial.replug(port, { samePort: true });
     serial.unplug(port);
     await settled();
     expect(second).toHaveBeenCalledTimes(3);

@@ -196,11 +196,14 @@ describe('readable attribute: errors', () => {
     expect((await reading(port).read()).value).toEqual(Uint8Array.of(10));
   });
 
-  test('lost: null at once when there is no stream', async () => {
+  test('lost: what had come is read from a stream that is fetched afterwards', async () => {
     const { port, device } = await openPort();
     device.write(DATA);
     device.error('lost');
     await settled();
+    const reader = reading(port);
+    expect((await reader.read()).value).toEqual(Uint8Array.from(DATA));
+    expect(await failure(reader.read())).toBe('NetworkError');
     expect(port.readable).toBeNull();
     await port.close();
   });

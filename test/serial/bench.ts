@@ -63,9 +63,9 @@ export class Adapter {
     this.#then = then;
   }
 
-  /** At the same port as before: the browser recognises it. */
-  replug(): void {
-    this.#serial.replug(this.port);
+  /** The browser recognises it: a wired one comes back as another port, one of Bluetooth as the same. */
+  replug(options: { readonly samePort?: boolean } = {}): void {
+    this.#port = this.#serial.replug(this.port, options);
     void this.#hear();
   }
 

@@ -9,6 +9,7 @@ import { connectionOf, type LinkBench, linkBench, portOf } from './link-bench.js
 const ACTIONS: Readonly<Record<string, (bench: LinkBench) => void>> = {
   unplug: ({ adapter }) => adapter.unplug(),
   replug: ({ adapter }) => void (adapter.port.connected || adapter.replug()),
+  replugSame: ({ adapter }) => void (adapter.port.connected || adapter.replug({ samePort: true })),
   returnAsNew: ({ adapter }) => void (adapter.port.connected || adapter.returnAsNew()),
   hangUp: ({ adapter }) => adapter.port.device.error('lost'),
   disturb: ({ adapter }) => adapter.port.device.error('framing'),
@@ -44,7 +45,11 @@ it('whatever happens, one port is open at most, and a timer is found when all is
       const { link, adapter, clock, timer } = bench;
       const ports = new Set<MockSerialPort>();
       const jobs: Promise<unknown>[] = [];
-      const opened = (): MockSerialPort[] => [...ports].filter(({ device }) => device.opened);
+      // A device that was plugged in again is at the last of its ports.
+      const opened = (): MockSerialPort[] => {
+        const open = [...ports].filter(({ device }) => device.opened);
+        return [...new Map(open.map((port) => [port.device, port])).values()];
+      };
       const watch = (): void => {
         ports.add(adapter.port);
         adapter.port.device.onopenchange = () => expect(opened().length).toBeLessThanOrEqual(1);

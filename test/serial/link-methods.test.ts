@@ -97,7 +97,7 @@ describe('recheck()', () => {
     await clock.advance(3500);
     // The computer slept, and nobody heard of it.
     adapter.port.dispatchEvent = () => true;
-    adapter.replug();
+    adapter.replug({ samePort: true });
     await clock.advance(100);
     expect(link.state.status).toBe('away');
     await clock.run(link.recheck());
@@ -157,7 +157,7 @@ describe('stop()', () => {
     await clock.run(link.connect(port));
     adapter.unplug();
     await clock.advance(1000);
-    adapter.replug();
+    adapter.replug({ samePort: true });
     await clock.advance(1000);
     expect(link.state.status).toBe('on');
     expect(calls(added) - calls(removed), 'one hears of the loss').toBe(1);
@@ -218,7 +218,7 @@ describe('stop()', () => {
       adapter.unplug();
       await clock.advance(10_000);
       expect(way(states).endsWith(`${at} > closing > off`), way(states)).toBe(true);
-      adapter.replug();
+      adapter.replug({ samePort: true });
       expect(await canBeOpened(port)).toBe(true);
     }
   });

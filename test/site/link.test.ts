@@ -76,7 +76,8 @@ describe('finding the timer', () => {
 
 describe('the adapter comes back', () => {
   for (const [how, act] of [
-    ['at the same port', 'workbench.replug()'],
+    ['as another port, as a wired one does', 'workbench.replug()'],
+    ['as the same port, as one of Bluetooth does', 'workbench.adapter.replug({ samePort: true })'],
     ['where the browser does not recognise it', 'workbench.adapter.returnAsNew()'],
   ] as const) {
     test(`${how}: without a click, with the edits`, async () => {
