@@ -1,4 +1,5 @@
 import { messages, presetText } from '../messages/index.js';
+import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { RunningStep } from '../write/dialog-steps.js';
@@ -28,7 +29,7 @@ export function LeaveDialog({ session, leaving }: { readonly session: Session; r
 }
 
 function Question({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
-  const { nextFlight: words, memoryName, program, shortDt } = messages.value;
+  const { nextFlight: words, program, shortDt } = messages.value;
   const question = leaving.question.value;
   const { original, word } = session.nextFlight;
   if (!question) return null;
@@ -41,7 +42,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
       />
     );
   }
-  const originalName = original.value === null ? null : memoryName(original.value);
+  const originalName = original.value === null ? null : memoryText(session, original.value);
   const canGoBack = word.value !== null && originalName !== null && session.runner.ready.value;
   const short = session.shortDt.held.value;
   const dt = short && presetText(short.dt);
@@ -58,13 +59,15 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         {asksMemory && (
           <p>
             <strong>
-              {word.value ? nextFlightText(word.value, 'will') : originalName && words.leaving.as(originalName)}
+              {word.value
+                ? nextFlightText(session, word.value, 'will')
+                : originalName && words.leaving.as(originalName)}
             </strong>
           </p>
         )}
         {short && dt && (
           <p>
-            <strong>{shortDt.held(short.memory === null ? null : memoryName(short.memory), dt)}</strong>{' '}
+            <strong>{shortDt.held(short.memory === null ? null : memoryText(session, short.memory), dt)}</strong>{' '}
             {shortDt.ask(presetText(short.back))}
           </p>
         )}

@@ -2,6 +2,7 @@ import type { Progress } from '../../client/index.js';
 import { clockText, dateText, fieldLabel, figureText, messages, type Said } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { openValues } from '../session/known.js';
+import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
@@ -58,9 +59,9 @@ function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
   const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
-      <p>{lead(plan)}</p>
+      <p>{lead(session, plan)}</p>
       {changes.map((change) => (
-        <Difference key={change.memory} change={change} folded={changes.length > 1} />
+        <Difference key={change.memory} session={session} change={change} folded={changes.length > 1} />
       ))}
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
       {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
@@ -76,12 +77,18 @@ function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
   );
 }
 
+interface DifferenceProps {
+  readonly session: Session;
+  readonly change: MemoryChange;
+  readonly folded: boolean;
+}
+
 /** What changes in one memory: DT and motor stop first, then all values that differ. */
-function Difference({ change: { memory, before, goal, changes }, folded }: { change: MemoryChange; folded: boolean }) {
-  const { memories: words, write, memoryName, edits } = messages.value;
+function Difference({ session, change: { memory, before, goal, changes }, folded }: DifferenceProps) {
+  const { memories: words, write, edits } = messages.value;
   const { identity } = before;
   const held = keyFigures(before);
-  const name = memoryName(memory);
+  const name = memoryText(session, memory);
   const figures = keyFigures(goal).map(({ label, text }, index) => {
     const was = held[index]?.text ?? text;
     return was === text ? words.stays(label, text) : edits.change(label, was, text);
@@ -112,11 +119,13 @@ function Difference({ change: { memory, before, goal, changes }, folded }: { cha
   );
 }
 
-function lead(plan: Plan): string {
-  const { memories: words, memoryName } = messages.value;
+function lead(session: Session, plan: Plan): string {
+  const { memories: words } = messages.value;
   if (plan.kind === 'back-up') return words.plans['back-up'].lead;
-  if (plan.kind === 'copy') return words.plans.copy.lead(memoryName(plan.from), memoryName(plan.to));
-  const names = plan.backups.flatMap(({ program: { memory } }) => (memory === null ? [] : [memoryName(memory)]));
+  if (plan.kind === 'copy') return words.plans.copy.lead(memoryText(session, plan.from), memoryText(session, plan.to));
+  const names = plan.backups.flatMap(({ program: { memory } }) =>
+    memory === null ? [] : [memoryText(session, memory)],
+  );
   return words.plans.restore.lead(names.join(', '), dateText(plan.backups[0]?.savedAt ?? 0));
 }
 
@@ -144,7 +153,7 @@ function Result({ session, jobs, current }: ResultProps) {
         {stopped && <NoticeText said={stoppedText(stopped)} />}
         {saved > 0 && <p>{words.saved(saved)}</p>}
         {ends.map((end) => (
-          <p key={end.memory}>{endText(end)}</p>
+          <p key={end.memory}>{endText(session, end)}</p>
         ))}
         {unkept && <NoticeText said={write.move.unkept} />}
         {!kept && <p>{words.notKept}</p>}
@@ -168,24 +177,24 @@ function Result({ session, jobs, current }: ResultProps) {
 
 /** Which memory flies next after all this, as soon as that is known. */
 function Current({ session }: { readonly session: Session }) {
-  const { nextFlight, memoryName } = messages.value;
+  const { nextFlight } = messages.value;
   const { nextFlight: next, connection, runner, editor } = session;
   const memory = editor.baseline.value?.memory ?? null;
   const word = next.word.value;
   if (runner.busy.value) return null;
   const isKnown = connection.value && !next.open.value && memory !== null;
   const said = word
-    ? nextFlightText(word, connection.value ? 'now' : 'last')
+    ? nextFlightText(session, word, connection.value ? 'now' : 'last')
     : isKnown
-      ? nextFlight.other(memoryName(memory))
+      ? nextFlight.other(memoryText(session, memory))
       : nextFlight.unknown;
   return <p role="status">{said}</p>;
 }
 
 /** What one memory holds, as far as that is known. */
-function endText({ memory, state, known, change }: MemoryEnd): string {
-  const { memories: words, memoryName } = messages.value;
-  const name = memoryName(memory);
+function endText(session: Session, { memory, state, known, change }: MemoryEnd): string {
+  const { memories: words } = messages.value;
+  const name = memoryText(session, memory);
   if (state === 'verified' && known.state === 'read') {
     const figures = keyFigures(known.program).map(({ label, text }) => words.figure(label, text));
     return words.verified(name, clockText(known.at), [...figures, words.changes(change?.changes.length ?? 0)]);

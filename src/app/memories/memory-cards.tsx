@@ -8,6 +8,7 @@ import type { Session } from '../session/session.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import type { Memories } from './memories.js';
+import { MemoryName } from './memory-name.js';
 import { Picks } from './memory-picks.js';
 import './memory-cards.css';
 
@@ -57,6 +58,7 @@ function Card({ session, memories, memory, current, count, known, onProgram }: C
       <article class={`memory-card ${isCurrent ? 'current' : ''}`} aria-labelledby={title}>
         <header>
           <h2 id={title}>{memoryName(memory)}</h2>
+          <MemoryName session={session} memory={memory} />
           {isCurrent && isConnected && (
             <span class="badge">
               <PlaneIcon /> {nextFlight.badge}

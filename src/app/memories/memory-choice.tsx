@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { messages } from '../messages/index.js';
+import { givenName, memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
 import type { Memories } from './memories.js';
@@ -25,20 +26,24 @@ export function MemoryChoice({ session, memories }: { readonly session: Session;
       <div class="segments">
         {Array.from({ length: identity.memories }, (_, index) => {
           const flies = isConnected && index === current;
+          const given = givenName(session.modelAtHand.value, index);
+          const text = memoryText(session, index);
           return (
             <label key={index}>
               <input
                 type="radio"
                 class="visually-hidden"
                 name={name}
-                aria-label={flies ? nextFlight.named(memoryName(index)) : memoryName(index)}
+                aria-label={flies ? nextFlight.named(text) : text}
                 checked={index === shown}
                 disabled={!isConnected}
                 onChange={() => memories.show(index)}
               />
               <span>
-                {memoryName(index)}
-                {flies && <PlaneIcon />}
+                <span>
+                  {memoryName(index)} {flies && <PlaneIcon />}
+                </span>
+                {given !== '' && <small>{given}</small>}
               </span>
             </label>
           );

@@ -2,6 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { differences, type ProgramField } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { messages } from '../messages/index.js';
+import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { ValueTable } from '../write/value-table.js';
@@ -27,7 +28,7 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   useEffect(() => heading.current?.focus({ preventScroll: true }), []);
   const count = session.editor.baseline.value?.identity.memories ?? 0;
   const ready = session.runner.ready.value && !session.nextFlight.open.value;
-  const names = [memoryName(first), memoryName(second)] as const;
+  const names = [memoryText(session, first), memoryText(session, second)] as const;
   const [left, right] = [first, second].map((memory) => lastRead(session.knowledge.of(memory)));
   const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
   const changes = left && right ? differences(left, right) : [];

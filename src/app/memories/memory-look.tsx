@@ -2,6 +2,7 @@ import { clockText, figureText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import type { Knowledge } from '../session/knowledge.js';
 import { type Known, openValues } from '../session/known.js';
+import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
 import { SlotTable } from '../ui/slot-table.js';
@@ -19,7 +20,7 @@ interface MemoryLookProps {
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const { look: words, memoryName, program } = messages.value;
   const { editor, nextFlight, runner } = session;
-  const name = memoryName(memory);
+  const name = memoryText(session, memory);
   const known = session.knowledge.of(memory);
   const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
   // Not while a job runs; but the focus stays, which a disabled button would lose.
@@ -30,7 +31,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
       <div role="status">
         <h2 id="look-title">{headline(known, name)}</h2>
       </div>
-      {current !== null && <p class="hint">{words.lead(memoryName(current))}</p>}
+      {current !== null && <p class="hint">{words.lead(memoryText(session, current))}</p>}
       <div class="buttons">
         <button
           type="button"

@@ -1,5 +1,6 @@
 import { useComputed } from '@preact/signals';
 import { messages } from '../messages/index.js';
+import { memoryText } from '../session/memory-names.js';
 import type { NextFlightWord } from '../session/next-flight.js';
 import type { Session } from '../session/session.js';
 import type { Memories } from './memories.js';
@@ -29,7 +30,7 @@ export function NextFlight({ session, memories }: NextFlightProps) {
 
 /** Says that another memory flies next than at connect, or that it is not known which; with the way back. */
 function NextFlightLine({ session, memories }: NextFlightProps) {
-  const { nextFlight: words, memoryName } = messages.value;
+  const { nextFlight: words } = messages.value;
   const word = session.nextFlight.word.value;
   const isConnected = session.connection.value !== null;
   // While a job goes from memory to memory there is nothing to say yet. What an interrupted job left says so itself.
@@ -38,11 +39,11 @@ function NextFlightLine({ session, memories }: NextFlightProps) {
   return (
     <div class="notice bad next-flight" role="alert">
       <p>
-        <strong>{nextFlightText(word, isConnected ? 'now' : 'last')}</strong>
+        <strong>{nextFlightText(session, word, isConnected ? 'now' : 'last')}</strong>
       </p>
       {original !== null && isConnected && (
         <button type="button" onClick={() => void memories.fly(original)}>
-          {words.back(memoryName(original))}
+          {words.back(memoryText(session, original))}
         </button>
       )}
     </div>
@@ -54,12 +55,13 @@ function NextFlightLine({ session, memories }: NextFlightProps) {
  * @param when `now`: what the timer has said. `will`: what it leads to. `last`: what it had said before the connection
  * went.
  */
-export function nextFlightText(word: NextFlightWord, when: 'now' | 'will' | 'last'): string {
-  const { nextFlight: words, memoryName } = messages.value;
+export function nextFlightText(session: Session, word: NextFlightWord, when: 'now' | 'will' | 'last'): string {
+  const { nextFlight: words } = messages.value;
+  const nameOf = (memory: number): string => memoryText(session, memory);
   const said =
     word.code === 'other'
-      ? [{ now: words.other, will: words.will, last: words.last }[when](memoryName(word.memory))]
-      : [words.unknown, ...(word.asked === null ? [] : [words.asked(memoryName(word.asked))])];
-  const original = word.original === null ? words.originalUnknown : words.original(memoryName(word.original));
+      ? [{ now: words.other, will: words.will, last: words.last }[when](nameOf(word.memory))]
+      : [words.unknown, ...(word.asked === null ? [] : [words.asked(nameOf(word.asked))])];
+  const original = word.original === null ? words.originalUnknown : words.original(nameOf(word.original));
   return [...said, original].join(' ');
 }

@@ -45,16 +45,19 @@ export const memoryNames = {
   named: (memory: string, name: string) => `${memory} “${name}”`,
   label: (memory: string) => `Name of ${memory}`,
   give: 'Name it',
-  change: (memory: string) => `Change the name of ${memory}`,
+  /** A button of a card, for who does not see the card. */
+  of: (button: string, memory: string) => `${button}: ${memory}`,
+  /** A button that shows the name. */
+  change: (memory: string, name: string) => `${name}, the name of ${memory}: change it`,
 };
 
 /** Values of one model that are about to be written into the timer of another. */
 export const crossing = {
   /** @param to the models that the timer may be of. */
   title: (from: string, to: readonly string[]) =>
-    `These are values of ${from}, and this timer is that of ${either(to)}.`,
+    `These are values of ${from}, and this timer looks like that of ${either(to)}.`,
   advice: 'Values of another model can cost this one. Look at the model in front of you.',
-  confirm: (from: string, to: readonly string[]) => `Write values of ${from} into the timer of ${either(to)}`,
-  /** Where it is not known whose timer it is. */
-  of: (from: string) => `These are values of ${from}. It is not known which model this timer is in.`,
+  confirm: (from: string, to: readonly string[]) => `Write values of ${from} into the timer of ${either(to)}.`,
+  /** @param memory with its name. */
+  memoryOf: (memory: string, model: string) => `${memory} of ${model}`,
 };

@@ -159,6 +159,10 @@ export const en = {
         title: 'The timer holds something else than was shown.',
         advice: 'Nothing was written. This is what a write would change now.',
       },
+      model: {
+        title: 'Whose timer this is has changed since this was shown.',
+        advice: 'Nothing was written. Look at the names of the models.',
+      },
       edits: {
         title: 'The program has changed since this was shown.',
         advice: 'Nothing was written. This is what a write would change now.',

@@ -182,7 +182,7 @@ export class Drafts {
   /**
    * Keeps what is on the screen while there is anything to bring back, or to undo, and forgets it when there is not.
    */
-  readonly keep = (content: EditorContent, simulated: boolean): void => {
+  readonly keep = (content: EditorContent & Pick<Draft, 'model'>, simulated: boolean): void => {
     if (!this.#hasBegun) {
       this.#early = () => this.keep(content, simulated);
       this.#note(EARLY, false);

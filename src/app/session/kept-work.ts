@@ -26,11 +26,13 @@ export class KeptWork {
 
   /** Keeps from now on what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
   async start(): Promise<void> {
-    const { editor, standing, simulated } = this.#session;
+    const { editor, standing, simulated, origin } = this.#session;
     effect(() => {
       const content = editor.snapshot();
       const readAt = standing.value.at;
-      if (content) this.#drafts.keep({ ...content, readAt }, simulated.value);
+      const model = origin.key.value;
+      const ofModel = model === null ? {} : { model };
+      if (content) this.#drafts.keep({ ...content, readAt, ...ofModel }, simulated.value);
     });
     await this.bringBack();
   }

@@ -26,6 +26,8 @@ interface ReaderParts {
   readonly knowledge: Knowledge;
   readonly recovery: InterruptedJobs;
   readonly nextFlight: NextFlight;
+  /** Told of edits that were kept and are on the screen again. */
+  readonly onDraft: (draft: Draft) => void;
 }
 
 /** Reads the timer, and shows what it holds with the edits that belong to it. */
@@ -122,6 +124,7 @@ export class Reader {
     batch(() => {
       if (!editor.restore(draft)) return;
       this.#simulated.value = draft.simulated;
+      this.#parts.onDraft(draft);
       if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
       notices.sayIfSilent(draft.madeAt === undefined ? 'edits-restored' : 'made-restored');
     });
@@ -181,6 +184,7 @@ export class Reader {
       if (!same) this.putAway();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
+      if (draft) this.#parts.onDraft(draft);
       if (laid) editor.apply({ ...replaceAll({ code: 'lay-over', params: {} }, laid), of });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;

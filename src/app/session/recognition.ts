@@ -53,6 +53,8 @@ export class Recognition {
   readonly choosing: ReadonlySignal<boolean>;
   /** The models that the timer can be said to be of, in the order of the library. */
   readonly choices: ReadonlySignal<readonly Model[]>;
+  /** Another number where the timer is, or may be, another one. */
+  readonly timer: ReadonlySignal<number>;
   readonly #parts: RecognitionParts;
   /** The first reading of each memory on this connection: before this page has written anything into it. */
   readonly #evidence = signal<readonly TimerProgram[]>([], { name: 'evidence' });
@@ -62,10 +64,12 @@ export class Recognition {
   readonly #before = signal(NOBODY, { name: 'knownBefore' });
   readonly #said = signal<string | null>(null, { name: 'saidModel' });
   readonly #notNow = signal(false, { name: 'notNow' });
+  readonly #timer = signal(0, { name: 'timer' });
   readonly #choosing = signal(false, { name: 'choosing' });
 
   constructor(parts: RecognitionParts) {
     this.#parts = parts;
+    this.timer = this.#timer;
     const { library, connection, simulated, knowledge } = parts;
     const recognised = computed((): Recognised | null => {
       const read = this.#evidence.value;
@@ -168,11 +172,12 @@ export class Recognition {
   }
 
   /**
-   * A write into the timer was verified that had named the model to the pilot: that is his word, too.
+   * A write into a timer that is like that of a model was verified, and had named it to the pilot: that is his word.
    * @param model as the dialog has named it; null: it has named none.
    */
   wrote(model: Model | null): void {
-    if (model && this.model.peek()?.id === model.id) this.say(model);
+    const found = this.found.peek();
+    if (model && found?.kind === 'like' && found.model.id === model.id) this.say(model);
   }
 
   #wasRead({ program, at, expected }: FreshReading): void {
@@ -193,6 +198,7 @@ export class Recognition {
       this.#said.value = null;
       this.#notNow.value = false;
       this.#choosing.value = false;
+      this.#timer.value = this.#timer.peek() + 1;
     });
   }
 

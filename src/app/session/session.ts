@@ -27,6 +27,7 @@ import { type Assumed, Link } from './link.js';
 import { NextFlight } from './next-flight.js';
 import { Notices } from './notices.js';
 import { OpenSetting } from './open-setting.js';
+import { Origin } from './origin.js';
 import { Reader } from './reader.js';
 import { Recognition } from './recognition.js';
 import { kindKey, workKey } from './record-keys.js';
@@ -70,8 +71,12 @@ export class Session {
   readonly knowledge: Knowledge;
   /** Whose timer is connected, by what it holds or by the pilot's word. */
   readonly recognition: Recognition;
-  /** The model of the timer that is connected; null where that is not known, or there is none. */
+  /**
+   * The model of the timer that is connected; without one, of the setting that is open. Null where that is not known.
+   */
   readonly modelAtHand: ReadonlySignal<Model | null>;
+  /** For which model the changes on the screen were made. */
+  readonly origin: Origin;
   /** How far the program that was read last can be called what the timer holds. */
   readonly standing: ReadonlySignal<Standing>;
   readonly recovery: InterruptedJobs;
@@ -123,7 +128,9 @@ export class Session {
       connection: this.connection,
       simulated: this.link.simulated,
     });
-    this.modelAtHand = this.recognition.model;
+    this.modelAtHand = computed(() =>
+      this.connection.value ? this.recognition.model.value : (this.opened.shown.value?.model ?? null),
+    );
     this.standing = standingOf(this.editor, this.knowledge, this.connection);
     this.recovery = new InterruptedJobs(unfinished, this.knowledge, this.backups);
     this.servoMoves = new ServoMoves(this.connection, this.safety);
@@ -131,7 +138,19 @@ export class Session {
     this.runner = new JobRunner(this);
     const drafts = new Drafts(storage.drafts, tab);
     const { editor, link, runner, notices, safety, knowledge, recovery, nextFlight } = this;
-    const reader = new Reader({ editor, drafts, link, runner, notices, safety, knowledge, recovery, nextFlight });
+    const onDraft = ({ model }: Draft): void => this.origin.take(model);
+    const reader = new Reader({
+      editor,
+      drafts,
+      link,
+      runner,
+      notices,
+      safety,
+      knowledge,
+      recovery,
+      nextFlight,
+      onDraft,
+    });
     this.#reader = reader;
     this.simulated = reader.simulated;
     this.byteOrderOpen = reader.byteOrderOpen;
@@ -150,6 +169,7 @@ export class Session {
       showDraft: (draft) => reader.showDraft(drafts.take(draft)),
       kept: (id) => drafts.ofSetting(id),
     });
+    this.origin = new Origin(this);
     this.servoUses = new ServoUses(
       computed(() => {
         const shown = editor.identity.value;
@@ -315,12 +335,13 @@ export class Session {
   }
 
   /** What was kept becomes what the pilot wants; nothing is written. */
-  showBackup({ program }: Backup): void {
+  showBackup({ program, model }: Backup): void {
     const { working } = this.editor;
     if (!working.value || !sameLayout(working.value.identity, program.identity)) return;
     const idleThrottle = program.idleThrottle ?? working.value.idleThrottle;
     const wanted = { ...working.value, times: program.times, positions: program.positions, idleThrottle };
     this.editor.apply(replaceAll({ code: 'restore', params: {} }, wanted));
+    this.origin.take(model);
   }
 
   /**

@@ -10,6 +10,7 @@ import { MemoryChoice } from '../memories/memory-choice.js';
 import { figureText, messages, timerName } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
 import type { Link } from '../session/link.js';
+import { givenName, memoryText } from '../session/memory-names.js';
 import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import { onDemand } from '../ui/on-demand.js';
@@ -124,11 +125,13 @@ function MemoryNow({ session }: { readonly session: Session }) {
   const memory = useComputed(() => session.editor.working.value?.memory ?? null).value;
   if (memory === null) return null;
   const flies = session.connection.value !== null && !session.nextFlight.open.value;
+  const given = givenName(session.modelAtHand.value, memory);
   return (
     <span class="strip-memory">
+      {given !== '' && <small aria-hidden="true">{given}</small>}
       {flies ? (
         <>
-          <span class="visually-hidden">{nextFlight.named(memoryName(memory))}</span>
+          <span class="visually-hidden">{nextFlight.named(memoryText(session, memory))}</span>
           <span aria-hidden="true">{memoryName(memory)}</span> <PlaneIcon />
         </>
       ) : (

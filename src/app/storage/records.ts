@@ -116,6 +116,8 @@ export const draftSchema = v.pipe(
     shelved: v.exactOptional(v.boolean()),
     /** Whether it came from the simulated timer. */
     simulated: v.boolean(),
+    /** The model that it is for, by its id; absent where that is not known. */
+    model: v.exactOptional(key),
     /** The number of the tab that it was worked on in, see `TabNumber`. */
     tab: v.optional(tab, 1),
   }),

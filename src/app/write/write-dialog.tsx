@@ -1,13 +1,15 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerError } from '../../client/index.js';
-import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, type Model, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
+import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
+import { CrossingCheck } from './crossing-check.js';
 import { ClosingButtons, JobStep } from './dialog-steps.js';
 import { MoveServosCheck } from './move-servos-check.js';
 import { SafetyCheck } from './safety-check.js';
@@ -95,7 +97,7 @@ interface ReviewProps {
 }
 
 function Review({ session, write, review: { shown, moved } }: ReviewProps) {
-  const { write: words, memoryName, about } = messages.value;
+  const { write: words, about } = messages.value;
   const { changes } = shown;
   const { identity, memory } = shown.goal;
   const serious = write.serious.value;
@@ -107,9 +109,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
         </div>
       )}
       <Conflicts editor={session.editor} identity={identity} />
-      <p>
-        {changes.length === 0 ? words.nothing : words.lead(memory === null ? words.thisMemory : memoryName(memory))}
-      </p>
+      <p>{changes.length === 0 ? words.nothing : words.lead(whereText(session, memory, shown.model))}</p>
       {changes.length > 0 && (
         <>
           <ValueTable
@@ -124,6 +124,11 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
           </details>
         </>
       )}
+      <CrossingCheck
+        crossing={shown.crossing}
+        acknowledged={write.crossed.value}
+        onAcknowledge={(wanted) => write.cross(wanted)}
+      />
       {serious.length > 0 && (
         <div class="notice bad">
           <ul>
@@ -197,7 +202,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
     <>
       <div class={`notice ${report.result === 'verified' ? 'good' : 'bad'}`} role="alert">
         <NoticeText said={words[report.result]} />
-        {report.result === 'verified' && report.held && <Verdict done={done} held={report.held} />}
+        {report.result === 'verified' && report.held && <Verdict session={session} done={done} held={report.held} />}
         {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
         {unkept && <NoticeText said={words.move.unkept} />}
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
@@ -224,19 +229,32 @@ function Result({ session, write, identity, done, children }: ResultProps) {
   );
 }
 
+interface VerdictProps {
+  readonly session: Session;
+  readonly done: Done;
+  readonly held: TimerProgram;
+}
+
 /** What the timer was seen to hold, in one line. */
-function Verdict({ done: { at, shown }, held }: { done: Done; held: TimerProgram }) {
-  const { write: words, memoryName } = messages.value;
+function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
+  const { write: words } = messages.value;
   const { identity, memory } = held;
   const figures = keyFields(identity).map(
     (field) => `${keyName(identity, field)} ${figure(identity, field, valueAt(held, field))}`,
   );
-  const where = memory === null ? words.thisMemory : memoryName(memory);
+  const where = whereText(session, memory, shown.model);
   return (
     <p>
       <strong>{words.verdict(where, clockText(at), figures, shown.changes.length)}</strong>
     </p>
   );
+}
+
+/** “M1 “calm” of Lancer 07”, as far as that is known. */
+function whereText(session: Session, memory: number | null, model: Model | null): string {
+  const { write: words, crossing } = messages.value;
+  const name = memory === null ? words.thisMemory : memoryText(session, memory);
+  return model ? crossing.memoryOf(name, model.name) : name;
 }
 
 interface RefusedProps {

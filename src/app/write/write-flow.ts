@@ -1,8 +1,9 @@
 import { batch, computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError, type WriteReport } from '../../client/index.js';
-import { type Change, differences, type Finding, type TimerProgram } from '../../program/index.js';
+import { type Change, differences, type Finding, type Model, type TimerProgram } from '../../program/index.js';
 import { CodecError } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import { type Crossing, sameCrossing, sameModel } from '../session/crossing.js';
 import type { JobEnd, JobOptions } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from './job-dialog.js';
@@ -14,6 +15,10 @@ export interface Shown {
   readonly baseline: TimerProgram;
   readonly goal: TimerProgram;
   readonly changes: readonly Change[];
+  /** Whose timer it is; null where that is not known. */
+  readonly model: Model | null;
+  /** The values are of another model. */
+  readonly crossing: Crossing | null;
 }
 
 /** The steps of a write, from the difference to the result. */
@@ -25,7 +30,7 @@ export type WriteStep =
        * Why it is shown once more: the timer holds something else than was shown, or something else is wanted by now.
        * Nothing was sent.
        */
-      readonly moved: 'timer' | 'edits' | null;
+      readonly moved: 'timer' | 'edits' | 'model' | null;
     }
   /** Where the browser does not keep a copy of what the timer holds, the job asks the pilot before anything is sent. */
   | { readonly step: 'running' }
@@ -46,6 +51,9 @@ export type WriteStep =
 /** Shows the difference, writes it, and says what became of it. */
 export class WriteFlow extends JobDialog<WriteStep> {
   readonly #acknowledged = signal(false, { name: 'acknowledged' });
+  readonly #crossed = signal(false, { name: 'crossed' });
+  /** The pilot wants values of one model in the timer of another. */
+  readonly crossed: ReadonlySignal<boolean> = this.#crossed;
   /** The pilot has read the serious findings. */
   readonly acknowledged: ReadonlySignal<boolean> = this.#acknowledged;
   readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
@@ -53,8 +61,16 @@ export class WriteFlow extends JobDialog<WriteStep> {
   );
   /** Whether the write may begin. */
   readonly ready: ReadonlySignal<boolean> = computed(
-    () => this.#session.safety.confirmed.value && (this.serious.value.length === 0 || this.acknowledged.value),
+    () =>
+      this.#session.safety.confirmed.value &&
+      (this.serious.value.length === 0 || this.acknowledged.value) &&
+      (!this.#crossing.value || this.crossed.value),
   );
+  /** The values that are shown go into the timer of another model. */
+  readonly #crossing = computed(() => {
+    const step = this.current.value;
+    return step?.step === 'review' ? step.shown.crossing : null;
+  });
   readonly #session: Session;
 
   constructor(session: Session) {
@@ -82,6 +98,11 @@ export class WriteFlow extends JobDialog<WriteStep> {
     this.#acknowledged.value = read;
   }
 
+  /** The pilot wants values of one model in the timer of another, or takes that back. */
+  cross(wanted: boolean): void {
+    this.#crossed.value = wanted;
+  }
+
   /**
    * Writes what was shown, on the connection where it was shown; shows it once more where anything else is wanted by
    * now.
@@ -93,6 +114,9 @@ export class WriteFlow extends JobDialog<WriteStep> {
     const { shown } = current;
     const isAsShown = editor.baseline.value === shown.baseline && editor.working.value === shown.goal;
     if (!isAsShown || editor.blocked.value) return this.#review('edits');
+    const { modelAtHand, origin } = this.#session;
+    const isModelAsShown = sameModel(modelAtHand.value, shown.model);
+    if (!isModelAsShown || !sameCrossing(origin.crossing.value, shown.crossing)) return this.#review('model');
     const end = await this.#session.runner.perform('write', async (connection, options) => {
       try {
         await this.#write(shown, connection, options);
@@ -126,23 +150,31 @@ export class WriteFlow extends JobDialog<WriteStep> {
     return step.step === 'done' && step.stays;
   }
 
-  #review(moved: 'timer' | 'edits' | null): void {
-    const { editor, connection: link, servoMoves } = this.#session;
+  #review(moved: 'timer' | 'edits' | 'model' | null): void {
+    const { editor, connection: link, servoMoves, modelAtHand, origin } = this.#session;
     const connection = link.value;
     const baseline = editor.baseline.value;
     const goal = editor.working.value;
     batch(() => {
       this.#acknowledged.value = false;
+      this.#crossed.value = false;
       servoMoves.ask();
       const shown = connection &&
         baseline &&
-        goal && { connection, baseline, goal, changes: differences(baseline, goal) };
+        goal && {
+          connection,
+          baseline,
+          goal,
+          changes: differences(baseline, goal),
+          model: modelAtHand.value,
+          crossing: origin.crossing.value,
+        };
       this.show(shown && { step: 'review', shown, moved });
     });
   }
 
   async #write(shown: Shown, connection: TimerConnection, options: JobOptions): Promise<void> {
-    const { editor, knowledge, recovery, servoMoves, link } = this.#session;
+    const { editor, knowledge, recovery, recognition, servoMoves, link } = this.#session;
     const { baseline, goal } = shown;
     if (connection !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');
     const { signal, onProgress, stillOn, ask } = options;
@@ -165,6 +197,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
         knowledge.read(report.held, at, report.result === 'verified');
         if (report.stopped) recovery.wasRead(report.held, isSimulated);
         editor.wrote(report.held);
+        if (report.result === 'verified') recognition.wrote(shown.model);
       }
       const stays = report.result !== 'verified' || signal.aborted;
       const unkept = servoMoves.wanted(moveServos, [report]);

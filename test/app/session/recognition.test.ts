@@ -103,6 +103,24 @@ describe('a timer that holds what a model held', () => {
   });
 });
 
+it('is like a model that few values differ from, until a write that names it is verified', async () => {
+  const lancer = record('Lancer 07', held(0));
+  const bench = await benchWith(lancer);
+  (bench.timer.core.memories[0]?.times as number[])[10] = 24_000;
+  await run(bench.session.connect());
+  expect([kindOf(bench), nameOf(bench)]).toEqual(['like', 'Lancer 07']);
+  await idle();
+  // Nothing is taught by what is not certain.
+  expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(lancer.verified);
+  bench.editor.type({ kind: 'time', slot: 10 }, '5:00');
+  await run(bench.write.open());
+  bench.session.safety.confirm();
+  await run(bench.write.start());
+  await idle();
+  expect(kindOf(bench)).toBe('said');
+  expect(bench.store.models.records.get('Lancer 07')?.verified[0]?.program.times[10]).toBe(30_000);
+});
+
 describe('a timer that is not known', () => {
   it('is asked for, and said to be that of a model until the connection ends', async () => {
     const bench = await benchWith(record('Magpie'), record('Swift'));

@@ -1,0 +1,35 @@
+import type { Model } from '../../program/index.js';
+import type { Found } from './recognition.js';
+
+/** Values of one model on their way into the timer of another. */
+export interface Crossing {
+  readonly from: Model;
+  /** The models that the timer looks like: one, or several that are equal. */
+  readonly to: readonly Model[];
+}
+
+/**
+ * Whether values cross from one model to another.
+ * @param from the model whose values they are; null where that is not known.
+ * @param found whose timer it is.
+ * @returns null where they do not, or nothing tells that they do.
+ */
+export function crossingOf(from: Model | null, found: Found | null): Crossing | null {
+  if (!from || !found || found.kind === 'unknown') return null;
+  const to = 'model' in found ? [found.model] : found.candidates.map(({ model }) => model);
+  return to.some(({ id }) => id === from.id) ? null : { from, to };
+}
+
+/** Whether both say the same to the pilot, who reads names. */
+export function sameCrossing(a: Crossing | null, b: Crossing | null): boolean {
+  return textOf(a) === textOf(b);
+}
+
+/** Whether both are the same model by the same name. */
+export function sameModel(a: Model | null, b: Model | null): boolean {
+  return a?.id === b?.id && a?.name === b?.name;
+}
+
+function textOf(crossing: Crossing | null): string {
+  return JSON.stringify(crossing && [crossing.from, ...crossing.to].map(({ id, name }) => [id, name]));
+}

@@ -1,0 +1,141 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import type { ModelRecord } from '../../../src/app/storage/index.js';
+import type { TimerProgram } from '../../../src/program/index.js';
+import { exampleMemories } from '../../../src/simulator/index.js';
+import { MODEL } from '../../program/library-examples.js';
+import { type AppBench, appBench, idle, MemoryStore } from '../bench/bench.js';
+import { button, drawn, goTo, press } from '../screen.js';
+
+const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
+const HELD = exampleMemories('Q').map(
+  ({ times, positions }, memory): TimerProgram => ({ identity: IDENTITY, memory, times, positions, idleThrottle: 30 }),
+);
+const THEN = new Date(2025, 10, 12, 14, 32).getTime();
+
+function record(name: string, program?: TimerProgram): ModelRecord {
+  const verified = program ? [{ program, at: THEN }] : [];
+  return { key: name, order: 1, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
+}
+
+/** After Connect, on a device that keeps these models. */
+async function withModels(...models: readonly ModelRecord[]): Promise<AppBench> {
+  const store = new MemoryStore();
+  for (const model of models) store.models.records.set(model.key, model);
+  const bench = await appBench({ store, identity: IDENTITY });
+  const memories = HELD.map(({ times, positions }) => ({ times: [...times], positions: structuredClone(positions) }));
+  bench.timer.core.memories.splice(0, 4, ...(memories as typeof bench.timer.core.memories));
+  await drawn(bench);
+  await press('Connect');
+  return bench;
+}
+
+const line = (): string | undefined => document.querySelector('.model-line p')?.textContent ?? undefined;
+const list = () => within(screen.getByRole('dialog', { name: 'Which model is it?' }));
+
+describe('what is said of the model', () => {
+  it('is its name and the day, once', async () => {
+    await withModels(record('Lancer 07', HELD[0]));
+    expect(line()).toBe('This is Lancer 07, as seen 12 Nov 2025.');
+    await press('OK');
+    expect(line()).toBeUndefined();
+    expect(button('Model Lancer 07: say which model it is').textContent).toBe('Lancer 07');
+  });
+
+  it('is a question where some values differ; a yes is the answer', async () => {
+    const changed = { ...HELD[0], times: HELD[0]?.times.with(10, 24_000).with(0, 900) } as TimerProgram;
+    const { session } = await withModels(record('Lancer 07', changed));
+    expect(line()).toBe('This is like Lancer 07, 2 values differ. Is it Lancer 07?');
+    await press('Yes, Lancer 07');
+    expect([line(), session.recognition.found.value?.kind]).toEqual([undefined, 'said']);
+  });
+
+  it('names all candidates; the one that is pressed is it', async () => {
+    const { session } = await withModels(record('One', HELD[0]), record('Two', HELD[0]), record('Three'));
+    expect(line()).toBe('This may be One or Two. Which model is it?');
+    await press('Two');
+    expect(session.modelAtHand.value?.name).toBe('Two');
+  });
+
+  it('is nothing where no model is kept, and the strip still offers to name one', async () => {
+    const { session } = await withModels();
+    expect(line()).toBeUndefined();
+    await press('Which model?');
+    fireEvent.input(list().getByRole('textbox', { name: 'Name' }), { target: { value: '  Lancer 08 ' } });
+    fireEvent.submit(list().getByRole('button', { name: 'Keep as a new model' }).closest('form') as HTMLFormElement);
+    await idle();
+    expect(session.modelAtHand.value?.name).toBe('Lancer 08');
+    expect(screen.queryByRole('dialog')).toBeNull();
+  });
+
+  it('is a list to choose from: what it may be first, then all others, with a search', async () => {
+    const others = Array.from({ length: 12 }, (_, at) => record(`Model ${at}`));
+    const { session } = await withModels(...others, record('Two', HELD[0]), record('One', HELD[0]));
+    await press('Another…');
+    const names = () =>
+      list()
+        .getAllByRole('listitem')
+        .map((item) => item.querySelector('strong')?.textContent);
+    expect(names().slice(0, 3)).toEqual(['One', 'Two', 'Model 0']);
+    fireEvent.input(list().getByRole('searchbox', { name: 'Search' }), { target: { value: 'MODEL 11' } });
+    await idle(0);
+    expect(names()).toEqual(['Model 11']);
+    await press('Model 11');
+    expect(session.modelAtHand.value?.name).toBe('Model 11');
+    // Corrected at any time.
+    await press('Model Model 11: say which model it is');
+    await press(/^Two/);
+    expect(session.modelAtHand.value?.name).toBe('Two');
+  });
+
+  it('is not asked again after “not now”', async () => {
+    const { session } = await withModels(record('Three'));
+    expect(line()).toBe('This timer is not known here. Which model is it?');
+    await press('Choose…');
+    fireEvent.click(list().getByRole('button', { name: 'Not now' }));
+    await idle(0);
+    await press('Read again');
+    expect([line(), session.modelAtHand.value]).toEqual([undefined, null]);
+  });
+});
+
+describe('the names of the memories', () => {
+  it('stand beside their numbers', async () => {
+    await withModels(record('Lancer 07', HELD[0]));
+    expect(screen.getByRole('radio', { name: 'M1 “calm”, flies next' })).toBeTruthy();
+    await goTo('memories');
+    expect(button('calm, the name of M1: change it')).toBeTruthy();
+  });
+
+  it('are changed at the cards, and kept with the model', async () => {
+    const { store } = await withModels(record('Lancer 07', HELD[0]));
+    await goTo('memories');
+    await press('Name it: M4');
+    const input = screen.getByRole('textbox', { name: 'Name of M4' });
+    fireEvent.input(input, { target: { value: ' fly-off ' } });
+    fireEvent.keyDown(input, { key: 'Enter' });
+    await idle();
+    expect(store.models.records.get('Lancer 07')?.model.memoryNames).toEqual(['calm', '', '', 'fly-off']);
+    expect(screen.getByRole('radio', { name: 'M4 “fly-off”' })).toBeTruthy();
+    // What the timer held is still known.
+    expect(store.models.records.get('Lancer 07')?.verified).toHaveLength(1);
+  });
+
+  it('stay as they are after Escape', async () => {
+    const { store } = await withModels(record('Lancer 07', HELD[0]));
+    await goTo('memories');
+    await press('calm, the name of M1: change it');
+    const input = screen.getByRole('textbox', { name: 'Name of M1' });
+    fireEvent.input(input, { target: { value: 'windy' } });
+    fireEvent.keyDown(input, { key: 'Escape' });
+    await idle();
+    expect(store.models.records.get('Lancer 07')?.model.memoryNames).toEqual(['calm']);
+    expect(document.activeElement).toBe(button('calm, the name of M1: change it'));
+  });
+
+  it('cannot be given where the model is not known', async () => {
+    await withModels();
+    await goTo('memories');
+    expect(screen.queryByRole('button', { name: /Name it/ })).toBeNull();
+  });
+});

@@ -1,0 +1,181 @@
+import { fireEvent, screen } from '@testing-library/preact';
+import { describe, expect, it } from 'vitest';
+import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
+import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
+import { exampleMemories } from '../../../src/simulator/index.js';
+import { MODEL } from '../../program/library-examples.js';
+import { type AppBench, appBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+import { drawn } from '../screen.js';
+
+const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
+const S2: ProgramField = { kind: 'position', servo: 1, slot: 4 };
+type Content = { times: number[]; positions: number[][] };
+const LANCER = exampleMemories('Q').map(({ times, positions }) => ({ times, positions }) as Content);
+const MAGPIE = LANCER.map(({ times, positions }) => ({
+  times: times.map((time) => time + 5),
+  positions: positions.map((row) => row.map((position, slot) => position + 1 + (slot % 3))),
+}));
+
+function programOf({ times, positions }: Content, memory = 0): TimerProgram {
+  return { identity: IDENTITY, memory, times, positions, idleThrottle: 30 };
+}
+
+function record(name: string, content: Content): ModelRecord {
+  const verified = [{ program: programOf(content), at: 1_795_000_000_000 }];
+  return { key: name, order: 1, changedAt: 1, verified, model: { ...MODEL, id: name, name, memoryNames: ['calm'] } };
+}
+
+/** A backup of the Magpie. */
+const BACKUP: Backup = {
+  key: '2026-11-20T10:00:00.000Z/0',
+  savedAt: 1_795_000_000_000,
+  reason: 'write',
+  program: programOf(MAGPIE[0] as Content),
+  simulated: false,
+  model: 'Magpie',
+};
+
+function hold({ timer: { core } }: AppBench, memories: readonly Content[]): void {
+  core.memories.splice(0, core.memories.length, ...structuredClone([...memories]));
+}
+
+/** The timer of the Lancer is connected; the Magpie is known, too. */
+async function lancer(store = new MemoryStore()): Promise<AppBench> {
+  store.models.records.set('Lancer', record('Lancer', LANCER[0] as Content));
+  store.models.records.set('Magpie', record('Magpie', MAGPIE[0] as Content));
+  const bench = await appBench({ store, identity: IDENTITY });
+  hold(bench, LANCER);
+  await run(bench.session.connect());
+  return bench;
+}
+
+function shown({ write }: AppBench) {
+  const step = write.current.value;
+  if (step?.step !== 'review') throw new Error(`nothing is shown: ${step?.step}`);
+  const { crossing, model } = step.shown;
+  return { moved: step.moved, from: crossing?.from.name, to: crossing?.to.map(({ name }) => name), model: model?.name };
+}
+
+function sets({ timer }: AppBench): number {
+  return timer.core.answered.filter(({ name }) => name.startsWith('SET')).length;
+}
+
+describe('a write into the timer of the model that the values are of', () => {
+  it('asks for nothing, and says whose timer it is', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    await run(bench.write.open());
+    expect(shown(bench)).toEqual({ moved: null, from: undefined, to: undefined, model: 'Lancer' });
+    bench.session.safety.confirm();
+    expect(bench.write.ready.value).toBe(true);
+  });
+
+  it('asks for nothing where the pilot has said of this timer which model it is', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    const magpie = bench.session.recognition.choices.value.find(({ name }) => name === 'Magpie');
+    bench.session.recognition.say(magpie as typeof MODEL);
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: undefined, model: 'Magpie' });
+  });
+});
+
+describe('a write into the timer of another model', () => {
+  it('is asked for by both names where a backup is of another model', async () => {
+    const bench = await drawn(await lancer());
+    bench.session.showBackup(BACKUP);
+    bench.session.safety.confirm();
+    await run(bench.write.open());
+    await idle(0);
+    expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'], model: 'Lancer' });
+    expect(screen.getByText('These are values of Magpie, and this timer looks like that of Lancer.')).toBeTruthy();
+    expect(bench.write.ready.value).toBe(false);
+    await run(bench.write.start());
+    expect(sets(bench)).toBe(0);
+    fireEvent.click(screen.getByRole('checkbox', { name: 'Write values of Magpie into the timer of Lancer.' }));
+    expect(bench.write.ready.value).toBe(true);
+    await run(bench.write.start());
+    expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
+    // It is still the timer of the Lancer.
+    expect(bench.session.modelAtHand.value?.name).toBe('Lancer');
+  });
+
+  it('is asked for where the timer was exchanged under the changes, without a word of the connection', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    hold(bench, MAGPIE);
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
+  });
+
+  it('is asked for where the timer is exchanged while the dialog is open', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    await run(bench.write.open());
+    bench.session.safety.confirm();
+    hold(bench, MAGPIE);
+    await run(bench.write.start());
+    expect(sets(bench)).toBe(0);
+    expect(shown(bench)).toMatchObject({ moved: 'timer', from: 'Lancer', to: ['Magpie'], model: 'Magpie' });
+    expect(bench.write.ready.value).toBe(false);
+  });
+
+  it('is asked for where another timer comes to the next connection', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    await run(bench.session.disconnect());
+    hold(bench, MAGPIE);
+    await run(bench.session.connect());
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
+  });
+
+  it('is asked for after a reload, too: the changes are kept with their model', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    await idle();
+    const again = await reloaded(bench);
+    hold(again, MAGPIE);
+    await run(again.session.connect());
+    await run(again.write.open());
+    expect(shown(again)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
+  });
+
+  it('is shown again, not acknowledged, when a name has changed meanwhile', async () => {
+    const bench = await lancer();
+    bench.session.showBackup(BACKUP);
+    bench.session.safety.confirm();
+    await run(bench.write.open());
+    bench.write.cross(true);
+    const magpie = bench.store.models.records.get('Magpie') as ModelRecord;
+    bench.store.models.records.set('Magpie', { ...magpie, model: { ...magpie.model, name: 'Magpie 2' } });
+    await run(bench.session.library.refresh());
+    await run(bench.write.start());
+    expect(sets(bench)).toBe(0);
+    expect(shown(bench)).toMatchObject({ moved: 'model', from: 'Magpie 2', to: ['Lancer'] });
+    expect([bench.write.crossed.value, bench.write.ready.value]).toEqual([false, false]);
+  });
+
+  it('names all that the timer may be of, and asks for nothing where the model is one of them', async () => {
+    const store = new MemoryStore();
+    store.models.records.set('Twin', record('Twin', LANCER[0] as Content));
+    const bench = await lancer(store);
+    bench.session.showBackup(BACKUP);
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer', 'Twin'], model: undefined });
+    bench.write.dismiss();
+    bench.editor.undo();
+    bench.session.showBackup({ ...BACKUP, model: 'Twin' });
+    await run(bench.write.open());
+    expect(shown(bench).from).toBeUndefined();
+  });
+
+  it('asks for nothing by the name of a model that is deleted', async () => {
+    const bench = await lancer();
+    bench.session.showBackup(BACKUP);
+    bench.store.models.records.delete('Magpie');
+    await run(bench.session.library.refresh());
+    await run(bench.write.open());
+    expect(shown(bench).from).toBeUndefined();
+  });
+});
