@@ -21,7 +21,8 @@ interface Taken {
 
 /**
  * For which model the values on the screen are: that of the setting that is open; else the one whose timer was there
- * when the first change was typed, or whose backup was loaded. They stay where another timer takes its place, and must not go into that one unasked.
+ * when the first change was typed, or whose backup was loaded. They stay where another timer takes its place, and must
+ * not go into that one unasked.
  */
 export class Origin {
   /** Its id; null where nothing is changed, or it is not known. */

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Backup, ModelRecord } from '../../../src/app/storage/index.js';
 import type { ProgramField, TimerProgram } from '../../../src/program/index.js';
 import { exampleMemories } from '../../../src/simulator/index.js';
-import { MODEL } from '../../program/library-examples.js';
+import { MODEL, SETTING } from '../../program/library-examples.js';
 import { type AppBench, appBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
 import { drawn } from '../screen.js';
 
@@ -98,6 +98,20 @@ describe('a write into the timer of another model', () => {
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     // It is still the timer of the Lancer.
     expect(bench.session.modelAtHand.value?.name).toBe('Lancer');
+  });
+
+  it('is asked for where a setting of another model was opened over it', async () => {
+    const bench = await lancer();
+    const program = programOf(MAGPIE[0] as Content);
+    await run(bench.session.library.keepSetting({ ...SETTING, id: 'calm', model: 'Magpie', program }).then(() => {}));
+    await run(bench.session.showSetting(bench.session.library.settings.get('calm')?.setting as typeof SETTING));
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
+    bench.write.dismiss();
+    bench.editor.undo();
+    bench.editor.type(S2, '77');
+    await run(bench.write.open());
+    expect(shown(bench).from).toBeUndefined();
   });
 
   it('is asked for where the timer was exchanged under the changes, without a word of the connection', async () => {
