@@ -1,9 +1,10 @@
 import { fieldKey } from '../program/index.js';
+import type { Identity } from '../protocol/index.js';
 import { setValues } from './editing/edit.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import type { SaveSetting } from './library/save-setting.js';
 import { flightMessages } from './messages/flights.js';
-import { messages, presetText, stepText, timerName } from './messages/index.js';
+import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
 import { libraryMessages } from './messages/library.js';
 import type { AppModels } from './models.js';
 import { type Session, SIMULATED_CLASSES } from './session/session.js';
@@ -16,7 +17,8 @@ export function commandsOf(models: AppModels): readonly Command[] {
   return [...programCommands(models), ...timerCommands(models), ...flightCommands(models), ...pageCommands(models)];
 }
 
-function programCommands({ session, views, write, preferences, bench, printOrder, saveSetting }: AppModels): Command[] {
+function programCommands(models: AppModels): Command[] {
+  const { session, write, preferences, bench, memories, views, programPicture, printOrder, saveSetting } = models;
   const { editor, runner, connection } = session;
   const { palette, program, edits, slotName } = messages.value;
   const identity = editor.identity.value;
@@ -40,6 +42,15 @@ function programCommands({ session, views, write, preferences, bench, printOrder
         views.show('print');
       },
     },
+    ...(memories.looking.value === null ? shiftable(identity) : []).map((slot) => ({
+      name: palette.shift(
+        edits.shift.from(slot === 0 ? program.motorStop : slotLabel(identity, slot), slot === dt.slot),
+      ),
+      run: () => {
+        views.show('program');
+        programPicture.askShift(slot);
+      },
+    })),
     ...preferences.presets.value.map((value) => ({
       name: palette.preset(presetText(value)),
       run: () => editor.apply(setValues({ code: 'preset', params: { field: fieldKey(dt) } }, [{ field: dt, value }])),
@@ -75,6 +86,12 @@ function flightCommands({ views, flights }: AppModels): Command[] {
     ...(flights.held.value ? [{ name: words.flying.button, run: flying }] : []),
     { name: messages.value.palette.goTo(words.title), run: () => views.show('library', FLIGHTS) },
   ];
+}
+
+/** The slots whose time, and those after it, can be shifted; 0 is the motor stop. */
+function shiftable(identity: Identity): number[] {
+  const slots = Array.from({ length: identity.functions + 1 }, (_, slot) => slot);
+  return slots.filter((slot) => slot > 0 || identity.timerClass === 'Q');
 }
 
 function timerCommands({ session, memories, leaving }: AppModels): Command[] {

@@ -54,7 +54,7 @@ test('the motor stop of an F1Q stands large beside DT, and is the start time', a
   await app.trySimulated('F1Q');
   expect(await app.valueOf('Motor stop')).toBe('10.0');
   await app.type('Motor stop', '9.5');
-  expect(await app.valueOf('Motor stop time')).toBe('9.50');
+  expect(await app.valueOf('Motor stop time')).toBe('9.5');
 });
 
 test('the reserved start time of an F1B is edited only on purpose', async () => {

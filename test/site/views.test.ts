@@ -60,6 +60,12 @@ test('every action is found by its name and done by Enter, where it can be done'
   expect(await app.valueOf('DT time')).toBe('3:00');
   await command('go memo');
   await expect.poll(() => heading(app)).toBe('Memories');
+  await command('shift motor');
+  await app.page.getByRole('form', { name: 'Motor stop and all after' }).waitFor();
+  await app.page.keyboard.type('0.3');
+  await app.page.keyboard.press('Enter');
+  expect(await app.valueOf('Motor stop time')).toBe('10.3');
+  await command('undo');
   await command('colours dark');
   await expect.poll(() => app.page.locator('html').getAttribute('data-theme')).toBe('dark');
 

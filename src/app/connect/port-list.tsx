@@ -5,8 +5,14 @@ import type { Link } from '../session/link.js';
 import type { Session } from '../session/session.js';
 import './port-list.css';
 
+interface PortListProps {
+  readonly session: Session;
+  /** The way to a timer begins: it is shown elsewhere. */
+  readonly onConnect: () => void;
+}
+
 /** The adapters that were allowed before and are plugged in, the one used last first. */
-export function PortList({ session }: { readonly session: Session }) {
+export function PortList({ session, onConnect }: PortListProps) {
   const { ports: words } = messages.value;
   const { link } = session;
   const ports = link.ports.value;
@@ -16,14 +22,14 @@ export function PortList({ session }: { readonly session: Session }) {
       <h2>{words.title}</h2>
       <ul>
         {ports.map((port, index) => (
-          <PortRow key={`${port.key} ${index}`} session={session} port={port} />
+          <PortRow key={`${port.key} ${index}`} {...{ session, port, onConnect }} />
         ))}
       </ul>
     </section>
   );
 }
 
-function PortRow({ session, port }: { readonly session: Session; readonly port: KnownPort }) {
+function PortRow({ session, port, onConnect }: PortListProps & { readonly port: KnownPort }) {
   const { ports: words, link } = messages.value;
   const rate = session.link.recordOf(port.key)?.foundRate;
   const name = portName(port);
@@ -33,7 +39,10 @@ function PortRow({ session, port }: { readonly session: Session; readonly port: 
         type="button"
         aria-label={words.connectTo(name)}
         disabled={session.engaged.value}
-        onClick={() => void session.connectTo(port.port)}
+        onClick={() => {
+          void session.connectTo(port.port);
+          onConnect();
+        }}
       >
         <strong>{name}</strong>
       </button>

@@ -3,13 +3,23 @@ import {
   differences,
   fieldKey,
   fieldsOf,
+  manualRange,
   type ProgramField,
   type TimerProgram,
   valueAt,
 } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { type EditValues, type FieldValue, withValues } from './edit.js';
-import { formatTime, parseSteps, type Question, type Reading, readTime, type UnreadableReason } from './units.js';
+import {
+  type Figure,
+  formatFigure,
+  formatTime,
+  parseSteps,
+  type Question,
+  type Reading,
+  readTime,
+  type UnreadableReason,
+} from './units.js';
 
 /**
  * What the pilot wants, and the texts in fields as they were typed, by field: what an edit changes and undo brings
@@ -41,9 +51,20 @@ export function parseValue({ functions }: Identity, field: ProgramField, text: s
   return field.kind === 'time' ? readTime(text, { isDt: field.slot === functions }) : parseSteps(text);
 }
 
-/** A value in the form in which a pilot reads and types it. */
-export function formatValue(field: ProgramField, value: number): string {
-  return field.kind === 'time' ? formatTime(value) : String(value);
+/**
+ * A value in the form in which a pilot reads and types it. The motor stop has the form of the large figure, `10.0`. A
+ * DT has not: `12` without its unit may be 12 s or 12 min.
+ */
+export function formatValue(identity: Identity, field: ProgramField, value: number): string {
+  if (field.kind !== 'time') return String(value);
+  const isMotorStop = field.slot === 0 && identity.timerClass === 'Q';
+  return isMotorStop ? figureOfTime(identity, 0, value).text : formatTime(value);
+}
+
+/** A time as a large figure, with the decimals of the step in which it is set. */
+export function figureOfTime(identity: Identity, slot: number, value: number): Figure {
+  const isDt = slot === identity.functions;
+  return formatFigure(value, isDt ? 100 : (manualRange(identity, slot)?.step ?? 1));
 }
 
 /** The texts that are no values, first to last field. */

@@ -71,8 +71,9 @@ export class WorkingCopy {
   textOf(field: ProgramField): string {
     const text = this.#texts.value[fieldKey(field)];
     if (text !== undefined) return text;
-    const value = this.#working.value && valueAt(this.#working.value, field);
-    return value === null ? '' : formatValue(field, value);
+    const working = this.#working.value;
+    const value = working && valueAt(working, field);
+    return working === null || value === null ? '' : formatValue(working.identity, field, value);
   }
 
   /** Whether a text that was typed stands in a field: it may not be finished. */

@@ -36,6 +36,7 @@ export const palette = {
   title: 'Commands',
   search: 'Type what you want to do',
   nothing: 'Nothing is called that, or it cannot be done now.',
+  shift: (rows: string) => `Shift: ${rows}`,
   preset: (time: string) => `DT ${time}`,
   moveTo: (slot: string) => `Move the servos: ${slot}`,
   disconnect: (timer: string) => `Disconnect the ${timer}`,

@@ -1,16 +1,8 @@
 import { signal } from '@preact/signals';
-import {
-  type Change,
-  type Finding,
-  fieldKey,
-  fieldsOf,
-  manualRange,
-  type ProgramField,
-  slotKind,
-} from '../../program/index.js';
+import { type Change, type Finding, fieldKey, fieldsOf, type ProgramField, slotKind } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { type KnownPort, portKind } from '../../serial/index.js';
-import { formatValue } from '../editing/content.js';
+import { figureOfTime, formatValue } from '../editing/content.js';
 import type { Obstacle } from '../editing/edit.js';
 import type { GridField } from '../editing/grid.js';
 import type { StepName } from '../editing/history.js';
@@ -77,9 +69,8 @@ export function figureOf(
   value: number,
 ): Figure | { readonly text: string; readonly unit: null } {
   if (field.kind !== 'time' || !Number.isInteger(value) || value < 0)
-    return { text: formatValue(field, value), unit: null };
-  const isDt = field.slot === identity.functions;
-  return formatFigure(value, isDt ? 100 : (manualRange(identity, field.slot)?.step ?? 1));
+    return { text: formatValue(identity, field, value), unit: null };
+  return figureOfTime(identity, field.slot, value);
 }
 
 /** A value as a large figure: “10.0 s”, “3:00 min”, “65”. */

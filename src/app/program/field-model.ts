@@ -68,7 +68,9 @@ export class FieldModel implements EditedValue {
     this.was = computed(() =>
       identity.value && typeof from.value === 'number' ? wasText(identity.value, field, from.value, isLarge) : null,
     );
-    this.old = computed(() => (typeof from.value === 'number' ? formatValue(field, from.value) : ''));
+    this.old = computed(() =>
+      identity.value && typeof from.value === 'number' ? formatValue(identity.value, field, from.value) : '',
+    );
     this.isUnreadable = computed(() => editor.unreadable.value.has(key));
     this.canPutBack = computed(() => this.isChanged.value || this.isUnreadable.value);
     this.either = computed(() => editor.asked.value.get(key) ?? null);
@@ -100,6 +102,6 @@ export class FieldModel implements EditedValue {
 /** An old value in the form of the new one above it, with its unit. */
 function wasText(identity: Identity, field: ProgramField, value: number, isLarge: boolean): string {
   if (isLarge) return valueText(identity, field, value);
-  const text = formatValue(field, value);
+  const text = formatValue(identity, field, value);
   return field.kind === 'time' ? messages.value.seconds(text) : text;
 }

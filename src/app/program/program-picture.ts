@@ -12,9 +12,17 @@ export class ProgramPicture {
   readonly player = new Player();
   readonly #behind = signal(HELD);
   readonly behind: ReadonlySignal<string> = this.#behind;
+  readonly #shiftAsked = signal<number | null>(null);
+  /** The slot whose tools were asked for from outside of the table; null when they are open, or none was. */
+  readonly shiftAsked: ReadonlySignal<number | null> = this.#shiftAsked;
 
   /** @param key {@link HELD}, {@link NOTHING}, or that of a backup. */
   compareWith(key: string): void {
     this.#behind.value = key;
+  }
+
+  /** @param slot null: the table has opened them. */
+  askShift(slot: number | null): void {
+    this.#shiftAsked.value = slot;
   }
 }

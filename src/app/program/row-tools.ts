@@ -9,7 +9,7 @@ import { messages, obstacleText } from '../messages/index.js';
 export class RowTools {
   readonly #editor: Editor;
   readonly #open = signal<number | 'start' | null>(null);
-  readonly #amount = signal('0.50');
+  readonly #amount = signal('0.10');
   readonly #moveDt = signal(false);
   readonly #moved = signal(0);
   readonly #problem = signal<string | null>(null);

@@ -38,7 +38,7 @@ export function SettingsView({ session, preferences, theme, density, erase, view
       </section>
       {!session.link.unavailable && (
         <section class="setting">
-          <PortList session={session} />
+          <PortList session={session} onConnect={() => views.show('program')} />
           <SerialSettingsForm link={session.link} />
         </section>
       )}

@@ -171,9 +171,12 @@ function Figure({ session, identity, field }: FigureProps) {
     const isDt = field.kind === 'time' && field.slot === identity.functions;
     return isDt && editor.findings.value.some(({ code }) => code === 'dt-short');
   }).value;
+  /** Red is what is not known, grey what was read of a timer that is not there. */
   const look = useComputed(() => {
-    if (session.standing.value.sure === 'not') return 'bad';
-    return editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key) ? 'changed' : '';
+    const { sure } = session.standing.value;
+    if (sure === 'not') return 'bad';
+    if (editor.changes.value.some(({ field: changed }) => fieldKey(changed) === key)) return 'changed';
+    return sure === 'once' && editor.madeAt.value === null && !session.connection.value ? 'past' : '';
   }).value;
   const [figure, unit] = text.split(' ');
   return (

@@ -1,7 +1,7 @@
 import { useRef } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 import { useHeight } from '../ui/use-height.js';
-import { NARROW, useQuery } from '../ui/use-query.js';
+import { TABS_BELOW, useQuery } from '../ui/use-query.js';
 import { ViewIcon } from './icons.js';
 import { VIEWS, type Views } from './views.js';
 import './view-links.css';
@@ -9,9 +9,9 @@ import './view-links.css';
 /** From view to view: a rail at the left, on a phone a bar at the bottom. */
 export function ViewLinks({ views }: { readonly views: Views }) {
   const { views: words } = messages.value;
-  const isNarrow = useQuery(NARROW).value;
+  const areBelow = useQuery(TABS_BELOW).value;
   const nav = useRef<HTMLElement>(null);
-  useHeight(nav, isNarrow ? '--tabs' : '--rail');
+  useHeight(nav, areBelow ? '--tabs' : '--rail');
   const shown = views.shown.value;
   return (
     <nav class="view-links" aria-label={words.title} ref={nav}>

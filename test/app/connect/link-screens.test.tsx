@@ -186,7 +186,11 @@ describe('what to do while no timer answers', () => {
 
 describe('the serial settings', () => {
   it('are those of the next port that is opened, until they are put back', async () => {
-    const { session, port } = await opened();
+    const {
+      session,
+      port,
+      models: { views },
+    } = await opened();
     await goTo('settings');
     expect(['Rate', 'Parity', 'Stop bits', 'DTR', 'RTS'].map((name) => choice(name).value)).toEqual([
       'find',
@@ -217,7 +221,10 @@ describe('the serial settings', () => {
     await choose('Parity', 'odd');
     await press(/^Connect to /);
     expect(port.device.opened).toMatchObject({ baudRate: 19_200, parity: 'odd', stopBits: 2 });
+    // What comes of it is shown there.
+    expect(views.shown.value).toBe('program');
     await press('Disconnect');
+    await goTo('settings');
     await press('Usual settings');
     expect([choice('Rate').value, choice('Parity').value, session.link.settings.value]).toEqual(['find', 'none', null]);
   });

@@ -331,7 +331,7 @@ it('screen, working copy and difference agree over any edits, undos and redos', 
           if ('either' in parsed && parsed.either[1] === value) continue;
           if ('unreadable' in parsed) expect(editor.unreadable.value.has(fieldKey(field))).toBe(true);
           else if (value !== null && value >= 0)
-            expect([text, parsed.value]).toEqual([formatValue(field, value), value]);
+            expect([text, parsed.value]).toEqual([formatValue(working.identity, field, value), value]);
         }
         expect([editor.undoStep.value !== null, editor.redoStep.value !== null]).toEqual([
           past.length > 0,

@@ -79,7 +79,7 @@ describe('the motor stop of a Q', () => {
     await press('Put back Motor stop');
     button('Tools for Motor stop').blur();
     await idle();
-    expect([field('Motor stop time').value, motorAfter()]).toEqual(['10.00', 'Start']);
+    expect([field('Motor stop time').value, motorAfter()]).toEqual(['10.0', 'Start']);
   });
 });
 
@@ -171,7 +171,7 @@ describe('the tools of a row', () => {
     await press('Tools for DT');
     expect(screen.queryByRole('checkbox', { name: 'Move DT too' })).toBeNull();
     await press('Later');
-    expect(times('Function 9', 'DT')).toEqual(['14.50', '3:00.50']);
+    expect(times('Function 9', 'DT')).toEqual(['14.50', '3:00.10']);
   });
 
   it('are none at a start where nothing differs', async () => {
