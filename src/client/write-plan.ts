@@ -132,7 +132,6 @@ function isExchanged({ requests }: WritePlan, { field, from: held }: Change): bo
     (request) =>
       request.name === 'SETSERVO' &&
       field.kind === 'position' &&
-      request.function !== request.servo &&
       request.function === field.servo &&
       request.servo === field.slot &&
       request.position === held,

@@ -129,6 +129,7 @@ describe('the check', () => {
       ],
       ['serious motor-stop-after-dt time:0', 'warning motor-run-long time:0'],
     ],
+    ['a motor run of 40 s', 'Q', [[0, 4000]], []],
     ['a motor run of more than 40 s', 'Q', [[0, 4010]], ['warning motor-run-long time:0']],
     ['a reserved time on B', 'B', [[0, 12345]], []],
     ['a step finer than a tenth on Q', 'Q', [[1, 55]], ['warning time-too-fine time:1']],
@@ -170,6 +171,18 @@ describe('the check', () => {
       ],
     );
     expect(found(program)).toEqual(['warning time-repeats time:5']);
+  });
+
+  it('says that positions are never reached where equal times differ in one servo alone', () => {
+    const program = edited(
+      usual('B'),
+      [[5, 350]],
+      [
+        [0, 5, 55],
+        [1, 5, 55],
+      ],
+    );
+    expect(found(program)).toEqual(['warning position-never-reached time:5']);
   });
 
   it('refuses a position past the last step, but keeps one that was read', () => {
