@@ -1,7 +1,7 @@
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
 import { flightMessages } from '../messages/flights.js';
-import { figureText, messages, presetText } from '../messages/index.js';
+import { dtText, figureText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { SlotTable } from '../ui/slot-table.js';
@@ -41,7 +41,7 @@ interface FormProps extends FlightDialogProps {
 }
 
 function Form({ id, session, log }: FormProps) {
-  const { form: words, row } = flightMessages.value;
+  const { form: words, row, flying } = flightMessages.value;
   const { flights } = session.library;
   const form = useMemo(() => {
     const list = flights.list.peek();
@@ -86,6 +86,9 @@ function Form({ id, session, log }: FormProps) {
       <div class="buttons flight-closing">
         <button type="button" class="quiet" onClick={() => log.remove(id)}>
           {words.remove}
+        </button>
+        <button type="button" class="quiet" onClick={() => log.fillIn(log.flyAgain(flight))}>
+          {flying.again}
         </button>
         {form.changed.value && (
           <button type="button" class="quiet" onClick={() => form.undo()}>
@@ -143,6 +146,7 @@ function Round({ form }: { readonly form: FlightForm }) {
           type="text"
           autocomplete="off"
           aria-label={words.round}
+          placeholder={words.otherRound}
           maxLength={LIMITS.round}
           value={round}
           onInput={({ currentTarget }) => form.setRound(currentTarget.value)}
@@ -160,7 +164,7 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
   const { identity, memory, times } = flight.program;
   const held = session.shortDt.held.value;
   if (flight.round === '' || !session.shortDt.isShort(flight.program)) return null;
-  const dt = presetText(times[identity.functions] as number);
+  const dt = dtText(times[identity.functions] as number);
   const canPutBack = held !== null && log.canPutBack(flight);
   return (
     <div class="notice bad" role="alert">
@@ -168,7 +172,7 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
         {canPutBack ? (
           <>
             <strong>{shortDt.held(memory === null ? null : memoryName(memory), dt)}</strong>{' '}
-            {shortDt.ask(presetText(held.back))}
+            {shortDt.ask(dtText(held.back))}
           </>
         ) : (
           <strong>{words.shortDt(dt)}</strong>
@@ -176,7 +180,7 @@ function ShortDtNote({ session, log, form, id }: FormProps & { readonly form: Fl
       </p>
       {canPutBack && (
         <button type="button" onClick={() => void log.putBack(id)}>
-          {shortDt.putBack(presetText(held.back))}
+          {shortDt.putBack(dtText(held.back))}
         </button>
       )}
     </div>

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { flightMessages } from '../messages/flights.js';
-import { presetText } from '../messages/index.js';
+import { dtText } from '../messages/index.js';
 import type { ShortDt } from '../session/short-dt.js';
 import type { FlightRecord } from '../storage/index.js';
 import { type FlightDay, isRound, timeOf } from './flight-list.js';
@@ -163,7 +163,7 @@ export function Row({ record: { key, flight }, shortDt, onOpen, withDay = false 
             <b class={isRound(flight) && isFull(flight) ? 'full' : undefined}>{resultText(result)}</b>
           )}
           {shortDt.isShort(program) && (
-            <small class="bad-text">{words.dt(presetText(program.times[program.identity.functions] as number))}</small>
+            <small class="bad-text">{words.dt(dtText(program.times[program.identity.functions] as number))}</small>
           )}
         </span>
       </button>

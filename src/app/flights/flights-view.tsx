@@ -33,7 +33,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
         <h1>{words.title}</h1>
         <a href="#library">{words.library}</a>
       </div>
-      <FlyingThis session={session} log={log} />
+      <FlyingThis session={session} log={log} again />
       {removed.value.length > 0 && (
         <div class="notice" role="status">
           <p>{words.removed(removed.value.length)}</p>
@@ -60,6 +60,7 @@ export function FlightsView({ session, log }: FlightsViewProps) {
           <details class="flights-tools" open={filter !== NO_FILTER}>
             <summary>{words.filter.title}</summary>
             <FilterBar session={session} log={log} />
+            {loaded.value && <CsvExport records={shown} />}
           </details>
           <div class="flights-sum">
             <TotalsLine records={shown} />
@@ -71,7 +72,6 @@ export function FlightsView({ session, log }: FlightsViewProps) {
           </div>
           {shown.length === 0 && <p class="hint">{words.nothingFound}</p>}
           <FlightRows days={grouped(shown)} shortDt={session.shortDt} onOpen={(key) => log.fillIn(key)} />
-          {loaded.value && <CsvExport records={shown} />}
         </>
       )}
     </div>

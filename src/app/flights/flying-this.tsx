@@ -11,10 +11,12 @@ interface FlyingThisProps {
   readonly log: FlightLog;
   /** The flight is to be filled in. */
   readonly onFillIn?: () => void;
+  /** Without a timer the last flight can be flown again. */
+  readonly again?: boolean;
 }
 
 /** One tap logs a flight with what the timer holds; then it says so, and can be undone or filled in. */
-export function FlyingThis({ session, log, onFillIn }: FlyingThisProps) {
+export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
   const { flying: words, row } = flightMessages.value;
   const { flights } = session.library;
   const key = log.logged.value;
@@ -41,6 +43,18 @@ export function FlyingThis({ session, log, onFillIn }: FlyingThisProps) {
             {words.fillIn}
           </button>
         </div>
+      </div>
+    );
+  }
+  const last = again ? flights.list.value[0]?.flight : undefined;
+  if (!held && last) {
+    const names = [last.modelName || row.noModel, last.settingName, heldText(last.program)];
+    return (
+      <div class="flying-this">
+        <p class="hint">{names.filter(Boolean).join(' · ')}</p>
+        <button type="button" onClick={() => log.flyAgain(last)}>
+          {words.again}
+        </button>
       </div>
     );
   }

@@ -1,4 +1,4 @@
-import { messages, presetText } from '../messages/index.js';
+import { dtText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
@@ -45,7 +45,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
   const originalName = original.value === null ? null : memoryText(session, original.value);
   const canGoBack = word.value !== null && originalName !== null && session.runner.ready.value;
   const short = session.shortDt.held.value;
-  const dt = short && presetText(short.dt);
+  const dt = short && dtText(short.dt);
   const asksMemory = word.value !== null || short === null;
   const blocked = session.editor.blocked.value;
   return (
@@ -68,7 +68,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
         {short && dt && (
           <p>
             <strong>{shortDt.held(short.memory === null ? null : memoryText(session, short.memory), dt)}</strong>{' '}
-            {shortDt.ask(presetText(short.back))}
+            {shortDt.ask(dtText(short.back))}
           </p>
         )}
         {short && blocked && <p class="hint">{shortDt.blocked}</p>}
@@ -87,7 +87,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
             disabled={blocked || !session.runner.ready.value}
             onClick={() => void leaving.putBack()}
           >
-            {shortDt.putBack(presetText(short.back))}
+            {shortDt.putBack(dtText(short.back))}
           </button>
         )}
         {canGoBack && (

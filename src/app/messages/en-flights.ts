@@ -27,7 +27,8 @@ export const flights = {
   },
   row: {
     noModel: 'No model',
-    round: (round: string) => (/^\d/.test(round) ? `Round ${round}` : round),
+    round: (round: string) =>
+      /^\d/.test(round) ? `Round ${round}` : `${round.charAt(0).toUpperCase()}${round.slice(1)}`,
     wind: (wind: string) => `${wind} m/s`,
     temperature: (degrees: string) => `${degrees} °C`,
     noResult: 'no result',
@@ -41,7 +42,7 @@ export const flights = {
     maxima: (count: number, rounds: number) => `${count} of ${plural(rounds, 'round', 'rounds')} at 3:00 min or more`,
   },
   filter: {
-    title: 'Filter',
+    title: 'Filter and export',
     text: 'Search',
     model: 'Model',
     allModels: 'All models',
@@ -64,6 +65,7 @@ export const flights = {
     full: 'Full round, 180 s',
     round: 'Round',
     rounds: { 1: '1', 2: '2', 3: '3', 4: '4', 5: '5', 'fly-off': 'Fly-off' },
+    otherRound: 'Other',
     wind: 'Wind',
     windUnit: 'm/s',
     temperature: 'Temperature',

@@ -85,6 +85,11 @@ export function presetText(value: number): string {
   return inUnit(formatFigure(value, 100));
 }
 
+/** A DT as it is said of a program: “20 s”, “3:00 min”. */
+export function dtText(value: number): string {
+  return inUnit(formatFigure(value, 100));
+}
+
 /** A time of a flight: “10.60 s”, “3:00 min”. */
 export function momentText(hundredths: number): string {
   const text = formatTime(hundredths);

@@ -142,8 +142,8 @@ describe('after a verified write', () => {
     await press('Fill in');
     expect(screen.getAllByRole('dialog').length).toBe(1);
     await press('3');
-    expect(form().getByRole('alert').textContent).toContain('DT of M1 is 20 s. Put back to 3 min?');
-    await press('Put back to 3 min…');
+    expect(form().getByRole('alert').textContent).toContain('DT of M1 is 20 s. Put back to 3:00 min?');
+    await press('Put back to 3:00 min…');
     await press(/^Write \d+ change/);
     expect(app.timer.core.content.times[10]).toBe(18_000);
     expect(flights(app).map(({ program, round }) => [program.times[10], round])).toEqual([[18_000, '3']]);

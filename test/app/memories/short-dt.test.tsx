@@ -73,7 +73,7 @@ describe('with a short DT in the timer', () => {
     const app = await drawn(await reloaded(first));
     await run(app.session.connect());
     await press('Disconnect');
-    expect(buttons()).toContain('Put back to 4 min…');
+    expect(buttons()).toContain('Put back to 4:00 min…');
   });
 
   it('is put back to what a round of the class needs, where no long one was seen', async () => {
@@ -101,9 +101,14 @@ describe('with a short DT in the timer', () => {
     await press('Disconnect');
     expect(screen.getAllByRole('dialog').length).toBe(1);
     expect(dialog().getByRole('status').textContent).toBe(
-      'M3 will fly next. When you connected it was M1.DT of M3 is 10 s. Put back to 3 min?',
+      'M3 will fly next. When you connected it was M1.DT of M3 is 10 s. Put back to 3:00 min?',
     );
-    expect(buttons()).toEqual(['Stay connected', 'Fly with 10 s', 'Put back to 3 min…', 'Back to M1 and disconnect']);
+    expect(buttons()).toEqual([
+      'Stay connected',
+      'Fly with 10 s',
+      'Put back to 3:00 min…',
+      'Back to M1 and disconnect',
+    ]);
     screen.getByRole('dialog').dispatchEvent(new Event('cancel', { cancelable: true }));
     await idle();
     expect(status(app), 'another memory would fly').toBe('on');
@@ -111,7 +116,7 @@ describe('with a short DT in the timer', () => {
     await press('Back to M1 and disconnect');
     expect([status(app), dialog().getByRole('status').textContent]).toEqual([
       'on',
-      'DT of M1 is 20 s. Put back to 3 min?',
+      'DT of M1 is 20 s. Put back to 3:00 min?',
     ]);
     expect(dialog().queryByRole('alert'), 'going back did work').toBeNull();
     await press('Fly with 20 s');
@@ -132,7 +137,7 @@ describe('with a short DT in the timer', () => {
     await type('Function 2, S1', 'abc');
     await press('Disconnect');
     expect(dialog().getByText(/cannot be written yet/)).toBeTruthy();
-    expect(button('Put back to 3 min…').disabled).toBe(true);
+    expect(button('Put back to 3:00 min…').disabled).toBe(true);
     await press('Fly with 20 s');
     expect(status(app)).toBe('off');
   });
