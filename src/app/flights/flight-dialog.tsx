@@ -6,7 +6,7 @@ import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { SlotTable } from '../ui/slot-table.js';
 import { FlightForm } from './flight-form.js';
-import { placesOf, timeOf } from './flight-list.js';
+import { placesOf, ROUND_MAXIMUM, timeOf } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { clockOf, dayText, heldText } from './flight-text.js';
 import { measureText } from './measures.js';
@@ -83,13 +83,15 @@ function Form({ id, session, log }: FormProps) {
       </label>
       <Where session={session} form={form} />
       <Flown form={form} />
-      <div class="buttons flight-closing">
+      <div class="buttons">
         <button type="button" class="quiet" onClick={() => log.remove(id)}>
           {words.remove}
         </button>
         <button type="button" class="quiet" onClick={() => log.fillIn(log.flyAgain(flight))}>
           {flying.again}
         </button>
+      </div>
+      <div class="buttons flight-closing">
         {form.changed.value && (
           <button type="button" class="quiet" onClick={() => form.undo()}>
             {words.undo}
@@ -112,8 +114,14 @@ function Result({ form }: { readonly form: FlightForm }) {
       <label for={id}>{words.result}</label>
       <span class="flight-result-line">
         <MeasureField form={form} measure="result" id={id} note={`${note} ${hint}`} />
-        <button type="button" class="chip" aria-pressed={result === 180} onClick={() => form.type('result', '180')}>
-          {words.full}
+        <button
+          type="button"
+          class="chip"
+          aria-label={words.full}
+          aria-pressed={result === ROUND_MAXIMUM}
+          onClick={() => form.type('result', String(ROUND_MAXIMUM))}
+        >
+          {words.fullShort}
         </button>
       </span>
       <MeasureProblem form={form} measure="result" unit={words.resultUnit} note={note} />

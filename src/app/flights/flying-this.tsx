@@ -52,7 +52,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     return (
       <div class="flying-this">
         <p class="hint">{names.filter(Boolean).join(' · ')}</p>
-        <button type="button" onClick={() => log.flyAgain(last)}>
+        <button type="button" class="primary" onClick={() => log.flyAgain(last)}>
           {words.again}
         </button>
       </div>
@@ -62,7 +62,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   return (
     <div class="flying-this">
       <p class="hint">{heldText(held)}</p>
-      <button type="button" onClick={() => log.flying()}>
+      <button type="button" class={again ? 'primary' : undefined} onClick={() => log.flying()}>
         {words.button}
       </button>
     </div>

@@ -63,6 +63,7 @@ export const flights = {
     resultHint: 'Seconds, or minutes like 2:58.',
     readAs: (clock: string, seconds: string) => `${clock} min, ${seconds} s`,
     full: 'Full round, 180 s',
+    fullShort: '180 s',
     round: 'Round',
     rounds: { 1: '1', 2: '2', 3: '3', 4: '4', 5: '5', 'fly-off': 'Fly-off' },
     otherRound: 'Other',
