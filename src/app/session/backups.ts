@@ -1,13 +1,12 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { Backup, Keeper } from '../storage/index.js';
+import { outdated } from './backup-thinning.js';
 
-/** More than a season's writes; the oldest give way. */
-const KEPT = 300;
 /** So long a deleted one can be put back, in milliseconds. */
 const UNDO_WAIT = 10_000;
 
-/** What timers held before they were written, newest first. */
+/** What timers held before they were written, newest first; thinned by age, see `outdated`. */
 export class Backups {
   readonly #list = signal<readonly Backup[]>([], { name: 'backups' });
   readonly #removed = signal<readonly Backup[]>([], { name: 'removed' });
@@ -15,17 +14,21 @@ export class Backups {
   /** Taken out of the list, and not deleted yet. */
   readonly removed: ReadonlySignal<readonly Backup[]> = this.#removed;
   readonly #keeper: Keeper<Backup>;
+  readonly #modelOf: () => string | null;
   #deleting: ReturnType<typeof setTimeout> | undefined;
   #last = 0;
 
-  constructor(keeper: Keeper<Backup>) {
+  /** @param modelOf the id of the model whose timer is connected; null where that is not known. */
+  constructor(keeper: Keeper<Backup>, modelOf: () => string | null = () => null) {
     this.#keeper = keeper;
+    this.#modelOf = modelOf;
   }
 
   /** Reads what is kept, beside what has been added meanwhile. A browser that keeps nothing has none. */
   async load(): Promise<void> {
     const kept = await this.#keeper.all().catch(() => []);
     this.#list.value = this.#listed([...kept, ...this.list.value]);
+    this.#thin();
   }
 
   /**
@@ -36,11 +39,25 @@ export class Backups {
     // Several in one millisecond keep their order.
     this.#last = Math.max(this.#last + 1, savedAt);
     const key = `${new Date(this.#last).toISOString()}/${program.memory ?? '?'}`;
-    const backup: Backup = { key, savedAt, reason, program, simulated };
-    const kept = [backup, ...this.list.value];
-    this.#list.value = kept.slice(0, KEPT);
+    const model = this.#modelOf();
+    const backup: Backup = { key, savedAt, reason, program, simulated, ...(model === null ? {} : { model }) };
+    this.#list.value = [backup, ...this.list.value];
     await this.#keeper.save(backup);
-    await Promise.all(kept.slice(KEPT).map((old) => this.#keeper.remove(old.key)));
+    this.#thin();
+  }
+
+  /**
+   * By now it is known whose timer it is that was there when these were kept.
+   * @param since milliseconds since 1970.
+   */
+  assign(model: string, since: number, simulated: boolean): void {
+    const own = this.#list
+      .peek()
+      .filter((each) => each.model === undefined && each.savedAt >= since && each.simulated === simulated)
+      .map((each) => ({ ...each, model }));
+    if (own.length === 0) return;
+    this.#list.value = this.#listed([...this.#list.peek(), ...own]);
+    for (const backup of own) void this.#keeper.save(backup).catch(() => {});
   }
 
   /** Takes some out of the list, and deletes them for good when nobody has put them back for ten seconds. */
@@ -66,6 +83,14 @@ export class Backups {
     this.#removed.value = [];
     // What was never kept need not be removed.
     for (const { key } of value) void this.#keeper.remove(key).catch(() => {});
+  }
+
+  /** Deletes for good what need not be kept any more. What cannot be deleted now is deleted another time. */
+  #thin(): void {
+    const gone = new Set(outdated(this.#list.peek(), Date.now()));
+    if (gone.size === 0) return;
+    this.#list.value = this.#list.peek().filter((each) => !gone.has(each));
+    for (const { key } of gone) void this.#keeper.remove(key).catch(() => {});
   }
 
   /** Newest first, each once, without those that were taken out. */

@@ -55,6 +55,8 @@ export class Recognition {
   readonly choices: ReadonlySignal<readonly Model[]>;
   /** Another number where the timer is, or may be, another one. */
   readonly timer: ReadonlySignal<number>;
+  /** When the timer came that is there now, in milliseconds since 1970. */
+  since = 0;
   readonly #parts: RecognitionParts;
   /** The first reading of each memory on this connection: before this page has written anything into it. */
   readonly #evidence = signal<readonly TimerProgram[]>([], { name: 'evidence' });
@@ -191,6 +193,7 @@ export class Recognition {
   }
 
   #forget(evidence: readonly TimerProgram[]): void {
+    this.since = Date.now();
     batch(() => {
       this.#evidence.value = evidence;
       this.#held.value = NOTHING;

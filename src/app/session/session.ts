@@ -1,4 +1,4 @@
-import { batch, computed, type ReadonlySignal } from '@preact/signals';
+import { batch, computed, effect, type ReadonlySignal } from '@preact/signals';
 import type { AssumedQuirks } from '../../client/index.js';
 import { type Model, type Setting, sameLayout, type TimerProgram } from '../../program/index.js';
 import type { CaptureEntry } from '../../protocol/index.js';
@@ -104,7 +104,7 @@ export class Session {
   constructor(options: SessionOptions) {
     const { surroundings, storage, tab } = options;
     this.#options = options;
-    this.backups = new Backups(storage.backups);
+    this.backups = new Backups(storage.backups, () => this.recognition.model.peek()?.id ?? null);
     this.aside = new SetAside(storage.aside);
     this.library = new Library(storage, options.libraryChannel);
     this.link = new Link({
@@ -170,6 +170,11 @@ export class Session {
       kept: (id) => drafts.ofSetting(id),
     });
     this.origin = new Origin(this);
+    effect(() => {
+      const found = this.recognition.found.value;
+      if (found?.kind !== 'said') return;
+      this.backups.assign(found.model.id, this.recognition.since, this.link.simulated.peek());
+    });
     this.servoUses = new ServoUses(
       computed(() => {
         const shown = editor.identity.value;
