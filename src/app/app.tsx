@@ -31,6 +31,7 @@ export function App({ models }: { readonly models: AppModels }) {
       hasProgram ? (
         <parts.program.Part
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
+          sharing={models.sharing}
           onPrint={() => {
             models.printOrder.choose();
             views.show('print');

@@ -3,6 +3,7 @@ import type { Identity } from '../protocol/index.js';
 import { setValues } from './editing/edit.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import type { SaveSetting } from './library/save-setting.js';
+import { offerScreen } from './library/share/share-screen.js';
 import { flightMessages } from './messages/flights.js';
 import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
 import { libraryMessages } from './messages/library.js';
@@ -18,7 +19,8 @@ export function commandsOf(models: AppModels): readonly Command[] {
 }
 
 function programCommands(models: AppModels): Command[] {
-  const { session, write, preferences, bench, memories, views, programPicture, printOrder, saveSetting } = models;
+  const { session, write, preferences, bench, memories, views, programPicture, printOrder, saveSetting, sharing } =
+    models;
   const { editor, runner, connection } = session;
   const { palette, program, edits, slotName } = messages.value;
   const identity = editor.identity.value;
@@ -42,6 +44,7 @@ function programCommands(models: AppModels): Command[] {
         views.show('print');
       },
     },
+    session.opened.savable.value && { name: palette.share, run: () => offerScreen(session, sharing) },
     ...(memories.looking.value === null ? shiftable(identity) : []).map((slot) => ({
       name: palette.shift(
         edits.shift.from(slot === 0 ? program.motorStop : slotLabel(identity, slot), slot === dt.slot),
@@ -131,7 +134,7 @@ function timerCommands({ session, memories, leaving }: AppModels): Command[] {
   ];
 }
 
-function pageCommands({ views, theme, erase }: AppModels): Command[] {
+function pageCommands({ views, theme, erase, sharing }: AppModels): Command[] {
   const { palette, views: words, theme: themes, erase: eraseWords } = messages.value;
   return [
     ...VIEWS.filter((view) => view !== views.shown.value).map((view) => ({
@@ -142,6 +145,7 @@ function pageCommands({ views, theme, erase }: AppModels): Command[] {
       name: palette.theme(themes.names[name]),
       run: () => theme.choose(name),
     })),
+    { name: palette.readCode, run: () => sharing.read() },
     { name: eraseWords.open, run: () => void erase.open() },
   ];
 }

@@ -1,7 +1,9 @@
 import { commandsOf } from './commands.js';
 import { FlightDialog } from './flights/flight-dialog.js';
 import { FlyingThis } from './flights/flying-this.js';
+import { addressPath } from './library/place.js';
 import { SaveDialog } from './library/save-dialog.js';
+import { SharingDialog } from './library/share/sharing-dialog.js';
 import { GoOn, LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
@@ -13,7 +15,7 @@ import { WriteDialog } from './write/write-dialog.js';
 
 /** What can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, write, memories, leaving, flights, erase, update, saveSetting } = models;
+  const { session, views, sharing, write, memories, leaving, flights, erase, update, saveSetting } = models;
   const after = (
     <>
       <FlyingThis session={session} log={flights} onFillIn={() => write.dismiss()} />
@@ -28,6 +30,14 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />
       <SaveDialog session={session} saveSetting={saveSetting} />
+      <SharingDialog
+        session={session}
+        sharing={sharing}
+        busy={write.current.value !== null}
+        page={location.href}
+        onProgram={() => views.show('program')}
+        onLibrary={(model, key) => views.show('library', addressPath(model, key))}
+      />
       <EraseDialog session={session} erase={erase} />
       <NewsDialog update={update} />
       <Palette commands={() => commandsOf(models)} />

@@ -2,8 +2,11 @@ import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';
 import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
+import { sharedOf } from './library/share/link.js';
+import { ReadCodeButton, ShareButton } from './library/share/share-buttons.js';
 import { flightMessages } from './messages/flights.js';
 import type { AppModels } from './models.js';
+import { PrintButton } from './print/print-button.js';
 
 /** The library, with what other features put into it. */
 export function LibraryPage({ models }: { readonly models: AppModels }) {
@@ -20,24 +23,43 @@ export function LibraryPage({ models }: { readonly models: AppModels }) {
 }
 
 /** One entry for each thing that can be done with the library, a model or a setting beyond looking at it. */
-function placesOf({ session, views, flights }: AppModels): Places {
+function placesOf({ session, views, flights, sharing, printOrder }: AppModels): Places {
   const toFlights = (): void => views.show('library', FLIGHTS);
   const flightsOf = { session, log: flights, onAll: toFlights };
+  const print = (keys: readonly string[]): void => {
+    printOrder.choose(keys);
+    views.show('print');
+  };
   return {
     library: (
-      <button
-        type="button"
-        onClick={() => {
-          flights.showOnly();
-          toFlights();
-        }}
-      >
-        {flightMessages.value.title}
-      </button>
+      <>
+        <button
+          type="button"
+          onClick={() => {
+            flights.showOnly();
+            toFlights();
+          }}
+        >
+          {flightMessages.value.title}
+        </button>
+        <ReadCodeButton sharing={sharing} />
+      </>
     ),
-    modelButtons: () => <></>,
+    modelButtons: ({ key }) => (
+      <PrintButton
+        keys={session.library.settings.list.value
+          .filter(({ setting }) => setting.model === key && !setting.archived)
+          .map((record) => record.key)}
+        onPrint={print}
+      />
+    ),
     modelSections: ({ key }) => <FlightsSection {...flightsOf} of={{ model: key }} />,
-    settingButtons: () => <></>,
+    settingButtons: ({ key, setting }, model) => (
+      <>
+        <ShareButton sharing={sharing} shared={() => sharedOf(setting, model?.model ?? null)} />
+        <PrintButton keys={[key]} onPrint={print} />
+      </>
+    ),
     settingSections: ({ key }) => <FlightsSection {...flightsOf} of={{ setting: key }} />,
   };
 }

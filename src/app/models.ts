@@ -7,6 +7,7 @@ import { Installation } from './connect/installation.js';
 import { FlightLog } from './flights/flight-log.js';
 import { Browse } from './library/browse.js';
 import { SaveSetting } from './library/save-setting.js';
+import { Sharing } from './library/share/sharing.js';
 import { FrameForm } from './line/frame-form.js';
 import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
@@ -51,6 +52,8 @@ export interface AppModels {
   readonly saveSetting: SaveSetting;
   /** What is logged with one tap, and how the log is looked at: it outlasts its view. */
   readonly flights: FlightLog;
+  /** Settings that go to another device by link or QR code, and come from one. */
+  readonly sharing: Sharing;
   readonly theme: Theme;
   readonly density: Density;
   readonly preferences: Preferences;
@@ -117,6 +120,7 @@ export function createModels({
     saveSetting: new SaveSetting(session),
     theme,
     flights: new FlightLog(session, write),
+    sharing: new Sharing(),
     density: new Density(),
     preferences: new Preferences(session.editor),
     finishWrite: new FinishWrite(session, write),

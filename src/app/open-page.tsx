@@ -42,10 +42,11 @@ export function openPage(root: HTMLElement, theme: Theme): AppModels | null {
     reload: () => location.reload(),
     theme,
   });
-  const { session, views, follow, update, keeping, density, installation } = models;
+  const { session, views, sharing, follow, update, keeping, density, installation } = models;
   installation.follow(window);
   const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
+  tried(() => sharing.follow(window, () => views.address));
   tried(() => density.follow(document, media(TABLET)));
   render(<App models={models} />, root);
   lead();

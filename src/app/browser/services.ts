@@ -34,6 +34,10 @@ export const SERVICES = {
   BroadcastChannel: { of: 'window', made: true, now: ['postMessage', 'addEventListener', 'close'], later: [] },
   matchMedia: { of: 'window', made: true, now: [], later: [] },
   CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },
+  mediaDevices: { of: 'navigator', now: [], later: ['getUserMedia'] },
+  BarcodeDetector: { of: 'window', made: true, now: [], later: ['detect'] },
+  // Called for the navigator.
+  share: { of: 'navigator', made: true, now: [], later: [] },
   AudioContext: { of: 'window', made: true, now: [], later: ['resume', 'close'] },
 } as const satisfies Record<string, Uses>;
 

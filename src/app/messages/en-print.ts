@@ -36,7 +36,7 @@ export const print = {
   model: 'Model',
   setting: 'Setting',
   memory: 'Memory',
-  timer: (name: string, firmware: string) => `${name}, firmware ${firmware}`,
+  timer: (name: string, firmware: string) => (firmware === '' ? name : `${name}, firmware ${firmware}`),
   simulated: 'simulated timer',
   shortDt: 'Short DT',
   after: 'After',

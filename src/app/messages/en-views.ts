@@ -13,6 +13,8 @@ export const views = {
   /** The title of the window: “Memories · Sidus Timer”. */
   window: (view: string, name: string) => `${view} · ${name}`,
   print: 'Print…',
+  share: 'Share…',
+  readCode: 'Read a QR code…',
   noTimer: {
     memories: 'Connect a timer to see its memories. Backups are below.',
     bench: 'Connect a timer to move its servos.',
@@ -41,6 +43,8 @@ export const palette = {
   moveTo: (slot: string) => `Move the servos: ${slot}`,
   disconnect: (timer: string) => `Disconnect the ${timer}`,
   print: 'Print this program…',
+  share: 'Share this program…',
+  readCode: 'Read a QR code or a link…',
   goTo: (view: string) => `Go to ${view}`,
   theme: (name: string) => `Colours: ${name}`,
 };

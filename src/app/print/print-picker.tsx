@@ -21,7 +21,7 @@ export function PrintPicker({ print }: PrintPickerProps) {
   const listed = [...first, ...found.filter(({ key }) => !chosen.includes(key))].slice(0, Math.max(MOST, first.length));
   return (
     <details class="print-picker">
-      <summary>{words.choose(chosen.length)}</summary>
+      <summary>{words.choose(print.copies.value.length)}</summary>
       <input
         type="search"
         aria-label={words.search}

@@ -108,11 +108,24 @@ export class Print {
   }
 
   #onScreen(): SheetSource | null {
-    const { editor, servoUses, simulated } = this.#session;
+    const { editor, servoUses, simulated, modelAtHand, openSetting } = this.#session;
     const program = editor.working.value;
     if (!program) return null;
-    const model = { name: '', memoryNames: [], servos: servoUses.named.value ?? [] };
-    return { key: ON_SCREEN, program, model, name: '', note: '', origin: this.#standing(), simulated: simulated.value };
+    const atHand = modelAtHand.value;
+    const setting = openSetting.value?.setting;
+    return {
+      key: ON_SCREEN,
+      program,
+      model: {
+        name: atHand?.name ?? '',
+        memoryNames: atHand?.memoryNames ?? [],
+        servos: servoUses.named.value ?? atHand?.servos ?? [],
+      },
+      name: setting?.name ?? '',
+      note: setting?.note ?? '',
+      origin: this.#standing(),
+      simulated: simulated.value,
+    };
   }
 
   /** How the program on the screen stands to the timer, on paper: nothing of it changes any more. */

@@ -69,7 +69,8 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     model: model?.name ?? '',
     setting: source.name,
     timer: timerName(identity),
-    firmware: identity.firmware,
+    // What was made here is of no firmware.
+    firmware: identity.firmware === '000' ? '' : identity.firmware,
     memory: memory === null ? '' : memoryText(memory, model?.memoryNames[memory] ?? ''),
     origin: source.origin,
     simulated: source.simulated,

@@ -5,6 +5,8 @@ import type { Identity } from '../../protocol/index.js';
 import type { Bench } from '../bench/bench.js';
 import type { Follow } from '../bench/follow.js';
 import type { SaveSetting } from '../library/save-setting.js';
+import { offerScreen } from '../library/share/share-screen.js';
+import type { Sharing } from '../library/share/sharing.js';
 import type { Memories } from '../memories/memories.js';
 import { MemoryLook, MemoryPicture } from '../memories/memory-look.js';
 import { messages, timerName } from '../messages/index.js';
@@ -29,13 +31,14 @@ export interface ProgramViewProps {
   readonly follow: Follow;
   readonly preferences: Preferences;
   readonly programPicture: ProgramPicture;
+  readonly sharing: Sharing;
   readonly onPrint: () => void;
   readonly saveSetting: SaveSetting;
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
-  const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, onPrint } = props;
+  const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing, onPrint } = props;
   const { program, header, about, views } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -80,6 +83,14 @@ export function ProgramView(props: ProgramViewProps) {
         />
         <ChecksPanel editor={session.editor} />
         <div class="program-exits">
+          <button
+            type="button"
+            class="quiet"
+            disabled={!session.opened.savable.value}
+            onClick={() => offerScreen(session, sharing)}
+          >
+            {views.share}
+          </button>
           <button type="button" class="quiet" onClick={onPrint}>
             {views.print}
           </button>

@@ -2,6 +2,7 @@ import { batch, effect, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
+import { isLink } from '../library/share/sharing.js';
 
 /** The views of the page, in the order in which they stand in the rail. */
 export const VIEWS = ['program', 'memories', 'bench', 'library', 'line', 'settings'] as const;
@@ -43,6 +44,11 @@ export class Views {
     });
   }
 
+  /** The address of what is shown, from `#`. */
+  get address(): string {
+    return hashOf({ view: this.#shown.peek(), path: this.#path.peek() });
+  }
+
   setExpert(on: boolean): void {
     this.#expert.value = on;
     saveSetting('expert', on);
@@ -63,6 +69,8 @@ export class Views {
    */
   follow(window: AddressWindow): () => void {
     const read = (): void => {
+      // A setting that comes in the address is shown over the view that is there.
+      if (isLink(window.location.hash)) return;
       const { view, path } = addressAt(window.location.hash) ?? PROGRAM;
       this.show(view, path);
     };

@@ -1,0 +1,72 @@
+import { useSignal } from '@preact/signals';
+import { useId, useMemo } from 'preact/hooks';
+import type { SharedSetting } from '../../../program/index.js';
+import { canSend, send } from '../../browser/share-sheet.js';
+import { share } from '../../messages/en-share.js';
+import { CopyButton } from '../../ui/copy-button.js';
+import { linkOf, qrLinkOf } from './link.js';
+import { QrCode } from './qr-code.js';
+import type { Sharing } from './sharing.js';
+import './offer.css';
+
+interface OfferProps {
+  readonly sharing: Sharing;
+  readonly shared: SharedSetting;
+  /** The address of this page. */
+  readonly page: string;
+}
+
+/** A setting as a link, and as a QR code for the device beside this one. */
+export function Offer({ sharing, shared, page }: OfferProps) {
+  const { offer: words } = share;
+  const id = useId();
+  const link = useMemo(() => linkOf(shared, page), [shared, page]);
+  const qr = useMemo(() => qrLinkOf(shared, page), [shared, page]);
+  const failed = useSignal(false);
+  const sendIt = async (): Promise<void> => {
+    failed.value = !(await send({ title: shared.name, url: link }));
+  };
+  return (
+    <>
+      <p>{words.lead}</p>
+      <div class="share-link">
+        <label for={id}>{words.link}</label>
+        <input
+          id={id}
+          type="text"
+          readOnly
+          value={link}
+          onFocus={({ currentTarget }) => currentTarget.select()}
+          spellcheck={false}
+        />
+        <div class="buttons">
+          <CopyButton label={words.copy} text={() => link} />
+          {canSend() && (
+            <button type="button" onClick={() => void sendIt()}>
+              {words.send}
+            </button>
+          )}
+        </div>
+      </div>
+      {failed.value && (
+        <p class="bad-text" role="alert">
+          {words.sendFailed}
+        </p>
+      )}
+      {qr ? (
+        <>
+          <p>{words.scan}</p>
+          <QrCode text={qr.link} label={words.qr(shared.name)} />
+          {qr.isCut && <p class="hint">{words.cut}</p>}
+        </>
+      ) : (
+        <p class="hint">{words.tooLong}</p>
+      )}
+      <div class="buttons">
+        <button type="button" class="primary" onClick={() => sharing.close()}>
+          {words.close}
+        </button>
+      </div>
+    </>
+  );
+}

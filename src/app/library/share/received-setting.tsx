@@ -1,0 +1,183 @@
+import { useSignal } from '@preact/signals';
+import { useEffect, useId, useMemo } from 'preact/hooks';
+import type { SharedSetting } from '../../../program/index.js';
+import { formatTime } from '../../editing/units.js';
+import { share } from '../../messages/en-share.js';
+import { dateText, messages, timerName } from '../../messages/index.js';
+import { keyFigures } from '../../messages/key-figures.js';
+import type { Session } from '../../session/session.js';
+import { SmallLanes } from '../../timeline/small-lanes.js';
+import { SlotTable } from '../../ui/slot-table.js';
+import { NEW_MODEL, NO_MODEL, Received } from './received.js';
+import type { Sharing } from './sharing.js';
+import './received-setting.css';
+
+interface ReceivedSettingProps {
+  readonly session: Session;
+  readonly sharing: Sharing;
+  readonly link: string;
+  readonly onProgram: () => void;
+  readonly onLibrary: (model: string | null, key: string) => void;
+}
+
+/** What a link holds: to be looked at, kept or opened, or left alone. */
+export function ReceivedSetting(props: ReceivedSettingProps) {
+  const { session, sharing, link } = props;
+  const received = useMemo(() => new Received(session, link), [session, link]);
+  useEffect(() => void session.library.load(), [session]);
+  const { shared, damage } = received;
+  const { damaged, received: words } = share;
+  if (!shared) {
+    return (
+      <>
+        <div class="notice bad" role="alert">
+          <p>
+            <strong>{damaged.title}</strong> {damaged.codes[damage ?? 'other']}
+          </p>
+        </div>
+        <div class="buttons">
+          <button type="button" class="primary" onClick={() => sharing.close()}>
+            {words.close}
+          </button>
+        </div>
+      </>
+    );
+  }
+  return (
+    <>
+      <Shown shared={shared} />
+      <Ways {...props} received={received} shared={shared} />
+    </>
+  );
+}
+
+function Shown({ shared }: { readonly shared: SharedSetting }) {
+  const { received: words } = share;
+  const { program: table, seconds } = messages.value;
+  const { program, name, modelName, note, tags, at } = shared;
+  const { identity, times } = program;
+  return (
+    <>
+      <div class="received-head">
+        <p class="received-name">
+          <strong>{name}</strong> {modelName && words.from(modelName)}
+        </p>
+        <p class="hint">
+          {words.timer(timerName(identity), identity.firmware, identity.functions - 1, identity.servos)}
+          {' · '}
+          {words.dated(dateText(at))}
+        </p>
+        <p class="hint">{words.lead}</p>
+      </div>
+      <dl class="received-figures">
+        {keyFigures(program).map(({ label, text }) => (
+          <div key={label}>
+            <dt>{label}</dt>
+            <dd>{text}</dd>
+          </div>
+        ))}
+      </dl>
+      <div class="received-lanes">
+        <SmallLanes program={program} />
+      </div>
+      {/* With many servos it scrolls, by the keyboard too. */}
+      <section class="received-table" tabindex={0} aria-label={table.tableCaption}>
+        <SlotTable
+          program={program}
+          caption={table.tableCaption}
+          headings={[table.time]}
+          rows={times.map((time, slot) => ({
+            slot,
+            cells: [slot === 0 ? table.origin : seconds(formatTime(time))],
+          }))}
+        />
+      </section>
+      {note !== '' && <p class="received-note">{note}</p>}
+      {tags.length > 0 && <p class="hint">{words.tags(tags)}</p>}
+    </>
+  );
+}
+
+type WaysProps = ReceivedSettingProps & { readonly received: Received; readonly shared: SharedSetting };
+
+/** What can be done with it. */
+function Ways({ session, sharing, received, shared, onProgram, onLibrary }: WaysProps) {
+  const { received: words } = share;
+  const id = useId();
+  const failed = useSignal(false);
+  const { opened, connection, library, editor } = session;
+  const obstacle = opened.obstacle(shared.program);
+  const known = received.known.value;
+  const kept = received.kept.value;
+  const open = async (): Promise<void> => {
+    const setting = received.setting();
+    failed.value = !setting || !(await session.showSetting(setting));
+    if (failed.peek()) return;
+    sharing.close();
+    onProgram();
+  };
+  return (
+    <>
+      {known && !kept && <p role="status">{words.known(nameOf(session, known.setting.model, known.setting.name))}</p>}
+      {kept ? (
+        <div class={kept.isSaved ? 'notice good' : 'notice bad'} role="status">
+          <p>{kept.isSaved ? words.kept(shared.name) : words.notKept(shared.name)}</p>
+        </div>
+      ) : (
+        <div class="received-place">
+          <label for={id}>{words.modelChoice}</label>
+          <select
+            id={id}
+            value={received.place.value}
+            onChange={({ currentTarget }) => received.choosePlace(currentTarget.value)}
+          >
+            {shared.modelName && <option value={NEW_MODEL}>{words.newModel(shared.modelName)}</option>}
+            <option value={NO_MODEL}>{words.noModel}</option>
+            {library.models.list.value
+              .filter(({ model }) => !model.archived)
+              .map(({ key, model }) => (
+                <option key={key} value={key}>
+                  {model.name}
+                </option>
+              ))}
+          </select>
+        </div>
+      )}
+      {obstacle !== null && <p class="hint">{words.obstacles[obstacle]}</p>}
+      {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
+      {failed.value && (
+        <p class="bad-text" role="alert">
+          {words.notOpened}
+        </p>
+      )}
+      <div class="buttons">
+        <button type="button" class="quiet" onClick={() => sharing.close()}>
+          {kept ? words.close : words.discard}
+        </button>
+        <button type="button" disabled={obstacle !== null} onClick={() => void open()}>
+          {connection.value ? words.openOver : words.open}
+        </button>
+        {kept ? (
+          <button
+            type="button"
+            class="primary"
+            onClick={() => {
+              sharing.close();
+              onLibrary(kept.setting.model, kept.setting.id);
+            }}
+          >
+            {words.show}
+          </button>
+        ) : (
+          <button type="button" class="primary" disabled={received.keeping.value} onClick={() => void received.keep()}>
+            {words.keep}
+          </button>
+        )}
+      </div>
+    </>
+  );
+}
+
+function nameOf({ library }: Session, model: string | null, name: string): string {
+  return [library.models.get(model)?.model.name, name].filter(Boolean).join(' · ');
+}

@@ -1,0 +1,27 @@
+import type { SharedSetting } from '../../../program/index.js';
+import { messages } from '../../messages/index.js';
+import type { Sharing } from './sharing.js';
+
+interface ShareButtonProps {
+  readonly sharing: Sharing;
+  /** Made when it is asked for. */
+  readonly shared: () => SharedSetting;
+}
+
+/** Offers a setting as a link and a QR code. */
+export function ShareButton({ sharing, shared }: ShareButtonProps) {
+  return (
+    <button type="button" onClick={() => sharing.offer(shared())}>
+      {messages.value.views.share}
+    </button>
+  );
+}
+
+/** A setting comes in by QR code or link. */
+export function ReadCodeButton({ sharing }: { readonly sharing: Sharing }) {
+  return (
+    <button type="button" onClick={() => sharing.read()}>
+      {messages.value.views.readCode}
+    </button>
+  );
+}

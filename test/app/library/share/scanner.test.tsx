@@ -1,0 +1,185 @@
+import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { linkOf, sharedOf } from '../../../../src/app/library/share/link.js';
+import { MODEL, SETTING } from '../../../program/library-examples.js';
+import { idle } from '../../bench/bench.js';
+import { opened, press } from '../../screen.js';
+
+const LINK = linkOf(sharedOf(SETTING, MODEL), 'https://pilot.example/');
+const dialog = () => within(screen.getByRole('dialog'));
+
+class Track extends EventTarget {
+  stopped = false;
+
+  stop(): void {
+    this.stopped = true;
+  }
+}
+
+/** A camera that can be asked for, in a browser that finds what `seen` holds. */
+function camera({ seen = [] as string[], fault = '' } = {}) {
+  const tracks: Track[] = [];
+  let grant = (): void => {};
+  const asked = vi.fn((): Promise<MediaStream> => {
+    if (fault) return Promise.reject(new DOMException('no', fault));
+    const track = new Track();
+    tracks.push(track);
+    const stream = Object.assign(new MediaStream(), { getTracks: () => [track] as unknown as MediaStreamTrack[] });
+    return new Promise((resolve) => {
+      grant = () => resolve(stream);
+    });
+  });
+  vi.stubGlobal('navigator', { mediaDevices: { getUserMedia: asked } });
+  vi.stubGlobal(
+    'BarcodeDetector',
+    class {
+      async detect() {
+        return seen.map((rawValue) => ({ rawValue }));
+      }
+    },
+  );
+  return {
+    asked,
+    tracks,
+    seen,
+    async grant() {
+      grant();
+      await idle(200);
+    },
+  };
+}
+
+async function reading() {
+  const bench = await opened();
+  act(() => bench.sharing.read());
+  await idle(0);
+  return bench;
+}
+
+// It is there before it is asked for: no clock of a test waits for a file.
+await import('qr/decode.js');
+
+beforeEach(() => {
+  vi.spyOn(HTMLMediaElement.prototype, 'play').mockResolvedValue();
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.restoreAllMocks();
+});
+
+describe('the camera', () => {
+  it('is asked for on a click alone, and let go of when a setting was found', async () => {
+    const { asked, tracks, grant, seen } = camera();
+    const { sharing } = await reading();
+    await idle();
+    expect(asked).not.toHaveBeenCalled();
+    fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
+    await idle(0);
+    expect(dialog().getByText('Asking for the camera')).toBeTruthy();
+    await grant();
+    expect(dialog().getByText('Hold the QR code in the picture.')).toBeTruthy();
+    seen.push('https://elsewhere.example');
+    await idle(1000);
+    expect(sharing.current.value?.step, 'another code in the picture').toBe('read');
+    seen.splice(0, 1, LINK);
+    await idle(1000);
+    expect(sharing.current.value).toEqual({ step: 'received', link: LINK });
+    expect(tracks.map(({ stopped }) => stopped)).toEqual([true]);
+    expect(dialog().getByText('calm morning')).toBeTruthy();
+  });
+
+  it('is let go of when it is stopped, and when the dialog is closed', async () => {
+    const { tracks, grant } = camera();
+    const { sharing } = await reading();
+    fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
+    await grant();
+    await press('Stop the camera');
+    expect(tracks.map(({ stopped }) => stopped)).toEqual([true]);
+    fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
+    await grant();
+    act(() => sharing.close());
+    await idle();
+    expect(tracks.map(({ stopped }) => stopped)).toEqual([true, true]);
+  });
+
+  it('that is given when nobody waits for it any more is let go of at once', async () => {
+    const { tracks, grant } = camera();
+    await reading();
+    fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
+    await press('Close');
+    await grant();
+    expect(tracks.map(({ stopped }) => stopped)).toEqual([true]);
+  });
+
+  it.each([
+    ['NotAllowedError', /does not give the camera to this page/],
+    ['NotFoundError', /No camera was found/],
+    ['NotReadableError', /Another program has the camera/],
+    ['TypeError', /could not be started/],
+  ])('that does not come is said: %s', async (fault, sentence) => {
+    camera({ fault });
+    await reading();
+    await press('Use the camera');
+    expect(dialog().getByRole('alert').textContent).toMatch(sentence);
+  });
+
+  it('that is pulled is said', async () => {
+    const { tracks, grant } = camera();
+    await reading();
+    fireEvent.click(screen.getByRole('button', { name: 'Use the camera' }));
+    await grant();
+    act(() => void tracks[0]?.dispatchEvent(new Event('ended')));
+    expect(dialog().getByRole('alert').textContent).toMatch(/Another program has the camera/);
+    expect(dialog().queryByRole('button', { name: 'Stop the camera' })).toBeNull();
+  });
+});
+
+describe('a picture', () => {
+  const choose = async (): Promise<void> => {
+    fireEvent.change(screen.getByLabelText('Picture with a QR code'), {
+      target: { files: [new File(['x'], 'code.png', { type: 'image/png' })] },
+    });
+    await idle();
+  };
+
+  it('with the code of a setting shows that', async () => {
+    camera({ seen: [LINK] });
+    vi.stubGlobal('createImageBitmap', async () => ({ width: 10, height: 10, close: () => {} }));
+    const { sharing } = await reading();
+    await choose();
+    expect(sharing.current.value).toEqual({ step: 'received', link: LINK });
+  });
+
+  it('with another code says what that holds', async () => {
+    camera({ seen: ['https://elsewhere.example'] });
+    vi.stubGlobal('createImageBitmap', async () => ({ width: 10, height: 10, close: () => {} }));
+    await reading();
+    await choose();
+    expect(dialog().getByRole('alert').textContent).toMatch(/holds no setting\. It says: https:\/\/elsewhere/);
+  });
+
+  it('that is none is said', async () => {
+    camera();
+    vi.stubGlobal('createImageBitmap', () => Promise.reject(new DOMException('no', 'InvalidStateError')));
+    await reading();
+    await choose();
+    expect(dialog().getByRole('alert').textContent).toMatch(/no picture that the browser can read/);
+  });
+});
+
+describe('a link that is pasted', () => {
+  it('is shown; what is none is refused', async () => {
+    vi.stubGlobal('navigator', {});
+    const { sharing } = await reading();
+    expect(screen.queryByRole('button', { name: 'Use the camera' }), 'there is none').toBeNull();
+    const paste = async (text: string): Promise<void> => {
+      fireEvent.input(dialog().getByRole('textbox', { name: 'Or paste a link' }), { target: { value: text } });
+      await press('Show');
+    };
+    await paste('https://elsewhere.example');
+    expect(dialog().getByRole('alert').textContent).toBe('This is no link to a setting.');
+    await paste(`Look: ${LINK}`);
+    expect(sharing.current.value).toMatchObject({ step: 'received' });
+    expect(dialog().getByText('calm morning')).toBeTruthy();
+  });
+});

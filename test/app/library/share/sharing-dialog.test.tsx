@@ -1,0 +1,173 @@
+import { act, screen, within } from '@testing-library/preact';
+import { describe, expect, it, vi } from 'vitest';
+import { linkOf, sharedOf } from '../../../../src/app/library/share/link.js';
+import type { SharedSetting } from '../../../../src/program/index.js';
+import { MODEL, SETTING } from '../../../program/library-examples.js';
+import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
+import { connected, opened, press } from '../../screen.js';
+
+const SHARED = sharedOf(SETTING, MODEL);
+const PAGE = 'https://pilot.example/';
+const dialog = () => within(screen.getByRole('dialog'));
+const isOpen = () => screen.queryByRole('dialog') !== null;
+
+async function comes({ sharing }: AppBench, shared: SharedSetting | string = SHARED): Promise<void> {
+  act(() => sharing.take(typeof shared === 'string' ? shared : linkOf(shared, PAGE)));
+  await idle(0);
+}
+
+/** What the timer at hand could hold: the same values with another DT. */
+function shiftedDt({ editor }: AppBench): SharedSetting {
+  const program = editor.working.value;
+  if (!program) throw new Error('nothing is on the screen');
+  return { ...SHARED, program: { ...program, times: [...program.times.slice(0, -1), 24_000] } };
+}
+
+describe('a setting that is shared', () => {
+  it('is a link to be copied, a QR code, and a matter of the system where that can', async () => {
+    const { sharing } = await opened();
+    const sent: unknown[] = [];
+    const copied: string[] = [];
+    vi.stubGlobal('navigator', {
+      share: async (what: unknown) => void sent.push(what),
+      clipboard: { writeText: async (text: string) => void copied.push(text) },
+    });
+    act(() => sharing.offer(SHARED));
+    await idle(0);
+    const link = dialog().getByRole<HTMLInputElement>('textbox', { name: 'Link' }).value;
+    expect(link).toBe(linkOf(SHARED, location.href));
+    expect(dialog().getByRole('img', { name: 'QR code of “calm morning”' })).toBeTruthy();
+    await press('Share…');
+    await press('Copy link');
+    expect([sent, copied]).toEqual([[{ title: 'calm morning', url: link }], [link]]);
+    vi.unstubAllGlobals();
+    await press('Close');
+    expect(isOpen()).toBe(false);
+  });
+
+  it('says what has no room in the code, and that the system has refused', async () => {
+    const { sharing } = await opened();
+    vi.stubGlobal('navigator', { share: () => Promise.reject(new DOMException('no', 'NotAllowedError')) });
+    act(() => sharing.offer({ ...SHARED, note: 'n'.repeat(2000) }));
+    await idle(0);
+    expect(dialog().getByText(/The end of the note has no room in the QR code/)).toBeTruthy();
+    await press('Share…');
+    expect(dialog().getByRole('alert').textContent).toMatch(/could not share it/);
+    vi.unstubAllGlobals();
+  });
+});
+
+describe('a setting that comes by link', () => {
+  it('is shown with all its values, and goes nowhere by itself', async () => {
+    const bench = await opened();
+    await comes(bench);
+    expect(dialog().getByText('calm morning')).toBeTruthy();
+    expect(dialog().getByText(/of Lancer 07/)).toBeTruthy();
+    const rows = dialog()
+      .getAllByRole('row')
+      .map((row) => [...row.children].map((cell) => cell.textContent).join(' '));
+    expect(rows).toEqual([
+      'Function Time S1 S2',
+      'Start 0 15 15',
+      'Function 1 0.30 s 25 15',
+      'Function 2 10.50 s 40 60',
+      'Function 3 13.00 s 55 70',
+      'DT 3:00 115 115',
+    ]);
+    await press('Do not keep');
+    expect(isOpen()).toBe(false);
+    expect([bench.session.library.settings.list.value, bench.editor.working.value]).toEqual([[], null]);
+  });
+
+  it('is kept under a new model of its name, and shown there', async () => {
+    const bench = await opened();
+    const { library } = bench.session;
+    await comes(bench);
+    await press('Keep in the library');
+    expect(dialog().getByRole('status').textContent).toBe('“calm morning” is in the library.');
+    const [model] = library.models.list.value;
+    const [kept] = library.settings.list.value;
+    expect(model?.model).toMatchObject({ name: 'Lancer 07', timerClass: 'Q' });
+    expect(kept?.setting).toEqual({ ...SETTING, id: kept?.key, from: 'link', model: model?.key });
+    await press('Show in the library');
+    expect([bench.views.shown.value, bench.views.path.value]).toEqual(['library', `${model?.key}/${kept?.key}`]);
+    expect(isOpen()).toBe(false);
+  });
+
+  it('goes under the model of that name where there is one, beside what is there, and says what is known', async () => {
+    const bench = await opened();
+    const { library } = bench.session;
+    await library.keepModel(MODEL);
+    await library.keepSetting(SETTING);
+    await comes(bench);
+    expect(dialog().getByRole<HTMLSelectElement>('combobox', { name: 'Keep it under' }).value).toBe(MODEL.id);
+    expect(dialog().getByText(/has these values already: Lancer 07 · calm morning/)).toBeTruthy();
+    await press('Keep in the library');
+    expect(library.models.list.value).toHaveLength(1);
+    expect(library.settings.list.value.map(({ setting }) => setting.model)).toEqual([MODEL.id, MODEL.id]);
+    expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
+  });
+
+  it('says that it is lost when the page is closed where nothing can be kept', async () => {
+    const store = new MemoryStore();
+    const bench = await opened({ store });
+    await comes(bench);
+    store.broken = true;
+    await press('Keep in the library');
+    expect(dialog().getByText(/could not keep “calm morning”/)).toBeTruthy();
+  });
+
+  it('is opened without a timer', async () => {
+    const bench = await opened();
+    await comes(bench);
+    await press('Open in the editor');
+    expect([isOpen(), bench.views.shown.value]).toEqual([false, 'program']);
+    expect(bench.editor.working.value?.times).toEqual(SETTING.program.times);
+  });
+
+  it('comes over what a timer holds as one step that undo takes back, and sends nothing', async () => {
+    const bench = await connected();
+    const held = structuredClone(bench.timer.core.memories);
+    const before = bench.editor.working.value;
+    await comes(bench, shiftedDt(bench));
+    await press('Load into the table');
+    expect(bench.editor.working.value?.times.at(-1)).toBe(24_000);
+    expect(bench.timer.core.memories).toEqual(held);
+    act(() => bench.editor.undo());
+    expect(bench.editor.working.value).toEqual(before);
+  });
+
+  it('cannot come over a timer that has no room for it', async () => {
+    const bench = await connected();
+    await comes(bench, {
+      ...SHARED,
+      program: { ...SETTING.program, identity: { ...SETTING.program.identity, timerClass: 'B' } },
+    });
+    expect(screen.getByRole<HTMLButtonElement>('button', { name: 'Load into the table' }).disabled).toBe(true);
+    expect(dialog().getByText(/is of another class/)).toBeTruthy();
+  });
+
+  it('waits until a question that is open is answered', async () => {
+    const bench = await connected();
+    act(() => void bench.editor.type({ kind: 'time', slot: 10 }, '4:00'));
+    await press('Write…');
+    await comes(bench);
+    expect(screen.getAllByRole('dialog')).toHaveLength(1);
+    expect(screen.queryByText('A setting came by link')).toBeNull();
+    await press('Cancel');
+    expect(dialog().getByText('A setting came by link')).toBeTruthy();
+  });
+
+  it.each([
+    ['#s=', /cut or damaged/],
+    ['#s=AVEYAgoEAwMADOgD', /cut or damaged/],
+    [linkOf(SHARED, PAGE).slice(0, -3), /cut or damaged/],
+    [`#s=${'A'.repeat(70_000)}`, /longer than any setting/],
+  ])('is refused with a reason where it is damaged (%#)', async (link, reason) => {
+    const bench = await opened();
+    await comes(bench, link);
+    expect(dialog().getByRole('alert').textContent).toMatch(reason);
+    await press('Close');
+    expect([isOpen(), bench.session.library.settings.list.value]).toEqual([false, []]);
+  });
+});

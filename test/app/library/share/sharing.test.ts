@@ -1,0 +1,84 @@
+import { describe, expect, it } from 'vitest';
+import { Sharing } from '../../../../src/app/library/share/sharing.js';
+import { Views } from '../../../../src/app/shell/views.js';
+
+/** A window with an address and a history that can be read. */
+function windowAt(hash: string) {
+  const events = new EventTarget();
+  const entries = [hash];
+  const location = { hash } as Location;
+  const arriveAt = (to: string): void => {
+    location.hash = to;
+    entries.push(to);
+  };
+  return {
+    location,
+    history: {
+      pushState: (_: unknown, __: string, to: string) => arriveAt(to),
+      replaceState: (_: unknown, __: string, to: string) => {
+        entries.pop();
+        arriveAt(to);
+      },
+    } as History,
+    addEventListener: events.addEventListener.bind(events) as Window['addEventListener'],
+    removeEventListener: events.removeEventListener.bind(events) as Window['removeEventListener'],
+    entries,
+    goTo(to: string) {
+      arriveAt(to);
+      for (const type of ['popstate', 'hashchange']) events.dispatchEvent(new Event(type));
+    },
+  };
+}
+
+function opened(hash: string) {
+  const window = windowAt(hash);
+  const views = new Views();
+  const sharing = new Sharing();
+  const ends = [views.follow(window), sharing.follow(window, () => views.address)];
+  const end = (): void => {
+    for (const each of ends) each();
+  };
+  return { window, views, sharing, end };
+}
+
+describe('a link in the address', () => {
+  it('is shown when the page is opened with it, and asked for no more once it is answered', () => {
+    const { window, views, sharing } = opened('#s=AAAA');
+    expect(sharing.current.value).toEqual({ step: 'received', link: '#s=AAAA' });
+    expect([views.shown.value, window.entries]).toEqual(['program', ['#s=AAAA']]);
+    sharing.close();
+    expect([sharing.current.value, window.entries]).toEqual([null, ['#program']]);
+    sharing.close();
+    expect(window.entries, 'closed once more it changes nothing').toEqual(['#program']);
+  });
+
+  it('is shown over the view that is there, also while the page is open', () => {
+    const { window, views, sharing } = opened('#library/none');
+    window.goTo('#s=BBBB');
+    expect(sharing.current.value).toEqual({ step: 'received', link: '#s=BBBB' });
+    expect([views.shown.value, views.path.value]).toEqual(['library', 'none']);
+    sharing.close();
+    expect(window.entries).toEqual(['#library/none', '#library/none']);
+    views.show('memories');
+    expect(window.entries.at(-1)).toBe('#memories');
+  });
+
+  it('gives way to one that comes after it, and leaves alone where the pilot has gone meanwhile', () => {
+    const { window, sharing } = opened('#s=AAAA');
+    window.goTo('#s=CCCC');
+    expect(sharing.current.value).toEqual({ step: 'received', link: '#s=CCCC' });
+    window.goTo('#memories');
+    sharing.close();
+    expect(window.location.hash).toBe('#memories');
+  });
+
+  it('is nothing to a page that does not follow it any more, and other addresses are nothing to it', () => {
+    const { window, sharing, end } = opened('#settings');
+    expect(sharing.current.value).toBeNull();
+    window.goTo('#memories');
+    expect(sharing.current.value).toBeNull();
+    end();
+    window.goTo('#s=AAAA');
+    expect(sharing.current.value).toBeNull();
+  });
+});
