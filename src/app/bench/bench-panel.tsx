@@ -37,6 +37,8 @@ export function BenchPanel({ session, write, bench, follow, expert }: BenchPanel
       {/* That they follow says the switch. */}
       {!follow.on.value && <FollowNote session={session} write={write} bench={bench} follow={follow} />}
       <div class="bench-stage">
+        {/* Before the grid: on a phone that is longer than the window. */}
+        {connected && <FollowSwitch bench={bench} follow={follow} identity={identity} />}
         <div class="bench-work">
           <Said bench={bench} identity={identity} />
           <BenchGrid session={session} bench={bench} />
@@ -44,7 +46,6 @@ export function BenchPanel({ session, write, bench, follow, expert }: BenchPanel
         {connected && <BenchTrim session={session} bench={bench} follow={follow} />}
         {connected && (
           <div class="bench-side">
-            <FollowSwitch bench={bench} follow={follow} identity={identity} />
             {identity.timerClass === 'Q' && <Motor session={session} bench={bench} />}
             {expert && <Jump bench={bench} />}
           </div>

@@ -123,7 +123,9 @@ function Unread({ session, memories, memory, current }: UnreadProps) {
       >
         {look.look(name)}
       </button>
-      <p class="hint">{current === null ? look.noWayBack : look.hint(name, memoryName(current))}</p>
+      {current !== null && <p class="hint">{look.hint(name, memoryName(current))}</p>}
+      {/* On the way through other memories it is open which one is current: that is no fault of the timer. */}
+      {current === null && !session.runner.busy.value && <p class="hint">{look.noWayBack}</p>}
     </div>
   );
 }
