@@ -51,7 +51,8 @@ export function openPage(root: HTMLElement, theme: Theme): AppModels | null {
   render(<App models={models} />, root);
   lead();
   void session.keptWork.start().then(lead);
-  afterPaint(() => void fetchParts());
+  // Thousands of flights take their time: they are here before the log is looked at.
+  afterPaint(() => void fetchParts().then(() => session.library.flights.load()));
 
   const warn = (event: BeforeUnloadEvent): void => event.preventDefault();
   effect(() => {

@@ -1,0 +1,84 @@
+import { readFile } from 'node:fs/promises';
+import { expect, test } from 'vitest';
+import { meant, readCsv } from '../app/flights/csv-reader.js';
+import { AppPage } from './app-page.js';
+
+test('a flight is logged with one tap, filled in, kept, found again and exported; a short DT is put back', async () => {
+  const app = await AppPage.open({ locale: 'en-GB', timezoneId: 'Europe/Budapest' });
+  const { page } = app;
+  await app.trySimulated('F1Q');
+  await app.type('DT time', '20 s');
+  await app.write();
+  await app.result('Verified.');
+  await app.dialog.getByText('M1 · DT 20 s · motor stop 10.0 s').waitFor();
+  await app.button('Flying this').click();
+  await app.dialog.getByText(/^Flight logged \d\d:\d\d/).waitFor();
+  // What is typed after it does not belong to it.
+  await app.button('Fill in').click();
+  const form = page.getByRole('dialog', { name: 'Flight' });
+  await form.getByRole('textbox', { name: 'Result' }).fill('0:19,5');
+  await form.getByRole('button', { name: 'Wind: more' }).click();
+  await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
+  await form.getByRole('textbox', { name: 'Note' }).fill('=1+1, trimmed; "left"');
+  await form.getByText('Date, place, model').click();
+  await form.getByRole('combobox', { name: 'Place' }).fill('Gyula');
+  await form.getByRole('button', { name: 'Done' }).click();
+  await form.waitFor({ state: 'hidden' });
+
+  // The pilot wants to go: a DT for trimming would be flown.
+  await app.button('Disconnect').click();
+  const leave = page.getByRole('dialog', { name: 'Before you disconnect' });
+  await leave.getByText('DT of M1 is 20 s. Put back to 3:00 min?').waitFor();
+  await leave.getByRole('button', { name: 'Put back to 3:00 min…' }).click();
+  await app.dialog.waitFor();
+  expect(await app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
+  await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
+  await app.result('Verified.');
+  await app.dialog.getByText(/^M1 verified \d\d:\d\d · DT 3:00 min/).waitFor();
+  await app.dialog.getByRole('button', { name: 'Flying this' }).click();
+  await app.dialog.getByRole('button', { name: 'Disconnect' }).click();
+  await app.button('Connect').waitFor();
+
+  await app.reload();
+  await page.evaluate(() => location.assign('#library/flights'));
+  const rows = page.locator('.flight-row');
+  await rows.nth(1).waitFor();
+  expect(await rows.count()).toBe(2);
+  await page.getByText('2 flights', { exact: true }).first().waitFor();
+  await page.getByText('Filter and export').click();
+  await page.getByRole('searchbox', { name: 'Search' }).fill('trimmed gyula');
+  await rows.nth(1).waitFor({ state: 'detached' });
+  expect(await rows.innerText()).toContain('DT 20 s');
+
+  const download = page.waitForEvent('download');
+  await app.button('Save as a table (CSV)').click();
+  const file = await download;
+  expect(file.suggestedFilename()).toMatch(/^flights-\d{4}-\d\d-\d\d\.csv$/);
+  const bytes = await readFile(await file.path());
+  expect([...bytes.subarray(0, 3)], 'the mark by which Excel knows UTF-8').toEqual([0xef, 0xbb, 0xbf]);
+  const [head = [], row = [], ...more] = readCsv(bytes.toString('utf8').slice(1), ';');
+  expect(more).toEqual([]);
+  const cells = Object.fromEntries(head.map((name, at) => [name, row[at]]));
+  expect(cells).toMatchObject({
+    Place: 'Gyula',
+    'DT (s)': '20',
+    'Motor stop (s)': '10',
+    Memory: '1',
+    'Wind (m/s)': '2',
+    'Temperature (°C)': '-2.5',
+    'Result (s)': '19.5',
+  });
+  const { Note: note = '' } = cells;
+  expect([note, meant(note)]).toEqual([`'=1+1, trimmed; "left"`, '=1+1, trimmed; "left"']);
+
+  await rows.click();
+  await form.getByText('What was flown').click();
+  const flown = form.getByRole('table', { name: 'Times and positions that the timer held' });
+  expect(await flown.getByRole('row', { name: /^DT/ }).innerText(), 'a copy, whatever was written since').toContain(
+    '20 s',
+  );
+  await form.getByRole('button', { name: 'Delete' }).click();
+  await page.getByText('No flight fits this filter.').waitFor();
+  await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
+  await rows.waitFor();
+});
