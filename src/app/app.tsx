@@ -14,7 +14,8 @@ import './app.css';
 
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
-  const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
+  const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform, files } =
+    models;
   const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
     models;
   const { views: words } = messages.value;
@@ -61,7 +62,7 @@ export function App({ models }: { readonly models: AppModels }) {
   return (
     <>
       <Header
-        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }}
+        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform, files }}
         staged={isStart && hasStage(session)}
       />
       {!isStart && <ViewLinks views={views} />}

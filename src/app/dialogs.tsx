@@ -1,6 +1,8 @@
 import { commandsOf } from './commands.js';
 import { FlightDialog } from './flights/flight-dialog.js';
 import { FlyingThis } from './flights/flying-this.js';
+import { FileDrop } from './library/files/file-drop.js';
+import { ImportDialog } from './library/files/import-dialog.js';
 import { addressPath } from './library/place.js';
 import { SaveDialog } from './library/save-dialog.js';
 import { SharingDialog } from './library/share/sharing-dialog.js';
@@ -30,6 +32,8 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />
       <SaveDialog session={session} saveSetting={saveSetting} />
+      <ImportDialog files={models.files} onTaken={() => models.views.show('library')} />
+      <FileDrop files={models.files} />
       <SharingDialog
         session={session}
         sharing={sharing}

@@ -1,5 +1,6 @@
 import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';
+import { ExportButton, LibraryFileButtons } from './library/files/file-buttons.js';
 import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
 import { sharedOf } from './library/share/link.js';
@@ -23,7 +24,7 @@ export function LibraryPage({ models }: { readonly models: AppModels }) {
 }
 
 /** One entry for each thing that can be done with the library, a model or a setting beyond looking at it. */
-function placesOf({ session, views, flights, sharing, printOrder }: AppModels): Places {
+function placesOf({ session, views, flights, sharing, files, printOrder }: AppModels): Places {
   const toFlights = (): void => views.show('library', FLIGHTS);
   const flightsOf = { session, log: flights, onAll: toFlights };
   const print = (keys: readonly string[]): void => {
@@ -43,21 +44,30 @@ function placesOf({ session, views, flights, sharing, printOrder }: AppModels): 
           {flightMessages.value.title}
         </button>
         <ReadCodeButton sharing={sharing} />
+        <LibraryFileButtons files={files} />
       </>
     ),
-    modelButtons: ({ key }) => (
-      <PrintButton
-        keys={session.library.settings.list.value
-          .filter(({ setting }) => setting.model === key && !setting.archived)
-          .map((record) => record.key)}
-        onPrint={print}
-      />
+    modelButtons: ({ key, model }) => (
+      <>
+        <PrintButton
+          keys={session.library.settings.list.value
+            .filter(({ setting }) => setting.model === key && !setting.archived)
+            .map((record) => record.key)}
+          onPrint={print}
+        />
+        <ExportButton files={files} part={{ kind: 'model', id: key }} title={model.name} />
+      </>
     ),
     modelSections: ({ key }) => <FlightsSection {...flightsOf} of={{ model: key }} />,
     settingButtons: ({ key, setting }, model) => (
       <>
         <ShareButton sharing={sharing} shared={() => sharedOf(setting, model?.model ?? null)} />
         <PrintButton keys={[key]} onPrint={print} />
+        <ExportButton
+          files={files}
+          part={{ kind: 'setting', id: key }}
+          title={[model?.model.name, setting.name].filter(Boolean).join(' ')}
+        />
       </>
     ),
     settingSections: ({ key }) => <FlightsSection {...flightsOf} of={{ setting: key }} />,

@@ -1,4 +1,5 @@
 import { modelLine } from './shell/header.js';
+import { fileNotice } from './shell/notice-bar.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
@@ -16,10 +17,26 @@ export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialo
 /** What the simulated timers are made of. */
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
+/** What reads and writes the files of the library. */
+export const fetchFileWork = () => import('./library/files/import-work.js');
+
 /** Fetches all of them, the program first. */
 export async function fetchParts(): Promise<void> {
-  for (const part of [program, dialogs, figures, modelLine, memories, bench, line, settings, library, print, flights])
+  for (const part of [
+    program,
+    dialogs,
+    figures,
+    modelLine,
+    memories,
+    bench,
+    line,
+    settings,
+    library,
+    print,
+    flights,
+    fileNotice,
+  ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
-  await fetchSimulated().catch(() => {});
+  await Promise.all([fetchSimulated(), fetchFileWork()]).catch(() => {});
 }

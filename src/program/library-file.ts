@@ -13,7 +13,7 @@ import {
   type Setting,
 } from './library.js';
 import type { TimerProgram } from './program.js';
-import { list, record, text, whole } from './require.js';
+import { flag, list, record, text, whole } from './require.js';
 
 /** What a library file says that it is. */
 export const FILE_FORMAT = 'sidus-timer library';
@@ -27,6 +27,8 @@ export interface VerifiedMemory {
   readonly program: TimerProgram;
   /** Milliseconds since 1970. */
   readonly at: number;
+  /** Whether the timer was a simulated one. */
+  readonly simulated?: boolean;
 }
 
 /** What is known of an entry beside what the pilot has said of it. */
@@ -72,7 +74,13 @@ export function formatLibraryFile(
       ...(changedAt === undefined ? {} : { changedAt: dateToFile(changedAt) }),
       ...(verified === undefined
         ? {}
-        : { verified: verified.map(({ at, program }) => ({ at: dateToFile(at), program: programToFile(program) })) }),
+        : {
+            verified: verified.map(({ at, program, ...rest }) => ({
+              at: dateToFile(at),
+              program: programToFile(program),
+              ...(rest.simulated === undefined ? {} : { simulated: rest.simulated }),
+            })),
+          }),
     };
   };
   const written = writeJson({
@@ -149,7 +157,7 @@ const FLIGHT = [
   ...['id', 'at', 'place', 'model', 'modelName', 'setting', 'settingName', 'program', 'wind', 'temperature', 'round'],
   ...['result', 'note', 'changedAt'],
 ] as const;
-const VERIFIED = ['at', 'program'] as const;
+const VERIFIED = ['at', 'program', 'simulated'] as const;
 const PROGRAM = ['identity', 'memory', 'idleThrottle', 'slots'] as const;
 const IDENTITY = ['timerClass', 'firmware', 'functions', 'memories', 'servos'] as const;
 const SLOT = ['slot', 'positions'] as const;
@@ -209,10 +217,12 @@ class FileReader {
   }
 
   #verified(value: unknown, path: string): VerifiedMemory {
-    return this.#held(this.#know(value, path, VERIFIED), path);
+    const of = this.#know(value, path, VERIFIED);
+    const held = this.#held(of, path);
+    return of.simulated === undefined ? held : { ...held, simulated: flag(of.simulated, `${path}.simulated`) };
   }
 
-  #held(of: Fields<'at' | 'program'>, path: string): VerifiedMemory {
+  #held(of: Fields<'at' | 'program'>, path: string): { at: number; program: TimerProgram } {
     return { at: dateFromFile(of.at, `${path}.at`), program: this.#program(of.program, `${path}.program`) };
   }
 

@@ -37,7 +37,13 @@ const head = fc.record({ writtenAt: date, writtenBy: words(200) });
 /** @type {fc.Arbitrary<import('../../src/program/index.js').EntryFacts>} */
 const facts = fc.record(
   {
-    verified: fc.array(fc.record({ at: date, program }, { noNullPrototype: true }), { maxLength: 2 }),
+    verified: fc.array(
+      fc.record(
+        { at: date, program, simulated: fc.boolean() },
+        { requiredKeys: ['at', 'program'], noNullPrototype: true },
+      ),
+      { maxLength: 2 },
+    ),
     changedAt: date,
   },
   { requiredKeys: [], noNullPrototype: true },

@@ -39,7 +39,18 @@ export const SERVICES = {
   // Called for the navigator.
   share: { of: 'navigator', made: true, now: [], later: [] },
   AudioContext: { of: 'window', made: true, now: [], later: ['resume', 'close'] },
+  showSaveFilePicker: { of: 'window', made: true, now: [], later: [] },
+  launchQueue: { of: 'window', now: ['setConsumer'], later: [] },
 } as const satisfies Record<string, Uses>;
+
+declare global {
+  // Not of every browser, and so not of TypeScript's.
+  var showSaveFilePicker: (options: {
+    readonly suggestedName: string;
+    readonly types: readonly { readonly accept: Readonly<Record<string, readonly string[]>> }[];
+  }) => Promise<FileSystemFileHandle>;
+  var launchQueue: { setConsumer(consumer: (launch: { readonly files?: readonly FileSystemHandle[] }) => void): void };
+}
 
 export type ServiceName = keyof typeof SERVICES;
 

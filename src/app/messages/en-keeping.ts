@@ -4,6 +4,7 @@ import type { SHELVES, StorageErrorCode } from '../storage/index.js';
 /** While the browser does not keep, or give back, what it should. */
 export const keeping = {
   title: 'This browser does not keep everything.',
+  export: 'Export the library…',
   storage: {
     slow: 'Its storage does not answer. Until it does, what you type, backups and the note of an interrupted write are kept only while this page is open.',
     blocked:

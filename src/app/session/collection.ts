@@ -62,15 +62,18 @@ export class Collection<T extends { readonly key: string }> {
     this.#note(records, false);
     this.#show([...this.#list.peek(), ...records]);
     const saved = await Promise.all(
-      records.map(async (record) => {
-        const isKept = await this.#keeper.save(record).then(
+      records.map(async (record) =>
+        this.#keeper.save(record).then(
           () => true,
           () => false,
-        );
-        // What was changed again meanwhile has its own turn.
-        if (isKept && this.#list.peek().includes(record)) this.#note([record], true);
-        return isKept;
-      }),
+        ),
+      ),
+    );
+    // What was changed again meanwhile has its own turn.
+    const present = new Set(this.#list.peek());
+    this.#note(
+      records.filter((record, at) => saved[at] && present.has(record)),
+      true,
     );
     if (saved.includes(true)) this.#onChange();
     return saved.every(Boolean);

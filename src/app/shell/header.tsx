@@ -2,6 +2,7 @@ import { useRef } from 'preact/hooks';
 import type { Follow } from '../bench/follow.js';
 import type { Platform } from '../browser/platform.js';
 import { LinkNotice } from '../connect/link-notice.js';
+import type { LibraryFiles } from '../library/files/library-files.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { NextFlight } from '../memories/next-flight-line.js';
@@ -37,6 +38,7 @@ interface HeaderProps {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly platform: Platform;
+  readonly files: LibraryFiles;
   /** The way to a timer is told large, in the place of the program. */
   readonly staged: boolean;
 }

@@ -2,10 +2,18 @@ import { saveFile } from '../browser/save-file.js';
 import { messages } from '../messages/index.js';
 import type { Backups } from '../session/backups.js';
 import type { Keeping } from '../session/keeping.js';
+import type { Library } from '../session/library.js';
 import type { SetAside } from '../session/set-aside.js';
 
+interface KeepingNoticeProps {
+  readonly keeping: Keeping;
+  readonly library: Library;
+  /** All of the library is to go into a file. */
+  readonly onExport: () => void;
+}
+
 /** What this browser does not keep, as long as that is so; nothing when all is well. */
-export function KeepingNotice({ keeping }: { readonly keeping: Keeping }) {
+export function KeepingNotice({ keeping, library, onExport }: KeepingNoticeProps) {
   const { keeping: words, dismiss } = messages.value;
   const storage = keeping.storage.value;
   const lacks = keeping.lacks.value;
@@ -16,6 +24,11 @@ export function KeepingNotice({ keeping }: { readonly keeping: Keeping }) {
         <strong>{words.title}</strong> {storage && words.storage[storage]}{' '}
         {lacks.map((lack) => words.lacks[lack]).join(' ')}
       </p>
+      {storage && [library.models, library.settings, library.flights].some(({ list }) => list.value.length > 0) && (
+        <button type="button" onClick={onExport}>
+          {words.export}
+        </button>
+      )}
       <button type="button" class="quiet" onClick={() => keeping.dismiss()}>
         {dismiss}
       </button>

@@ -1,6 +1,7 @@
 import type { Platform } from '../browser/platform.js';
 import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
 import { OtherTabNotice } from '../connect/other-tab-notice.js';
+import type { LibraryFiles } from '../library/files/library-files.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
@@ -9,6 +10,7 @@ import type { PortHolder } from '../session/port-holder.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { NoticeText } from '../ui/notice-text.js';
+import { onDemand } from '../ui/on-demand.js';
 import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
 import { UpdateNotice } from './update-notice.js';
 import type { UpdateOffer } from './update-offer.js';
@@ -33,17 +35,24 @@ interface NoticeBarProps {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly platform: Platform;
+  readonly files: LibraryFiles;
 }
 
+/** What was done with files. */
+export const fileNotice = onDemand(async () => (await import('../library/files/file-notice.js')).FileNotice, {
+  silent: true,
+});
+
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
-export function NoticeBar({ session, keeping, aside, update, portHolder, platform }: NoticeBarProps) {
+export function NoticeBar({ session, keeping, aside, update, portHolder, platform, files }: NoticeBarProps) {
   const { dismiss, link } = messages.value;
   const notice = session.notices.current.value;
   const holder = portHolder.tab.value;
   return (
     <div class="notices" role="status">
       <UpdateNotice update={update} busy={session.runner.busy.value} />
-      <KeepingNotice keeping={keeping} />
+      <KeepingNotice keeping={keeping} library={session.library} onExport={() => void files.exportAll()} />
+      {files.said.value && <fileNotice.Part files={files} />}
       <AsideNotice aside={aside} />
       <RemovedNotice backups={session.backups} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}

@@ -1,0 +1,28 @@
+import { answerOf } from './services.js';
+
+/** Longer than any text that is read here, in bytes: it is not even fetched from the disk. */
+const LARGEST = 100_000_000;
+/** So long a disk, or what stands behind it, has to give a file, in milliseconds. */
+const PATIENCE = 60_000;
+
+/** Why a file could not be read as a text. */
+export type UnreadableFile = 'too-large' | 'no-text' | 'gone';
+
+/** The text of a file, whether it is in UTF-8 or in UTF-16 with its mark. */
+export async function textOfFile(file: Blob): Promise<{ text: string } | { unreadable: UnreadableFile }> {
+  if (file.size > LARGEST) return { unreadable: 'too-large' };
+  let bytes: ArrayBuffer;
+  try {
+    bytes = await answerOf(() => file.arrayBuffer(), PATIENCE);
+  } catch {
+    return { unreadable: 'gone' };
+  }
+  const [first, second] = new Uint8Array(bytes);
+  const encoding =
+    first === 0xff && second === 0xfe ? 'utf-16le' : first === 0xfe && second === 0xff ? 'utf-16be' : 'utf-8';
+  try {
+    return { text: new TextDecoder(encoding, { fatal: true }).decode(bytes) };
+  } catch {
+    return { unreadable: 'no-text' };
+  }
+}

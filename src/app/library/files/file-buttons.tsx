@@ -1,0 +1,74 @@
+import { useRef } from 'preact/hooks';
+import { filesMessages } from '../../messages/files.js';
+import { ALL_NAME, type LibraryFiles } from './library-files.js';
+import type { Part } from './library-text.js';
+import './file-buttons.css';
+
+interface ExportButtonProps {
+  readonly files: LibraryFiles;
+  readonly part: Part;
+  /** What the file is called before its date. */
+  readonly title: string;
+}
+
+/** Saves a part of the library to a file; once it has one, into that or into another. */
+export function ExportButton({ files, part, title }: ExportButtonProps) {
+  const { export: words } = filesMessages.value;
+  const chosen = files.chosen(part);
+  return (
+    <>
+      <button type="button" onClick={() => void files.export(part, title)}>
+        {chosen ? words.again(chosen.name) : part.kind === 'all' ? words.all : words.one}
+      </button>
+      {chosen && (
+        <button type="button" class="quiet" onClick={() => void files.export(part, title, true)}>
+          {words.another}
+        </button>
+      )}
+    </>
+  );
+}
+
+/** The files of the library as a whole, and the word that it is time for one. */
+export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) {
+  const words = filesMessages.value;
+  const field = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <button type="button" onClick={() => field.current?.click()}>
+        {words.import.button}
+      </button>
+      <input
+        ref={field}
+        type="file"
+        hidden
+        accept=".sidus,.json,application/json"
+        aria-label={words.import.button}
+        onChange={({ currentTarget }) => {
+          void files.open([...(currentTarget.files ?? [])]);
+          // The same file again is to be read again.
+          currentTarget.value = '';
+        }}
+      />
+      <ExportButton files={files} part={ALL} title={ALL_NAME} />
+      <ExportReminder files={files} />
+    </>
+  );
+}
+
+const ALL: Part = { kind: 'all' };
+
+/** The word that it is time for an export: once, and then for a while no more. */
+export function ExportReminder({ files }: { readonly files: LibraryFiles }) {
+  const { reminder: words } = filesMessages.value;
+  const due = files.marks.due.value;
+  if (!due) return null;
+  return (
+    <div class="export-reminder">
+      <p>{due.days === null ? words.never(due.changes) : words.text(due.changes, due.days)}</p>
+      <button type="button" class="quiet" onClick={() => files.marks.putOff()}>
+        {words.later}
+      </button>
+    </div>
+  );
+}

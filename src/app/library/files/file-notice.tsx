@@ -1,0 +1,53 @@
+import { filesMessages } from '../../messages/files.js';
+import type { FileWord, LibraryFiles } from './library-files.js';
+
+const BAD: ReadonlySet<FileWord['kind']> = new Set(['not-written', 'too-large', 'failed']);
+
+/** What was done with files last, and the way back from an import. */
+export function FileNotice({ files }: { readonly files: LibraryFiles }) {
+  const { import: words } = filesMessages.value;
+  const said = files.said.value;
+  if (!said) return null;
+  const isBad = BAD.has(said.kind) || (said.kind === 'imported' && !said.kept);
+  return (
+    <div class={isBad ? 'notice bad' : 'notice'}>
+      <p>{wordText(said)}</p>
+      {said.kind === 'imported' && (
+        <button type="button" onClick={() => void files.undo()}>
+          {words.undo}
+        </button>
+      )}
+      {said.kind !== 'saving' && (
+        <button type="button" class="quiet" onClick={() => files.dismissWord()}>
+          {words.dismiss}
+        </button>
+      )}
+    </div>
+  );
+}
+
+function wordText(said: FileWord): string {
+  const { export: out, import: into, counted } = filesMessages.value;
+  switch (said.kind) {
+    case 'saving':
+      return out.saving(said.name);
+    case 'saved':
+      return out.saved(said.name, counted(said.holds));
+    case 'downloaded':
+      return out.downloaded(said.name, counted(said.holds));
+    case 'not-written':
+      return out.notWritten(said.name);
+    case 'too-large':
+      return out.tooLarge;
+    case 'nothing':
+      return out.nothing;
+    case 'failed':
+      return out.failed;
+    case 'imported':
+      return [into.done(counted(said.holds), said.name), !said.kept && into.unkept].filter(Boolean).join(' ');
+    case 'undone':
+      return into.undone;
+    case 'partly-undone':
+      return into.partlyUndone;
+  }
+}

@@ -1,0 +1,192 @@
+import { CodecError } from '../../../protocol/index.js';
+import { filesMessages } from '../../messages/files.js';
+import { clockText } from '../../messages/index.js';
+import { Modal } from '../../ui/modal.js';
+import { SegmentChoice } from '../../ui/segment-choice.js';
+import { countOf, type Entry, type Group, takenOf, WAYS } from './import-plan.js';
+import type { ImportStep, LibraryFiles, Refusal } from './library-files.js';
+import './import-dialog.css';
+
+interface ImportDialogProps {
+  readonly files: LibraryFiles;
+  /** Something has come into the library: it is to be seen. */
+  readonly onTaken: () => void;
+}
+
+/** What is in a file, what it would change in the library, and whether it may. */
+export function ImportDialog({ files, onTaken }: ImportDialogProps) {
+  const words = filesMessages.value;
+  const current = files.current.value;
+  const name = current?.name ?? '';
+  return (
+    <Modal
+      open={current !== null}
+      title={current?.step === 'refused' ? words.refused.title(name) : words.import.title(name)}
+      titleId="import-title"
+      held={false}
+      onEscape={() => files.dismiss()}
+    >
+      {current?.step === 'reading' && (
+        <>
+          <p role="status">{words.import.reading}</p>
+          <CloseButton files={files} text={words.import.cancel} />
+        </>
+      )}
+      {current?.step === 'refused' && <Refused files={files} why={current.why} />}
+      {current?.step === 'plan' && <Plan {...{ files, onTaken }} step={current} />}
+    </Modal>
+  );
+}
+
+function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly text: string }) {
+  return (
+    <div class="buttons">
+      <button type="button" onClick={() => files.dismiss()}>
+        {text}
+      </button>
+    </div>
+  );
+}
+
+/** Why a file is not taken, and where in it that stands. */
+function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: Refusal }) {
+  const { refused: words, import: more } = filesMessages.value;
+  return (
+    <>
+      <p role="alert">{why instanceof CodecError ? reasonOf(why) : words.files[why]}</p>
+      {why instanceof CodecError && <PlaceInFile why={why} />}
+      <p>{words.nothing}</p>
+      <CloseButton files={files} text={more.close} />
+    </>
+  );
+}
+
+function PlaceInFile({ why: { code, field, details } }: { readonly why: CodecError }) {
+  const { refused: words } = filesMessages.value;
+  const { line, column } = details;
+  if (line === undefined || column === undefined || field === 'format' || code === 'newer-version') return null;
+  const isPath = code !== 'bad-file' && field !== '';
+  return (
+    <p class="hint import-place">
+      {words.line(line, column)} {isPath && words.field(field)}
+    </p>
+  );
+}
+
+function reasonOf({ code, field, details: { min, max } }: CodecError): string {
+  const { refused: words } = filesMessages.value;
+  const reason = (code === 'bad-file' ? words.kinds[field] : words.codes[code]) ?? words.other;
+  const isRange = code === 'out-of-range' && min !== undefined && max !== undefined && max < Number.MAX_SAFE_INTEGER;
+  // A date is counted in milliseconds inside of the page: no figure for a person.
+  return isRange && !field.endsWith('At') && !field.endsWith('.at') ? `${reason} ${words.between(min, max)}` : reason;
+}
+
+interface PlanProps extends ImportDialogProps {
+  readonly step: Extract<ImportStep, { step: 'plan' }>;
+}
+
+function Plan({ files, onTaken, step }: PlanProps) {
+  const words = filesMessages.value;
+  const groups = step.groups.value;
+  const { all, of } = step.ways.value;
+  const counts = groups.map((group) => takenOf(group, of.get(group.id) ?? all).length);
+  const total = counts.reduce((sum, count) => sum + count, 0);
+  const isNothing = groups.every((group) => takenOf(group, 'both').length === 0);
+  const differs = groups.some(({ entries }) => entries.some(({ standing }) => standing.endsWith('newer')));
+  const { shut } = files;
+  return (
+    <>
+      <p>
+        {words.import.lead(clockText(step.writtenAt), step.writtenBy)} {words.import.holds(words.counted(step.holds))}
+      </p>
+      {step.ignored > 0 && <p class="hint">{words.import.ignored(step.ignored)}</p>}
+      {differs && (
+        <div class="import-ways">
+          <SegmentChoice
+            name="import-way"
+            title={words.import.differs}
+            choices={WAYS}
+            names={words.import.ways}
+            chosen={all}
+            onChoose={(way) => files.choose(way)}
+          />
+          <p class="hint">{words.import.wayText[all]}</p>
+        </div>
+      )}
+      <ul class="import-groups">
+        {groups.map((group) => (
+          <GroupRow key={group.id} {...{ files, group }} way={of.get(group.id) ?? all} />
+        ))}
+      </ul>
+      {isNothing && groups.length > 0 && <p role="status">{words.import.nothing}</p>}
+      {shut && !isNothing && (
+        <p class="bad-text" role="alert">
+          {words.import.shut}
+        </p>
+      )}
+      <div class="buttons">
+        <button type="button" onClick={() => files.dismiss()}>
+          {isNothing ? words.import.close : words.import.cancel}
+        </button>
+        {!isNothing && (
+          <button
+            type="button"
+            class="primary"
+            disabled={total === 0 || shut}
+            onClick={() => {
+              void files.take();
+              onTaken();
+            }}
+          >
+            {words.import.take(total)}
+          </button>
+        )}
+      </div>
+    </>
+  );
+}
+
+interface GroupRowProps {
+  readonly files: LibraryFiles;
+  readonly group: Group;
+  readonly way: (typeof WAYS)[number];
+}
+
+/** What a file brings of one model, and what becomes of it. */
+function GroupRow({ files, group, way }: GroupRowProps) {
+  const { import: words, counted } = filesMessages.value;
+  const name = group.name || (group.id === null ? words.loose : words.unknownModel);
+  const of = (standing: Entry['standing']): string =>
+    counted(countOf(group.entries.filter((entry) => entry.standing === standing)));
+  const lines = [
+    [of('new'), words.group.fresh],
+    [of('file-newer'), words.group.fileNewer],
+    [of('device-newer'), words.group.deviceNewer],
+    [of('same'), words.group.same],
+  ] as const;
+  return (
+    <li class={way === 'skip' ? 'import-skipped' : undefined}>
+      <div>
+        <b>{name}</b>
+        {lines.map(([what, line]) => what !== '' && <span key={line(what)}>{line(what)}</span>)}
+      </div>
+      {takenOf(group, 'both').length > 0 && (
+        <select
+          aria-label={words.group.way(name)}
+          value={way}
+          onChange={(event) => {
+            const { value } = event.currentTarget;
+            const chosen = WAYS.find((each) => each === value);
+            if (chosen) files.choose(chosen, group);
+          }}
+        >
+          {WAYS.map((each) => (
+            <option key={each} value={each}>
+              {words.ways[each]}
+            </option>
+          ))}
+        </select>
+      )}
+    </li>
+  );
+}

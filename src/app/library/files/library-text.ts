@@ -1,0 +1,54 @@
+import { type EntryFacts, type Flight, formatLibraryFile, type Model, type Setting } from '../../../program/index.js';
+import { CodecError } from '../../../protocol/index.js';
+import type { Counts, Records } from './import-plan.js';
+
+/** What a file is made of: everything, one model with what belongs to it, or one setting with its model. */
+export type Part = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
+
+/** The records that belong to a part of the library, in their order. */
+export function partOf({ models, settings, flights }: Records, part: Part): Records {
+  if (part.kind === 'all') return { models, settings, flights };
+  if (part.kind === 'model') {
+    return {
+      models: models.filter(({ key }) => key === part.id),
+      settings: settings.filter(({ setting }) => setting.model === part.id),
+      flights: flights.filter(({ flight }) => flight.model === part.id),
+    };
+  }
+  const [one] = settings.filter(({ key }) => key === part.id);
+  return {
+    models: models.filter(({ key }) => key === one?.setting.model),
+    settings: one ? [one] : [],
+    flights: [],
+  };
+}
+
+/** What a file holds, and its text; or why there is none. */
+export type Made = { readonly text: string; readonly holds: Counts } | 'too-large' | 'nothing';
+
+/**
+ * Makes a library file.
+ * @param isAll what the pilot's timers held when they were seen last goes along: it is for his own devices alone.
+ */
+export function textOf(records: Records, isAll: boolean, version: string, now: number): Made {
+  const { models, settings, flights } = records;
+  if (models.length + settings.length + flights.length === 0) return 'nothing';
+  const facts = new Map<Model | Setting | Flight, EntryFacts>();
+  for (const { model, changedAt, verified } of models) {
+    facts.set(model, { ...(isAll && verified.length > 0 ? { verified } : {}), changedAt });
+  }
+  for (const { setting, changedAt } of settings) facts.set(setting, { changedAt });
+  for (const { flight, changedAt } of flights) facts.set(flight, { changedAt });
+  const library = {
+    models: models.map(({ model }) => model),
+    settings: settings.map(({ setting }) => setting),
+    flights: flights.map(({ flight }) => flight),
+  };
+  try {
+    const text = formatLibraryFile(library, { writtenAt: now, writtenBy: `Sidus Timer ${version}`, facts });
+    return { text, holds: { models: models.length, settings: settings.length, flights: flights.length } };
+  } catch (error) {
+    if (error instanceof CodecError && error.code === 'too-large') return 'too-large';
+    throw error;
+  }
+}

@@ -1,0 +1,381 @@
+import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { formatLibraryFile, type Library, parseLibraryFile, type Setting } from '../../../../src/program/index.js';
+import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
+import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
+import { button, connected, goTo, opened, press } from '../../screen.js';
+
+beforeEach(() => localStorage.clear());
+
+const ALL: Library = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
+const DAY = 86_400_000;
+
+const text = (library: Library = ALL, writtenAt = 1): string =>
+  formatLibraryFile(library, { writtenAt, writtenBy: 'Sidus Timer 1.0.0' });
+const file = (content: BlobPart = text(), name = 'lancer.sidus.json'): File => new File([content], name);
+
+/** The page in the library, with what it holds. */
+async function library(holds: Partial<Library> = ALL, store = new MemoryStore()): Promise<AppBench> {
+  const app = await opened({ store });
+  for (const model of holds.models ?? []) await app.session.library.keepModel(model);
+  for (const setting of holds.settings ?? []) await app.session.library.keepSetting(setting);
+  for (const flight of holds.flights ?? []) await app.session.library.keepFlight(flight);
+  await goTo('library');
+  await idle();
+  return app;
+}
+
+/** Drops a file on the page. @returns whether the page has taken it from the browser. */
+async function drop(...files: File[]): Promise<boolean> {
+  const event = new Event('drop', { bubbles: true, cancelable: true });
+  Object.assign(event, { dataTransfer: { types: ['Files'], files } });
+  act(() => void document.body.dispatchEvent(event));
+  await idle();
+  return event.defaultPrevented;
+}
+
+const dialog = () => within(screen.getByRole('dialog'));
+const notice = (words: RegExp) => screen.getByText(words).closest('.notice') as HTMLElement;
+const kept = ({ store }: AppBench) => ({
+  models: [...store.models.records.values()].map(({ model }) => model),
+  settings: [...store.settings.records.values()].map(({ setting }) => setting),
+  flights: [...store.flights.records.values()].map(({ flight }) => flight),
+});
+
+/** What the browser was given to be saved. */
+function downloads(): { name: string; text: () => Promise<string> }[] {
+  const made: Blob[] = [];
+  const found: { name: string; text: () => Promise<string> }[] = [];
+  vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => `blob:${made.push(blob as Blob) - 1}`);
+  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
+    const blob = made[Number(this.href.replace('blob:', ''))] as Blob;
+    found.push({ name: this.download, text: () => blob.text() });
+  });
+  return found;
+}
+
+describe('an import', () => {
+  it('says what it would do, does it, and comes back by undo', async () => {
+    const app = await library({});
+    expect(await drop(file())).toBe(true);
+    expect(dialog().getByRole('heading', { name: 'Import lancer.sidus.json' })).toBeTruthy();
+    dialog().getByText(/^Written .* by Sidus Timer 1\.0\.0\. In it: 1 model, 1 setting, 1 flight\.$/);
+    dialog().getByText('New: 1 model, 1 setting, 1 flight');
+    expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
+    await press('Import 3');
+    expect(kept(app)).toEqual(ALL);
+    expect(screen.queryByRole('dialog')).toBeNull();
+    expect(notice(/^Imported from lancer/).textContent).toContain('1 model, 1 setting, 1 flight');
+    await press('Undo the import');
+    expect(kept(app)).toEqual({ models: [], settings: [], flights: [] });
+    notice(/^The import was undone\.$/);
+    expect(screen.queryByRole('button', { name: 'Undo the import' })).toBeNull();
+  });
+
+  it('of what is there already has nothing to do', async () => {
+    await library();
+    await drop(file());
+    dialog().getByText('You have all of this already.');
+    expect(dialog().queryByRole('button', { name: /^Import/ })).toBeNull();
+    await press('Close');
+    expect(screen.queryByRole('dialog')).toBeNull();
+  });
+
+  const windy: Setting = { ...SETTING, name: 'windy', at: Date.now() + DAY };
+  it.each([
+    ['Take the newer', 'Import 1', ['windy']],
+    ['Keep both', 'Import 1', ['calm morning', 'windy (2)']],
+    ['Leave out', 'Import 0', ['calm morning']],
+  ])('with “%s” offers %s', async (way, offer, names) => {
+    const app = await library();
+    await drop(file(text({ ...ALL, settings: [windy] })));
+    dialog().getByText('Newer in the file: 1 setting');
+    act(() => void fireEvent.click(dialog().getByRole('radio', { name: way })));
+    await idle(0);
+    expect(button(offer).disabled).toBe(offer === 'Import 0');
+    fireEvent.click(button(offer));
+    await idle();
+    expect(kept(app).settings.map(({ name }) => name)).toEqual(names);
+    expect(kept(app).models).toEqual([MODEL]);
+  });
+
+  it('can be different for one model', async () => {
+    const other = { ...MODEL, id: 'b', name: 'Vega' };
+    const app = await library();
+    await drop(file(text({ ...ALL, models: [MODEL, other], settings: [windy] })));
+    const choice = dialog().getByRole('combobox', { name: 'Lancer 07: what becomes of it' });
+    act(() => void fireEvent.change(choice, { target: { value: 'skip' } }));
+    await idle(0);
+    await press('Import 1');
+    expect(kept(app).models.map(({ name }) => name)).toEqual(['Lancer 07', 'Vega']);
+    expect(kept(app).settings).toEqual([SETTING]);
+  });
+
+  it('looks at what the library holds when it is taken, not when it was opened', async () => {
+    const app = await library({});
+    await drop(file());
+    await app.session.library.keepModel(MODEL);
+    await idle(0);
+    await press('Import 2');
+    expect(kept(app)).toEqual(ALL);
+  });
+
+  it('leaves by undo what was changed since', async () => {
+    const app = await library({});
+    await drop(file());
+    await press('Import 3');
+    await app.session.library.keepSetting({ ...SETTING, note: 'flew well' });
+    await idle();
+    await press('Undo the import');
+    expect(kept(app)).toEqual({ models: [], settings: [{ ...SETTING, note: 'flew well' }], flights: [] });
+    notice(/What was changed since then stays\.$/);
+  });
+
+  it('says when the browser does not keep it, and offers the way out', async () => {
+    const app = await library({});
+    await drop(file());
+    app.store.broken = true;
+    await press('Import 3');
+    expect(notice(/^Imported from/).textContent).toContain('has not kept all of it');
+    const saved = downloads();
+    await press('Export the library…');
+    expect(saved).toHaveLength(1);
+    expect(parseLibraryFile(await (saved[0]?.text() ?? '')).library).toEqual(ALL);
+  });
+
+  it('does not write over a library that the browser does not give out', async () => {
+    const store = new MemoryStore();
+    const app = await opened({ store });
+    app.store.models.all = () => new Promise(() => {});
+    await goTo('library');
+    await idle();
+    await drop(file());
+    expect(button('Import 3').disabled).toBe(true);
+    dialog().getByText(/does not give out the library just now/);
+  });
+});
+
+describe('what cannot be imported', () => {
+  it.each([
+    ['{ "format": "sidus-timer library", "version": 2 }', 'A newer version of this page made this file.', null],
+    ['{ "format": "else" }', 'This is not a library file of Sidus Timer.', null],
+    [text().slice(0, -30), 'The file is not whole: it ends too early.', 'Line 72, column 8.'],
+    [text().replace('"memory"', 'memory'), 'The text of the file is broken.', 'Line 31, column 9.'],
+    [
+      text().replace('"0.30"', '"700.00"'),
+      'A value is out of its range. It must be 0 to 655.35.',
+      'Line 36, column 34. Entry: settings[0].program.slots[1].time.',
+    ],
+    [
+      text().replace('"name": "Lancer 07"', '"name": ""'),
+      'A value is out of its range. It must be 1 to 60.',
+      'Line 9, column 15. Entry: models[0].name.',
+    ],
+    [`ÿþ{`, 'The letters of the file cannot be read. Save it as UTF-8.', null],
+    [Uint8Array.of(0x7b, 0xff, 0x00), 'The file is no text.', null],
+  ])('is refused with place and reason, %#: %.0s%s', async (content, reason, place) => {
+    const app = await library();
+    const before = kept(app);
+    await drop(file(content as BlobPart));
+    dialog().getByRole('heading', { name: 'lancer.sidus.json cannot be imported' });
+    expect(dialog().getByRole('alert').textContent).toContain(reason);
+    if (place) expect(document.querySelector('.import-place')?.textContent?.trim()).toBe(place);
+    else expect(document.querySelector('.import-place')).toBeNull();
+    dialog().getByText('Nothing was imported.');
+    await press('Close');
+    expect(kept(app)).toEqual(before);
+  });
+
+  it('is not even read when it is too large', async () => {
+    await library();
+    const huge = file();
+    Object.defineProperty(huge, 'size', { value: 100_000_001 });
+    const read = vi.spyOn(huge, 'arrayBuffer');
+    await drop(huge);
+    dialog().getByText('The file is too large for a library.');
+    expect(read).not.toHaveBeenCalled();
+  });
+
+  it('is several at once, or one that is gone, or hangs', async () => {
+    await library();
+    await drop(file(), file());
+    dialog().getByText('Import one file at a time.');
+    await press('Close');
+    const gone = file();
+    gone.arrayBuffer = () => Promise.reject(new DOMException('gone', 'NotFoundError'));
+    await drop(gone);
+    dialog().getByText('The file could not be read. Is it still there?');
+    await press('Close');
+    const silent = file();
+    silent.arrayBuffer = () => new Promise(() => {});
+    await drop(silent);
+    dialog().getByText('Reading the file');
+    await press('Cancel');
+    expect(screen.queryByRole('dialog')).toBeNull();
+    await idle(100_000);
+    expect(screen.queryByRole('dialog')).toBeNull();
+  });
+
+  it.each(['utf-16le', 'utf-16be'])('is not one in %s', async (encoding) => {
+    const app = await library({});
+    const letters = `\ufeff${text()}`;
+    const bytes = new Uint8Array(2 * letters.length);
+    const view = new DataView(bytes.buffer);
+    for (const [at, letter] of [...letters].entries()) {
+      view.setUint16(2 * at, letter.charCodeAt(0), encoding === 'utf-16le');
+    }
+    await drop(file(bytes));
+    await press('Import 3');
+    expect(kept(app)).toEqual(ALL);
+  });
+
+  it('is dropped while a dialog is open: the page neither takes it nor leaves for it', async () => {
+    await connected();
+    await press('Write…');
+    expect(await drop(file())).toBe(true);
+    expect(screen.queryByRole('heading', { name: /^Import/ })).toBeNull();
+  });
+});
+
+describe('an export', () => {
+  it('goes into the downloads, all of it', async () => {
+    await library();
+    const saved = downloads();
+    await press('Export all…');
+    expect(saved[0]?.name).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
+    const { library: read } = parseLibraryFile(await (saved[0]?.text() ?? ''));
+    expect(read).toEqual(ALL);
+    notice(/^Sidus library .* is in your downloads: 1 model, 1 setting, 1 flight\.$/);
+  });
+
+  it('is of one model, or of one setting, under its name', async () => {
+    const slash = { ...MODEL, name: 'F1Q / "Lancer" ...' };
+    const app = await library({ ...ALL, models: [slash] });
+    const saved = downloads();
+    app.models.views.show('library', `${MODEL.id}/${SETTING.id}`);
+    await idle();
+    fireEvent.click(within(screen.getByRole('article')).getByRole('button', { name: 'Export…' }));
+    await idle();
+    expect(saved[0]?.name).toMatch(/^F1Q _ _Lancer_ \.\.\. calm morning \d/);
+    const read = parseLibraryFile(await (saved[0]?.text() ?? '')).library;
+    expect(read).toEqual({ models: [slash], settings: [SETTING], flights: [] });
+  });
+
+  it('of nothing is none', async () => {
+    await library({});
+    const saved = downloads();
+    await press('Export all…');
+    notice(/^There is nothing to export yet\.$/);
+    expect(saved).toEqual([]);
+  });
+
+  /** A browser that asks where a file is to lie. */
+  function picker(answers: readonly (string | Error)[]) {
+    const disk = new Map<string, string>();
+    const left = [...answers];
+    const asked: unknown[] = [];
+    const state = { full: false };
+    vi.stubGlobal('showSaveFilePicker', async (options: unknown) => {
+      asked.push(options);
+      const name = left.shift();
+      if (name === undefined || name instanceof Error) throw name ?? new Error('not asked for');
+      return {
+        name,
+        createWritable: async () => {
+          if (state.full) throw new DOMException('full', 'QuotaExceededError');
+          const parts: string[] = [];
+          return {
+            write: async (part: string) => void parts.push(part),
+            close: async () => void disk.set(name, parts.join('')),
+          };
+        },
+      };
+    });
+    const fill = (): void => {
+      state.full = true;
+    };
+    return { disk, asked, fill };
+  }
+
+  it('is saved in place from the second time on, where the browser allows', async () => {
+    const app = await library();
+    const { disk, asked } = picker(['my library.sidus.json', 'another.sidus']);
+    await press('Export all…');
+    expect(asked).toEqual([
+      {
+        suggestedName: expect.stringContaining('Sidus library'),
+        types: [{ accept: { 'application/json': ['.sidus.json', '.sidus'] } }],
+      },
+    ]);
+    notice(/^Saved to my library\.sidus\.json: 1 model/);
+    await app.session.library.keepModel({ ...MODEL, note: 'changed' });
+    await press('Save to my library.sidus.json');
+    expect(asked).toHaveLength(1);
+    expect(parseLibraryFile(disk.get('my library.sidus.json') ?? '').library.models[0]?.note).toBe('changed');
+    await press('Export to another file…');
+    expect([...disk.keys()]).toEqual(['my library.sidus.json', 'another.sidus']);
+    button('Save to another.sidus');
+  });
+
+  it('that the pilot breaks off says nothing, and one that is refused goes into the downloads', async () => {
+    await library();
+    const saved = downloads();
+    picker([new DOMException('no', 'AbortError'), new DOMException('no', 'SecurityError')]);
+    await press('Export all…');
+    expect([saved, document.querySelectorAll('.notice').length]).toEqual([[], 0]);
+    await press('Export all…');
+    expect(saved).toHaveLength(1);
+  });
+
+  it('to a disk that is full goes into the downloads, and the page says so', async () => {
+    await library();
+    const saved = downloads();
+    const { fill } = picker(['on a full disk']);
+    fill();
+    await press('Export all…');
+    notice(/^on a full disk could not be written/);
+    expect(saved).toHaveLength(1);
+    button('Export all…');
+  });
+});
+
+describe('the word that it is time for an export', () => {
+  const old = Date.now() - 40 * DAY;
+  const many = Array.from({ length: 6 }, (_, at) => ({ ...SETTING, id: `s${at}`, name: `s${at}` }));
+  const reminder = () => document.querySelector('.export-reminder')?.textContent ?? null;
+
+  async function season(changedAt: number): Promise<AppBench> {
+    const store = new MemoryStore();
+    for (const setting of many) {
+      store.settings.records.set(setting.id, { key: setting.id, order: 1, changedAt, setting });
+    }
+    return library({}, store);
+  }
+
+  it('comes when much was changed long ago and never exported, and goes with an export', async () => {
+    await season(old);
+    expect(reminder()).toContain('6 entries of your library are on this device alone.');
+    downloads();
+    await press('Export all…');
+    expect(reminder()).toBeNull();
+  });
+
+  it('does not come for what is new, or for little', async () => {
+    await season(Date.now() - 20 * DAY);
+    expect(reminder()).toBeNull();
+  });
+
+  it('says how long ago the last export was', async () => {
+    localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: old - 5 * DAY, putOffAt: null }));
+    await season(old);
+    expect(reminder()).toContain('6 changes since the last export, 45 days ago.');
+  });
+
+  it('is put off once and for long, also after a reload', async () => {
+    const { store } = await season(old);
+    await press('Not now');
+    expect(reminder()).toBeNull();
+    await library({}, store);
+    expect(reminder()).toBeNull();
+  });
+});

@@ -1,0 +1,237 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  countOf,
+  type Group,
+  groupsOf,
+  type Records,
+  recordsOf,
+  takenOf,
+  type Way,
+} from '../../../../src/app/library/files/import-plan.js';
+import { undoOf } from '../../../../src/app/library/files/import-work.js';
+import { partOf, textOf } from '../../../../src/app/library/files/library-text.js';
+import { type LibraryFile, parseLibraryFile } from '../../../../src/program/index.js';
+import { library } from '../../../fuzz/kept.js';
+import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
+
+const HELD: Records = {
+  models: [
+    { key: MODEL.id, model: MODEL, order: 4, changedAt: 1000, verified: [{ program: SETTING.program, at: 10 }] },
+  ],
+  settings: [{ key: SETTING.id, setting: SETTING, order: 7, changedAt: 1000 }],
+  flights: [{ key: FLIGHT.id, flight: FLIGHT, changedAt: 1000 }],
+};
+const NOTHING: Records = { models: [], settings: [], flights: [] };
+
+function fileOf(records: Records, isAll = true): LibraryFile {
+  const made = textOf(records, isAll, '1.2.3', 5000);
+  if (typeof made === 'string') throw new Error(made);
+  return parseLibraryFile(made.text);
+}
+
+/** The same with some fields of the setting changed, at another time. */
+const changed = (name: string, changedAt: number): Records => ({
+  ...HELD,
+  settings: [{ key: SETTING.id, setting: { ...SETTING, name }, order: 1, changedAt }],
+});
+
+const standings = (groups: readonly Group[]) =>
+  groups.map(
+    ({ name, entries }) => `${name}: ${entries.map(({ kind, standing }) => `${kind} ${standing}`).join(', ')}`,
+  );
+
+let made = 0;
+const newId = () => `made-${++made}`;
+const imported = (file: LibraryFile, held: Records, way: Way) =>
+  recordsOf(groupsOf(file, held), () => way, held, newId);
+
+describe('what a file would bring', () => {
+  it('is new, or the same, model by model', () => {
+    expect(standings(groupsOf(fileOf(HELD), NOTHING))).toEqual(['Lancer 07: models new, settings new, flights new']);
+    expect(standings(groupsOf(fileOf(HELD), HELD))).toEqual(['Lancer 07: models same, settings same, flights same']);
+    const fields = { ...HELD.models[0]?.model } as Record<string, unknown>;
+    const turned = Object.fromEntries(Object.entries(fields).reverse()) as unknown as typeof MODEL;
+    const again = { ...HELD, models: HELD.models.map((record) => ({ ...record, model: turned })) };
+    expect(standings(groupsOf(fileOf(HELD), again))[0]).toContain('models same');
+  });
+
+  it('differs, and one of the two is newer; of one time, that of the device', () => {
+    for (const [at, standing] of [
+      [1001, 'file-newer'],
+      [1000, 'device-newer'],
+      [999, 'device-newer'],
+    ] as const) {
+      expect(standings(groupsOf(fileOf(changed('windy', at)), HELD))[0]).toContain(`settings ${standing}`);
+    }
+  });
+
+  it('has a name where anything knows one', () => {
+    const setting = { ...HELD, models: [], flights: [] };
+    const nobody = { ...SETTING, id: 's2', model: 'nobody' };
+    const loose = { ...SETTING, id: 's3', model: null };
+    const more = [nobody, loose].map((each) => ({ key: each.id, setting: each, order: 1, changedAt: 1 }));
+    const file = fileOf({ ...setting, settings: [...setting.settings, ...more] });
+    expect(groupsOf(file, HELD).map(({ id, name }) => [id, name])).toEqual([
+      ['lancer-07', 'Lancer 07'],
+      ['nobody', ''],
+      [null, ''],
+    ]);
+    expect(groupsOf(fileOf({ ...NOTHING, flights: HELD.flights }), NOTHING)[0]?.name).toBe('Lancer 07');
+  });
+});
+
+describe('an import', () => {
+  it('brings everything back to a device that has nothing, in its order, with what is known of its timers', () => {
+    const two = { ...HELD.models[0], key: 'b', order: 1, model: { ...MODEL, id: 'b' } } as Records['models'][number];
+    const records = imported(fileOf({ ...HELD, models: [two, ...HELD.models] }), NOTHING, 'newer');
+    expect(
+      records.models.map(({ key, order, changedAt, verified }) => [key, order, changedAt, verified.length]),
+    ).toEqual([
+      ['b', 1, 1000, 1],
+      ['lancer-07', 2, 1000, 1],
+    ]);
+    expect(records.settings).toEqual([{ ...HELD.settings[0], order: 1 }]);
+    expect(records.flights).toEqual(HELD.flights);
+  });
+
+  it.each([
+    ['newer', 1001, ['calm-morning windy 7']],
+    ['newer', 999, []],
+    ['both', 1001, ['made calm (2)']],
+    ['both', 999, ['made calm (2)']],
+    ['skip', 1001, []],
+  ] as const)('with “%s” at %i takes %j', (way, at, taken) => {
+    const file = fileOf(changed(way === 'both' ? 'calm' : 'windy', at));
+    const records = imported(file, HELD, way);
+    expect(
+      records.settings.map(({ key, setting, order }) => [key.replace(/-\d+$/, ''), setting.name, order].join(' ')),
+    ).toEqual(taken.map((each) => (way === 'both' ? `${each} 8` : each)));
+    expect([...records.models, ...records.flights]).toEqual([]);
+    for (const { key, setting } of records.settings) expect(setting.id).toBe(key);
+  });
+
+  it('finds a name that is free, however long the old one is', () => {
+    const long = '🛩️'.repeat(30);
+    const held = { ...HELD, settings: HELD.settings.map((each) => ({ ...each, setting: { ...SETTING, name: long } })) };
+    const file = fileOf({
+      ...held,
+      settings: held.settings.map((each) => ({ ...each, setting: { ...each.setting, note: 'x' } })),
+    });
+    const first = imported(file, held, 'both').settings[0];
+    expect([...(first?.setting.name ?? '')]).toHaveLength(60);
+    expect(first?.setting.name.endsWith(' (2)')).toBe(true);
+    const again = imported(file, { ...held, settings: [...held.settings, ...(first ? [first] : [])] }, 'both');
+    expect(again.settings[0]?.setting.name.endsWith(' (3)')).toBe(true);
+  });
+
+  it('keeps what is known of a timer, the latest of each memory', () => {
+    const theirs = { program: { ...SETTING.program, memory: 2 }, at: 5 };
+    const newer = { program: SETTING.program, at: 20 };
+    const file = fileOf({
+      ...HELD,
+      models: HELD.models.map((record) => ({
+        ...record,
+        model: { ...MODEL, note: 'x' },
+        changedAt: 2000,
+        verified: [newer, theirs],
+      })),
+    });
+    expect(imported(file, HELD, 'newer').models[0]?.verified).toEqual([newer, theirs]);
+  });
+
+  it('counts what it takes', () => {
+    const [group] = groupsOf(fileOf(HELD), NOTHING);
+    const taken = group ? takenOf(group, 'newer').map(({ entry }) => entry) : [];
+    expect(countOf(taken)).toEqual({ models: 1, settings: 1, flights: 1 });
+  });
+});
+
+describe('whatever a library holds', () => {
+  const records = fc.tuple(library, fc.array(fc.integer({ min: 0, max: 1e12 }))).map(
+    ([{ models, settings, flights }, times]): Records => ({
+      models: models.map((model, at) => ({
+        key: model.id,
+        model,
+        order: at + 1,
+        changedAt: times[at] ?? 1,
+        verified: [],
+      })),
+      settings: settings.map((setting, at) => ({ key: setting.id, setting, order: at + 1, changedAt: times[at] ?? 2 })),
+      flights: flights.map((flight, at) => ({ key: flight.id, flight, changedAt: times[at] ?? 3 })),
+    }),
+  );
+  const put = (records: Records, held: Records): Records => {
+    const over = <R extends { key: string }>(old: readonly R[], fresh: readonly R[]): R[] => [
+      ...new Map([...old, ...fresh].map((record) => [record.key, record])).values(),
+    ];
+    return {
+      models: over(held.models, records.models),
+      settings: over(held.settings, records.settings),
+      flights: over(held.flights, records.flights),
+    };
+  };
+
+  it('comes back on another device, and a second import of the same file changes nothing', () => {
+    fc.assert(
+      fc.property(records, (all) => {
+        fc.pre(all.models.length + all.settings.length + all.flights.length > 0);
+        const file = fileOf(all);
+        const there = put(imported(file, NOTHING, 'newer'), NOTHING);
+        const sorted = (of: readonly { key: string }[]) => [...of].sort((a, b) => (a.key < b.key ? -1 : 1));
+        expect(there.models.map(({ model }) => model)).toEqual(all.models.map(({ model }) => model));
+        expect(sorted(there.flights)).toEqual(sorted(all.flights));
+        expect(imported(file, there, 'newer')).toEqual(NOTHING);
+        expect(imported(file, there, 'both')).toEqual(NOTHING);
+      }),
+      { numRuns: 40 },
+    );
+  });
+
+  it('is never changed by what is left out, loses nothing to what is kept beside it, and comes back by undo', () => {
+    fc.assert(
+      fc.property(records, records, fc.constantFrom<Way>('newer', 'both', 'skip'), (held, theirs, way) => {
+        fc.pre(theirs.models.length + theirs.settings.length + theirs.flights.length > 0);
+        const fresh = imported(fileOf(theirs), held, way);
+        if (way === 'skip') expect(fresh).toEqual(NOTHING);
+        const now = put(fresh, held);
+        if (way === 'both') expect(now.settings.slice(0, held.settings.length)).toEqual(held.settings);
+        const { back, gone, isWhole } = undoOf(fresh.settings, held.settings, now.settings);
+        expect(isWhole).toBe(true);
+        const left = now.settings.filter(({ key }) => !gone.includes(key));
+        expect(put({ ...NOTHING, settings: back }, { ...NOTHING, settings: left }).settings).toEqual(held.settings);
+      }),
+      { numRuns: 40 },
+    );
+  });
+});
+
+describe('undo', () => {
+  it('leaves alone what was changed since, or is gone', () => {
+    const [record] = HELD.settings;
+    if (!record) throw new Error('no setting');
+    const edited = { ...record, setting: { ...record.setting, note: 'since then' } };
+    expect(undoOf([record], [], [edited])).toEqual({ back: [], gone: [], isWhole: false });
+    expect(undoOf([record], [], [])).toEqual({ back: [], gone: [], isWhole: true });
+    expect(undoOf([record], [edited], [record])).toEqual({ back: [edited], gone: [], isWhole: true });
+    expect(undoOf([record], [], [record])).toEqual({ back: [], gone: [record.key], isWhole: true });
+  });
+});
+
+describe('a part of the library', () => {
+  const other = { ...SETTING, id: 'other', model: 'b' };
+  const all = { ...HELD, settings: [...HELD.settings, { key: 'other', setting: other, order: 9, changedAt: 1 }] };
+
+  it('is one model with what belongs to it, or one setting with its model', () => {
+    expect(partOf(all, { kind: 'all' })).toEqual(all);
+    expect(partOf(all, { kind: 'model', id: MODEL.id })).toEqual(HELD);
+    expect(partOf(all, { kind: 'setting', id: SETTING.id })).toEqual({ ...HELD, flights: [] });
+    expect(partOf(all, { kind: 'setting', id: 'other' }).models).toEqual([]);
+    expect(textOf(partOf(all, { kind: 'setting', id: 'gone' }), false, '1', 1)).toBe('nothing');
+  });
+
+  it('tells others nothing of what the pilot’s timers hold', () => {
+    const known = (isAll: boolean) => [...fileOf(HELD, isAll).facts.values()].filter(({ verified }) => verified).length;
+    expect([known(true), known(false)]).toEqual([1, 0]);
+  });
+});
