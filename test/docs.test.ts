@@ -10,7 +10,7 @@ import { draw, importsBetween, levels, pictures } from './tools/rooms.js';
 import { flaws, flawsOfPage, strayClasses } from './tools/styles.js';
 
 const texts = [
-  ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'test/rig/README.md'],
+  ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'test/rig/README.md'],
   ...readdirSync(join(root, 'docs'))
     .filter((file) => file.endsWith('.md'))
     .map((file) => `docs/${file}`),
@@ -35,6 +35,18 @@ function headingsOf(file: string): string[] {
       .replaceAll(' ', '-'),
   );
 }
+
+describe('the workflows', () => {
+  const folder = join(root, '.github/workflows');
+  it.each(readdirSync(folder))('%s take what they use by its digest, and run scripts that there are', (file) => {
+    const text = readFileSync(join(folder, file), 'utf8');
+    const used = [...text.matchAll(/^\s*(?:- )?(?:uses|image): (.*)$/gm)].map(([, what = '']) => what);
+    expect(used.length).toBeGreaterThan(0);
+    for (const what of used) expect(what).toMatch(/^[\w./-]+@[0-9a-f]{40} # v\d|^[\w.:-]+@sha256:[0-9a-f]{64}$/);
+    const { scripts } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')) as { scripts: object };
+    for (const [, script = ''] of text.matchAll(/npm run ([\w:]+)/g)) expect(Object.keys(scripts)).toContain(script);
+  });
+});
 
 describe('the docs', () => {
   it.each(texts)('%s links to what is there', (file) => {

@@ -1,12 +1,21 @@
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { transformWithOxc } from 'vite';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { Consumer, packed, root } from './tools/pack.js';
 
 /** The examples of the README and of the page about the package, in their order. */
-const examples = ['README.md', 'docs/package.md']
+const examples = ['README.md', 'docs/package.md', 'docs/npm-readme.md']
   .map((file) => readFileSync(join(root, file), 'utf8'))
   .flatMap((text) => [...text.matchAll(/```ts\n(.*?)```/gs)].map(([, code]) => code as string));
+/** The examples of the pages of the API, by the file in whose comments they stand. */
+const commented = readdirSync(join(root, 'src'), { recursive: true, encoding: 'utf8' })
+  .filter((file) => file.endsWith('.ts') && !file.startsWith('app'))
+  .flatMap((file) => {
+    const text = readFileSync(join(root, 'src', file), 'utf8');
+    const found = [...text.matchAll(/@example\n *\* ```ts\n(.*?) *\* ```/gs)];
+    return found.map(([, code = '']) => ({ file, code: code.replace(/^ *\* ?/gm, '') }));
+  });
 
 let home: string;
 let consumer: Consumer;
@@ -30,6 +39,18 @@ describe('the packed package', () => {
     expect(existsSync(join(home, 'dist/site'))).toBe(false);
   });
 
+  it('shows on npm what it is, with links that lead somewhere from there, and leaves the README of the project', () => {
+    const shown = readFileSync(join(home, 'README.md'), 'utf8');
+    expect(shown).toMatch(/^# sidus-timer\n/);
+    const links = [...shown.matchAll(/\]\(([^)]+)\)/g)].map(([, link = '']) => link);
+    expect(links.length).toBeGreaterThan(4);
+    for (const link of links) {
+      const [, path = ''] = /^https:\/\/github\.com\/[^/]+\/[^/]+\/blob\/main\/([^#]+)/.exec(link) ?? [];
+      expect(existsSync(join(root, path)), link).toBe(true);
+    }
+    expect(readFileSync(join(root, 'README.md'), 'utf8')).toMatch(/^# Sidus Timer\n/);
+  });
+
   it('gives encodeFrame and FrameDecoder to a script in Node', () => {
     const script = `import { encodeFrame, FrameDecoder } from 'sidus-timer/protocol';
       console.log(Buffer.from(encodeFrame(0x6b)).toString('hex'), new FrameDecoder().push(encodeFrame(0x72, [3])).length);`;
@@ -37,14 +58,15 @@ describe('the packed package', () => {
   });
 
   it('compiles for a strict consumer that has only the DOM library', () => {
-    for (const [index, code] of examples.entries()) consumer.write(`example-${index}.ts`, code);
+    const all = [...examples, ...commented.map(({ code }) => code)];
+    for (const [index, code] of all.entries()) consumer.write(`example-${index}.ts`, code);
     expect(consumer.compile()).toBe('');
   });
 });
 
 describe('the examples of the README and the docs', () => {
-  it('are four, and do what their comments say', () => {
-    expect(examples).toHaveLength(4);
+  it('are five, and do what their comments say', () => {
+    expect(examples).toHaveLength(5);
     for (const [index, code] of examples.entries()) {
       consumer.write(`example-${index}.js`, code);
       const said = [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].map(([, comment]) => comment);
@@ -53,6 +75,16 @@ describe('the examples of the README and the docs', () => {
         lines.filter((line) => line !== ''),
         `example ${index}`,
       ).toEqual(said);
+    }
+  });
+
+  it('of the API are a dozen or more, and do what their comments say', async () => {
+    expect(commented.length).toBeGreaterThanOrEqual(12);
+    for (const { file, code } of commented) {
+      const { code: script } = await transformWithOxc(code, 'example.ts');
+      const said = [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].flatMap(([, comment = '']) => comment.split(' | '));
+      const lines = consumer.run(process.execPath, '--input-type=module', '--eval', script).trim().split('\n');
+      expect(lines, file).toEqual(said);
     }
   });
 

@@ -1,3 +1,8 @@
+/**
+ * One timer over one pair of byte streams: ask, wait, repeat, read all, write and verify.
+ * @module
+ */
+
 export { tell } from './callback.js';
 export { TimerError, type TimerErrorCode, type TimerErrorDetails } from './errors.js';
 export type { LineEntry, LineErrorKind } from './log.js';
@@ -12,7 +17,7 @@ export type {
   WriteMemoriesOptions,
   WriteOptions,
 } from './options.js';
-export type { BytePort } from './port.js';
+export type { BytePort, ByteReader, ByteSink, ByteSource, ByteWriter } from './port.js';
 export type { Progress } from './progress.js';
 export type { AssumedQuirks, QuirkCode, QuirkParams } from './quirks.js';
 export { TimerClient } from './timer-client.js';

@@ -42,7 +42,19 @@ declare global {
  * `other-timer`. What a method says beside these stands with it. A value that the timer or the wire cannot carry is
  * refused with a CodecError before anything is sent.
  *
- *     await using timer = new TimerClient(port);   // closed at the end of the block
+ * `await using timer = new TimerClient(port)` closes it at the end of the block.
+ * @example
+ * ```ts
+ * import { TimerClient } from 'sidus-timer/client';
+ * import { withValue } from 'sidus-timer/program';
+ * import { VirtualTimer } from 'sidus-timer/simulator';
+ *
+ * const timer = new TimerClient(new VirtualTimer());
+ * const baseline = await timer.readProgram();
+ * const edited = withValue(baseline, { kind: 'time', slot: 10 }, 18000); // DT at 3 minutes
+ * console.log((await timer.writeProgram(edited, { baseline })).result); // verified
+ * await timer.close();
+ * ```
  */
 export class TimerClient {
   static {
@@ -151,8 +163,6 @@ export class TimerClient {
    * Asks one request and gives the values of its reply. What the table of commands calls repeatable is asked again when
    * it stays unanswered, and a question is believed as in {@link readProgram}; all else goes out once.
    * @throws CodecError when a value cannot be carried; TimerError as any job.
-   * @example
-   * const { times } = await timer.request({ name: 'GETTIMERS' });
    */
   request<R extends Request>(request: R, options: JobOptions = {}): Promise<ReplyOf<R['name']>> {
     return this.#inTurn(async () => {

@@ -47,7 +47,17 @@ interface Appointment {
   readonly callback: () => void;
 }
 
-/** A clock that stands still until it is turned by hand. */
+/**
+ * A clock that stands still until it is turned by hand.
+ * @example
+ * ```ts
+ * import { VirtualClock } from 'sidus-timer/line';
+ *
+ * const clock = new VirtualClock();
+ * clock.after(60_000, () => console.log('a minute')); // a minute
+ * await clock.advance(60_000);
+ * ```
+ */
 export class VirtualClock implements Clock {
   #now: number;
   /** In the order in which they come due; equal times in the order in which they were made. */

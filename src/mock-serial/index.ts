@@ -1,3 +1,8 @@
+/**
+ * A `navigator.serial` for tests, held to the Web Serial standard. It knows no timer.
+ * @module
+ */
+
 export type { EventHandler, Listener, ListenerOptions } from './events.js';
 export { MockSerialPort } from './port.js';
 export { MockSerial } from './serial.js';

@@ -9,10 +9,17 @@ import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortReques
  * A `navigator.serial` without a browser: the Web Serial standard's `Serial`, and what a user and a workbench do to it:
  * plug, unplug, choose. Nothing is plugged in at first, the user has touched nothing, and the chooser is dismissed.
  *
- *     const serial = new MockSerial();
- *     const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
- *     await port.open({ baudRate: 9600 });
- *     port.device.write([1, 2, 3]);
+ * @example
+ * ```ts
+ * import { MockSerial } from 'sidus-timer/mock-serial';
+ *
+ * const serial = new MockSerial();
+ * const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
+ * await port.open({ baudRate: 9600 });
+ * port.device.write([1, 2, 3]);
+ * const reader = port.readable?.getReader();
+ * console.log((await reader?.read())?.value?.join()); // 1,2,3
+ * ```
  */
 export class MockSerial extends ConnectionTarget {
   /**

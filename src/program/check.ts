@@ -76,6 +76,18 @@ const USUAL_THROTTLE = 100;
  * Everything that a pilot should know of a program before it is written: errors first to last field, then warnings.
  * Slot 0 takes no part in the rising order: it is the motor stop on Q and reserved on B and E.
  * @throws CodecError `wrong-count` when the lists do not have the shape of the identity.
+ * @example
+ * ```ts
+ * import { TimerClient } from 'sidus-timer/client';
+ * import { checkProgram, withValue } from 'sidus-timer/program';
+ * import { VirtualTimer } from 'sidus-timer/simulator';
+ *
+ * const timer = new TimerClient(new VirtualTimer());
+ * const program = await timer.readProgram();
+ * await timer.close();
+ * const short = withValue(program, { kind: 'time', slot: 10 }, 2000); // DT at 20 s
+ * console.log(checkProgram(short).some(({ code }) => code === 'dt-short')); // true
+ * ```
  */
 export function checkProgram(program: TimerProgram, options: CheckOptions = {}): Finding[] {
   requireShape(program);

@@ -13,6 +13,18 @@ export interface Change {
  * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. The memory
  * that they come from is not one of them.
  * @throws CodecError `wrong-count` when they do not have the same slots and servos.
+ * @example
+ * ```ts
+ * import { TimerClient } from 'sidus-timer/client';
+ * import { differences, withValue } from 'sidus-timer/program';
+ * import { VirtualTimer } from 'sidus-timer/simulator';
+ *
+ * const timer = new TimerClient(new VirtualTimer());
+ * const program = await timer.readProgram();
+ * await timer.close();
+ * const [change] = differences(program, withValue(program, { kind: 'time', slot: 1 }, 42));
+ * console.log(change?.field.kind, change?.to); // time 42
+ * ```
  */
 export function differences(from: TimerProgram, to: TimerProgram): Change[] {
   requireShape(from);

@@ -1,3 +1,8 @@
+/**
+ * What a pilot sets: a program, its checks, the difference of two; and what a pilot keeps: models, settings, flights.
+ * @module
+ */
+
 export {
   type CheckOptions,
   checkProgram,

@@ -69,6 +69,18 @@ export function parseCapture(text: string): CaptureEntry[] {
  * since the first of them.
  * @param entries times in milliseconds, in any count. One that runs backwards, as when a clock was put right, counts as
  * the one before it.
+ * @example
+ * ```ts
+ * import { TimerClient } from 'sidus-timer/client';
+ * import { type CaptureEntry, captureOf, formatCapture } from 'sidus-timer/protocol';
+ * import { VirtualTimer } from 'sidus-timer/simulator';
+ *
+ * const seen: CaptureEntry[] = [];
+ * const timer = new TimerClient(new VirtualTimer(), { onLine: (entry) => seen.push(entry) });
+ * await timer.identify();
+ * await timer.close();
+ * console.log(formatCapture(captureOf(seen)).split('\n')[1]); // 0.000 > 00 00 00 00 00 03 6b 6b 45
+ * ```
  */
 export function captureOf(entries: readonly CaptureEntry[]): CaptureEntry[] {
   const seen = entries.filter(({ bytes }) => bytes.length > 0);

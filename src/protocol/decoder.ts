@@ -53,6 +53,15 @@ const BARE_CHECKSUM: readonly number[] = [0x76];
  * A frame begins with four or more zeros; the next byte that is not zero is its length. When the length, the terminator
  * or the checksum is wrong, the decoder looks again from the byte after that length, so a frame hidden behind a false
  * header is found. It holds at most one longest frame (256 bytes).
+ * @example
+ * ```ts
+ * import { encodeFrame, FrameDecoder } from 'sidus-timer/protocol';
+ *
+ * const decoder = new FrameDecoder();
+ * const bytes = encodeFrame(0x72, [3]);
+ * console.log(decoder.push(bytes.subarray(0, 7)).length); // 0
+ * console.log(decoder.push(bytes.subarray(7))[0]?.code); // 114
+ * ```
  */
 export class FrameDecoder {
   readonly quirks: DecoderQuirks;

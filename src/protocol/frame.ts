@@ -50,6 +50,13 @@ const NO_DATA = new Uint8Array(0);
  * @param code the command's letter, 0..255.
  * @param data 0 to 252 bytes.
  * @throws CodecError `not-an-integer`, `out-of-range` (code), `wrong-type` or `wrong-length` (data).
+ * @example
+ * ```ts
+ * import { encodeFrame } from 'sidus-timer/protocol';
+ *
+ * const bytes = encodeFrame(0x6b); // GETSWVER
+ * console.log(bytes.join(' ')); // 0 0 0 0 0 3 107 107 69
+ * ```
  */
 export function encodeFrame(
   code: number,

@@ -9,7 +9,12 @@ import type { Frame } from './frame.js';
  * @param chunks bytes as they come, cut anywhere.
  * @throws what the stream fails with.
  * @example
- * for await (const { code, data } of frames(port.readable)) console.log(code.toString(16), data);
+ * ```ts
+ * import { encodeFrame, frames } from 'sidus-timer/protocol';
+ *
+ * const chunks = [encodeFrame(0x6b), encodeFrame(0x72, [3])];
+ * for await (const { code, data } of frames(chunks)) console.log(code, data.length); // 107 0 | 114 1
+ * ```
  */
 export async function* frames(
   chunks: AsyncIterable<Uint8Array> | Iterable<Uint8Array>,

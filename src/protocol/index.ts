@@ -1,3 +1,8 @@
+/**
+ * Bytes to frames to messages and back, and recordings as text. Pure: no DOM, no clock, no I/O.
+ * @module
+ */
+
 export { type CaptureEntry, captureOf, formatCapture, parseCapture } from './capture.js';
 export {
   COMMAND_NAMES,

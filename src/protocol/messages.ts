@@ -21,6 +21,13 @@ type Values = Readonly<Record<string, unknown>>;
  * A request as it goes on the wire.
  * @param options with an identity every value must fit that timer; without one it must fit its bytes.
  * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
+ * @example
+ * ```ts
+ * import { encodeRequest } from 'sidus-timer/protocol';
+ *
+ * const bytes = encodeRequest({ name: 'SETSERVO', function: 4, servo: 0, position: 65 });
+ * console.log(bytes.join(' ')); // 0 0 0 0 0 6 99 4 0 65 168 69
+ * ```
  */
 export function encodeRequest(request: Request, options: CodecOptions = {}): Uint8Array {
   const { request: code } = commandNamed(request);
@@ -53,6 +60,13 @@ export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Arra
  * @throws CodecError `unexpected-reply` when it does not answer the pending request, `unknown-command` when no reply
  * has this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
  * @returns with a pending request of a known name, the reply to that one: its values are typed.
+ * @example
+ * ```ts
+ * import { decodeReply, encodeReply, FrameDecoder } from 'sidus-timer/protocol';
+ *
+ * const [frame] = new FrameDecoder().push(encodeReply({ name: 'GETMEMORY', memory: 2 }));
+ * if (frame) console.log(decodeReply(frame, { pending: 'GETMEMORY' }).memory); // 2
+ * ```
  */
 export function decodeReply<Name extends CommandName = CommandName>(
   frame: Frame,

@@ -1,3 +1,8 @@
+/**
+ * From `navigator.serial` to a client: choose a port, find the rate, wait for the timer, come back after a loss.
+ * @module
+ */
+
 export { availability, choosePort, rememberedPorts, type Surroundings } from './choose.js';
 export { ConnectionError, type ConnectionErrorCode } from './errors.js';
 export { type RememberedPort, TimerLink, type TimerLinkOptions } from './link.js';

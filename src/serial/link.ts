@@ -41,6 +41,18 @@ export interface TimerLinkOptions {
  * A link to a timer that survives the field: it finds rate and timer, waits for one that sleeps, opens a port again
  * that was lost, and stops at any time. It sends nothing but the question what is there (GETSWVER); all else is up to
  * whoever has the connection. Every method may be called at any time, and none rejects unless it says so.
+ * @example
+ * ```ts
+ * import { MockSerial } from 'sidus-timer/mock-serial';
+ * import { TimerLink } from 'sidus-timer/serial';
+ *
+ * const serial = new MockSerial(); // in a browser: navigator.serial
+ * const states: string[] = [];
+ * const link = new TimerLink({ serial, onState: ({ status }) => states.push(status) });
+ * void link.connect(serial.plug({}, { granted: true }));
+ * await link.stop();
+ * console.log(states.at(-1)); // off
+ * ```
  */
 export class TimerLink {
   readonly #options: TimerLinkOptions;

@@ -1,3 +1,8 @@
+/**
+ * The other end of the wire: a virtual timer with quirks, and a timer that answers as one that was recorded.
+ * @module
+ */
+
 export { exampleMemories } from './example-memories.js';
 export { firstContent, type MemoryContent } from './memory.js';
 export type { TimerQuirks } from './quirks.js';

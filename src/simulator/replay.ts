@@ -33,7 +33,20 @@ const SILENCE = 100;
  * that got no reply in the recording gets none, nor does one that the recording does not know. What was recorded before
  * the first request comes by itself.
  *
- *     const timer = new TimerClient(new ReplayTimer(parseCapture(text)));
+ * @example
+ * ```ts
+ * import { TimerClient } from 'sidus-timer/client';
+ * import { parseCapture } from 'sidus-timer/protocol';
+ * import { ReplayTimer } from 'sidus-timer/simulator';
+ *
+ * const text = `# Sidus capture 1
+ * 0.000 > 00 00 00 00 00 03 6b 6b 45
+ * 0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
+ * `;
+ * const timer = new TimerClient(new ReplayTimer(parseCapture(text)));
+ * console.log((await timer.identify()).firmware); // 536
+ * await timer.close();
+ * ```
  */
 export class ReplayTimer {
   readonly readable: ReadableStream<Uint8Array>;

@@ -48,6 +48,18 @@ const EXAMPLE: Identity = { timerClass: 'B', firmware: '536', functions: 10, mem
  * A timer that is not there, at the far end of a pair of byte streams: `readable` gives what it sends, `writable` takes
  * what is sent to it. It answers as the protocol page reads the source, and keeps memories, positions, motor lock,
  * sleep and phase in {@link TimerCore | core}, where tests may look and change.
+ * @example
+ * ```ts
+ * import { TimerClient } from 'sidus-timer/client';
+ * import { VirtualClock } from 'sidus-timer/line';
+ * import { VirtualTimer } from 'sidus-timer/simulator';
+ *
+ * const clock = new VirtualClock();
+ * const port = new VirtualTimer({ identity: { timerClass: 'Q' }, clock });
+ * const timer = new TimerClient(port, { clock });
+ * console.log((await clock.run(timer.identify())).timerClass); // Q
+ * await timer.close();
+ * ```
  */
 export class VirtualTimer {
   readonly core: TimerCore;
