@@ -108,8 +108,10 @@ function NameForm({ session, saveSetting }: SaveDialogProps) {
   );
 }
 
-/** The model that it is likely for: the only one of its class. */
-function suggested({ library, editor }: Session): string | null {
+/** The model that it is likely for: that of the timer which is connected, or the only one of its class. */
+function suggested({ library, editor, modelAtHand }: Session): string | null {
+  const atHand = modelAtHand.peek();
+  if (atHand) return atHand.id;
   const timerClass = editor.identity.peek()?.timerClass;
   const [first, ...more] = library.models.list
     .peek()

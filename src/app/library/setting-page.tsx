@@ -57,7 +57,15 @@ export function SettingPage(props: SettingPageProps) {
     <article class="setting-page" aria-label={setting.name}>
       {way}
       <h2 class="setting-title">{setting.name}</h2>
-      {setting.note !== '' && <p class="setting-note">{setting.note}</p>}
+      <TextField
+        label={words.setting.note}
+        placeholder={words.setting.notePlace}
+        hiddenLabel
+        value={setting.note}
+        longest={LIMITS.note}
+        lines={2}
+        onSave={(note) => change({ note })}
+      />
       <div class="setting-lanes">
         <SmallLanes program={program} />
       </div>
@@ -80,13 +88,6 @@ export function SettingPage(props: SettingPageProps) {
         longest={LIMITS.name}
         required
         onSave={(name) => change({ name })}
-      />
-      <TextField
-        label={words.setting.note}
-        value={setting.note}
-        longest={LIMITS.note}
-        lines={2}
-        onSave={(note) => change({ note })}
       />
       <TextField
         label={words.setting.tags}

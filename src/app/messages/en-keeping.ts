@@ -1,5 +1,6 @@
 import type { Lack } from '../browser/doors.js';
 import type { SHELVES, StorageErrorCode } from '../storage/index.js';
+import { plural } from './plural.js';
 
 /** While the browser does not keep, or give back, what it should. */
 export const keeping = {
@@ -39,6 +40,19 @@ export const aside = {
 /** Backups that were deleted a moment ago. */
 export const removed = {
   title: (count: number) => (count === 1 ? '1 backup deleted.' : `${count} backups deleted.`),
+  undo: 'Undo',
+};
+
+/** Models, settings and flights that were deleted a moment ago. */
+export const removedFromLibrary = {
+  title: (models: number, settings: number, flights: number) =>
+    `${[
+      models > 0 && plural(models, 'model', 'models'),
+      settings > 0 && plural(settings, 'setting', 'settings'),
+      flights > 0 && plural(flights, 'flight', 'flights'),
+    ]
+      .filter(Boolean)
+      .join(', ')} deleted.`,
   undo: 'Undo',
 };
 

@@ -76,6 +76,7 @@ export const library = {
     load: 'Load into the table',
     name: 'Name',
     note: 'Note',
+    notePlace: 'Note: what changed, how it flew',
     tags: 'Tags',
     tagsHint: 'Words with commas between them, such as: calm, fly-off.',
     from: {
@@ -158,14 +159,6 @@ export const library = {
     title: 'New setting',
     beginnings: { usual: 'Usual times', nothing: 'Nothing, all 0' },
     make: 'Make the setting',
-  },
-  /** Deleted a moment ago. */
-  removed: {
-    title: (models: number, settings: number) =>
-      `${[models > 0 && plural(models, 'model', 'models'), settings > 0 && plural(settings, 'setting', 'settings')]
-        .filter(Boolean)
-        .join(' and ')} deleted.`,
-    undo: 'Undo',
   },
   unkept: {
     title: 'This browser does not keep the library.',

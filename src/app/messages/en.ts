@@ -3,7 +3,7 @@ import type { UnreadableReason } from '../editing/units.js';
 import { bench } from './en-bench.js';
 import { edits } from './en-edits.js';
 import { help } from './en-help.js';
-import { aside, erase, framed, keeping, removed } from './en-keeping.js';
+import { aside, erase, framed, keeping, removed, removedFromLibrary } from './en-keeping.js';
 import { knowledge } from './en-knowledge.js';
 import { line, report } from './en-line.js';
 import { about as aboutTimer, link, ports } from './en-link.js';
@@ -256,6 +256,7 @@ export const en = {
   keeping,
   aside,
   removed,
+  removedFromLibrary,
   erase,
   framed,
   dateTime: { dateStyle: 'medium', timeStyle: 'short' } as const,

@@ -8,7 +8,7 @@ const UNDO_WAIT = 10_000;
  * One list of the library: in memory as it is in the storage, and what was changed here is on the screen at once. What
  * the browser does not keep stays for as long as the page is open, see `unsaved`.
  */
-export class Collection<T extends { readonly key: string }> {
+export class Collection<T extends { readonly key: string; readonly changedAt: number }> {
   readonly #list = signal<readonly T[]>([]);
   readonly #loaded = signal(false);
   readonly #removed = signal<readonly T[]>([]);
@@ -25,7 +25,9 @@ export class Collection<T extends { readonly key: string }> {
   readonly #inOrder: (a: T, b: T) => number;
   readonly #onChange: () => void;
   #deleting: ReturnType<typeof setTimeout> | undefined;
-  #loading: Promise<void> | null = null;
+  #loading: Promise<boolean> | null = null;
+  /** What was changed here since the storage was asked, by key, null where it was deleted: one for each question. */
+  readonly #since = new Set<Map<string, T | null>>();
 
   /** @param onChange called when the storage holds something else than before: for the other tabs. */
   constructor(keeper: Keeper<T>, inOrder: (a: T, b: T) => number, onChange: () => void) {
@@ -38,20 +40,39 @@ export class Collection<T extends { readonly key: string }> {
     return key === null ? undefined : this.list.value.find((each) => each.key === key);
   }
 
-  /** Reads what is kept, unless that is done. A browser that keeps nothing has none. */
-  load(): Promise<void> {
+  /** Reads what is kept, unless that is done. A browser that keeps nothing has none, until it answers again. */
+  async load(): Promise<void> {
     this.#loading ??= this.refresh();
-    return this.#loading;
+    if (!(await this.#loading)) this.#loading = null;
   }
 
-  /** Reads again what is kept: another tab has changed it. What is not saved here stays. */
-  async refresh(): Promise<void> {
+  /**
+   * Reads again what is kept: another tab has changed it. What is not saved here stays, and so does what was changed
+   * here since the storage was asked.
+   * @returns whether the storage has answered.
+   */
+  async refresh(): Promise<boolean> {
+    const since = new Map<string, T | null>();
+    this.#since.add(since);
     const kept = await this.#keeper.all().catch(() => null);
+    this.#since.delete(since);
     if (kept) {
       const mine = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
-      this.#show([...kept, ...mine]);
+      const records = new Map<string, T>();
+      for (const record of [...kept, ...mine]) records.set(record.key, record);
+      for (const [key, record] of since) {
+        if (record) records.set(key, record);
+        else records.delete(key);
+      }
+      // What somebody has changed elsewhere while it was about to be deleted here is not deleted.
+      this.#removed.value = this.#removed.peek().filter(({ key, changedAt }) => {
+        const now = records.get(key);
+        return !now || now.changedAt <= changedAt;
+      });
+      this.#show([...records.values()]);
     }
     this.#loaded.value = true;
+    return kept !== null;
   }
 
   /**
@@ -60,6 +81,7 @@ export class Collection<T extends { readonly key: string }> {
    */
   async save(...records: readonly T[]): Promise<boolean> {
     this.#note(records, false);
+    for (const since of this.#since) for (const record of records) since.set(record.key, record);
     this.#show([...this.#list.peek(), ...records]);
     const saved = await Promise.all(
       records.map(async (record) =>
@@ -102,6 +124,7 @@ export class Collection<T extends { readonly key: string }> {
     if (gone.length === 0) return;
     this.#removed.value = [];
     this.#note(gone, true);
+    for (const since of this.#since) for (const { key } of gone) since.set(key, null);
     const deleted = gone.map(({ key }) => this.#keeper.remove(key));
     void Promise.allSettled(deleted).then(() => this.#onChange());
   }

@@ -57,11 +57,13 @@ export class KeptWork {
   }
 
   async #bringBack(): Promise<void> {
-    const { knowledge, backups, link, aside } = this.#session;
+    const { knowledge, backups, link, aside, library } = this.#session;
     // What other tabs have under way is told by the number of this one, which comes with the edits.
     const known = this.#bringBackEdits().then(() => knowledge.refresh());
     await Promise.all([known, backups.load(), link.start()]);
     this.#drafts.keepAgain();
+    // It may be long, and nothing on the screen waits for it.
+    await library.load();
     await aside.load();
   }
 

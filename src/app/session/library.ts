@@ -70,10 +70,9 @@ export class Library {
     if (settings.length > 0) this.settings.remove(...settings.map(({ key }) => key));
   }
 
-  /** Puts back what was taken out of models and settings, as long as it has not been deleted. */
+  /** Puts back what was taken out of the three lists, as long as it has not been deleted. */
   undoRemove(): void {
-    this.models.undoRemove();
-    this.settings.undoRemove();
+    for (const each of [this.models, this.settings, this.flights]) each.undoRemove();
   }
 
   /** A new setting, at the end of the list, or one that has changed. @returns its record. */
@@ -113,8 +112,10 @@ export class Library {
     for (const each of [this.models, this.settings, this.flights]) each.flush();
   }
 
-  /** Tries again to keep what the browser has not kept. */
+  /** The storage does again what it did not before: reads what it has not given back, keeps what it has not kept. */
   async keepAgain(): Promise<void> {
+    const asked = [this.models, this.settings, this.flights].filter(({ loaded }) => loaded.peek());
+    await Promise.all(asked.map((each) => each.load()));
     await Promise.all([this.models, this.settings, this.flights].map((each) => each.keepAgain()));
   }
 

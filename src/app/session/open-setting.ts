@@ -82,7 +82,11 @@ export class OpenSetting {
       const working = editor.working.value;
       return working !== null && editor.unreadable.value.size === 0 && isStorable(working);
     });
-    effect(() => this.#follow());
+    effect(() => {
+      // Only when the library changes: undo may bring back what was there before.
+      void library.settings.list.value;
+      untracked(() => this.#follow());
+    });
   }
 
   /** Nothing is shown as long as this is true: the servos would move with it. */
@@ -196,14 +200,14 @@ export class OpenSetting {
   /** Another tab has saved what is open here, unchanged and of no timer: it follows, and undo brings it back. */
   #follow(): void {
     const { editor, library } = this.#session;
-    const of = editor.of.value;
+    const of = editor.of.peek();
     const held = of && library.settings.get(of.id)?.setting.program;
     const working = editor.working.peek();
     if (!of || !held || !working || editor.madeAt.peek() === null || isSame(of.saved, held)) return;
     const fits =
       sameLayout(held.identity, working.identity) && held.identity.timerClass === working.identity.timerClass;
     if (!fits || editor.unreadable.peek().size > 0 || !isSame(of.saved, working)) return;
-    untracked(() => this.takeSaved());
+    this.takeSaved();
   }
 }
 

@@ -71,3 +71,22 @@ export function RemovedNotice({ backups }: { readonly backups: Backups }) {
     </div>
   );
 }
+
+/** Models, settings and flights that were deleted a moment ago can be put back. */
+export function LibraryRemovedNotice({ library }: { readonly library: Library }) {
+  const { removedFromLibrary: words } = messages.value;
+  const [models, settings, flights] = [library.models, library.settings, library.flights].map(
+    ({ removed }) => removed.value.length,
+  ) as [number, number, number];
+  if (models + settings + flights === 0) return null;
+  return (
+    <div class="notice">
+      <p>
+        <strong>{words.title(models, settings, flights)}</strong>
+      </p>
+      <button type="button" onClick={() => library.undoRemove()}>
+        {words.undo}
+      </button>
+    </div>
+  );
+}

@@ -11,7 +11,7 @@ import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { onDemand } from '../ui/on-demand.js';
-import { AsideNotice, KeepingNotice, RemovedNotice } from './keeping-notice.js';
+import { AsideNotice, KeepingNotice, LibraryRemovedNotice, RemovedNotice } from './keeping-notice.js';
 import { UpdateNotice } from './update-notice.js';
 import type { UpdateOffer } from './update-offer.js';
 
@@ -55,6 +55,7 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
       {files.said.value && <fileNotice.Part files={files} />}
       <AsideNotice aside={aside} />
       <RemovedNotice backups={session.backups} />
+      <LibraryRemovedNotice library={session.library} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
       {holder && <OtherTabNotice key={holder.id} tab={holder} onTakeOver={() => portHolder.takeOver(holder)} />}
       {notice && (

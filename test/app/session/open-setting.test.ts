@@ -1,0 +1,253 @@
+import { describe, expect, it } from 'vitest';
+import { newProgram, USUAL_LAYOUT } from '../../../src/app/editing/new-program.js';
+import type { SettingRecord } from '../../../src/app/storage/index.js';
+import type { Setting, TimerProgram } from '../../../src/program/index.js';
+import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
+
+const DT = { kind: 'time', slot: 10 } as const;
+const S2 = { kind: 'position', servo: 1, slot: 3 } as const;
+const USUAL = newProgram({ timerClass: 'Q', ...USUAL_LAYOUT, from: 'usual' });
+
+function settingOf(id: string, program: TimerProgram = USUAL): Setting {
+  return { id, model: 'lancer', name: id, note: '', tags: [], at: 5, program, from: 'typed', archived: false };
+}
+
+/** A library with a model “Lancer” and these settings. */
+function stored(...settings: Setting[]): MemoryStore {
+  const store = new MemoryStore();
+  const model = { id: 'lancer', name: 'Lancer', timerClass: 'Q', note: '', servos: [], memoryNames: [] } as const;
+  store.models.records.set('lancer', {
+    key: 'lancer',
+    order: 1,
+    changedAt: 1,
+    verified: [],
+    model: { ...model, photo: null, archived: false },
+  });
+  for (const [order, setting] of settings.entries()) keepIn(store, setting, order);
+  return store;
+}
+
+function keepIn(store: MemoryStore, setting: Setting, order = 1): void {
+  store.settings.records.set(setting.id, { key: setting.id, order, changedAt: 1, setting });
+}
+
+async function opened(setting: Setting, ...more: Setting[]): Promise<AppBench> {
+  const bench = await appBench({ store: stored(setting, ...more) });
+  expect(await run(bench.session.showSetting(setting))).toBe(true);
+  return bench;
+}
+
+function type(bench: AppBench, field: typeof DT | typeof S2, text: string): void {
+  bench.editor.type(field, text);
+  bench.editor.leave(field);
+}
+
+const dtOf = ({ store }: AppBench, id: string): number | undefined =>
+  (store.settings.records.get(id) as SettingRecord | undefined)?.setting.program.times[10];
+const names = ({ session: { openSetting } }: AppBench) => [
+  openSetting.value?.model?.name ?? null,
+  openSetting.value?.setting?.name ?? null,
+];
+
+describe('a setting that is opened without a timer', () => {
+  it('is on the screen, of its model, and nothing of it is unsaved or said of a timer', async () => {
+    const bench = await opened(settingOf('calm', { ...USUAL, memory: 0 }));
+    const { session, editor } = bench;
+    expect([names(bench), editor.working.value?.memory, editor.changes.value]).toEqual([['Lancer', 'calm'], null, []]);
+    expect([session.opened.unsaved.value, session.standing.value]).toEqual([
+      { changes: 0, unreadable: 0, elsewhere: false },
+      { sure: 'once', at: null },
+    ]);
+  });
+
+  it('is saved back with what was typed, and undo goes on behind that', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, DT, '2:00');
+    expect([bench.session.opened.unsaved.value?.changes, dtOf(bench, 'calm')]).toEqual([1, 18000]);
+    await run(bench.session.opened.save());
+    expect([bench.session.opened.unsaved.value?.changes, dtOf(bench, 'calm')]).toEqual([0, 12000]);
+    bench.editor.undo();
+    expect(bench.session.opened.unsaved.value).toEqual({ changes: 1, unreadable: 0, elsewhere: false });
+  });
+
+  it('keeps what is not saved through a reload, with what can be undone', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, DT, '2:00');
+    await idle();
+    const after = await reloaded(bench);
+    await idle();
+    expect([names(after), after.session.opened.unsaved.value?.changes]).toEqual([['Lancer', 'calm'], 1]);
+    after.editor.undo();
+    expect(after.editor.textOf(DT)).toBe('3:00');
+  });
+
+  it('comes back after a reload also when nothing was typed, and leaves nothing behind when it is closed', async () => {
+    const bench = await opened(settingOf('calm'));
+    await idle();
+    const after = await reloaded(bench);
+    await idle();
+    expect(names(after)).toEqual(['Lancer', 'calm']);
+    after.session.putAway();
+    await idle();
+    expect([...after.store.drafts.records.values()]).toEqual([]);
+  });
+
+  it('has its unsaved changes again when another one was open in between', async () => {
+    const calm = settingOf('calm');
+    const wind = settingOf('wind');
+    const bench = await opened(calm, wind);
+    type(bench, DT, '2:00');
+    bench.editor.type(S2, 'x');
+    await idle();
+    await run(bench.session.showSetting(wind));
+    expect([names(bench)[1], bench.editor.textOf(DT)]).toEqual(['wind', '3:00']);
+    await idle();
+    await run(bench.session.showSetting(calm));
+    expect([names(bench)[1], bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['calm', '2:00', 'x']);
+    expect(bench.session.opened.savable.value, 'a field has no value').toBe(false);
+    expect([await run(bench.session.opened.save()), dtOf(bench, 'calm')]).toEqual([false, 18000]);
+  });
+
+  it('is saved as a new one, which is open from then on', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, DT, '2:00');
+    await run(bench.session.opened.saveAs({ model: 'lancer', name: 'wind' }));
+    expect([names(bench), dtOf(bench, 'calm')]).toEqual([['Lancer', 'wind'], 18000]);
+    const [, made] = bench.session.library.settings.list.value;
+    expect(made?.setting).toMatchObject({ name: 'wind', model: 'lancer', from: 'typed' });
+    expect(made?.setting.program.times[10]).toBe(12000);
+  });
+
+  it('is none any more when it is deleted, and one again with undo', async () => {
+    const bench = await opened(settingOf('calm'));
+    bench.session.library.settings.remove('calm');
+    expect([bench.session.openSetting.value, bench.editor.working.value !== null]).toEqual([null, true]);
+    bench.session.library.undoRemove();
+    expect(names(bench)).toEqual(['Lancer', 'calm']);
+  });
+
+  it('is in the library also where the browser keeps nothing, and says that it is not kept', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, DT, '2:00');
+    bench.store.broken = true;
+    expect(await run(bench.session.opened.save())).toBe(false);
+    const { library, opened: open } = bench.session;
+    expect([open.unsaved.value?.changes, library.kept.value]).toEqual([0, false]);
+    expect(library.settings.get('calm')?.setting.program.times[10]).toBe(12000);
+    bench.store.broken = false;
+    await run(library.keepAgain());
+    expect([library.kept.value, dtOf(bench, 'calm')]).toEqual([true, 12000]);
+  });
+});
+
+describe('what another tab saves of the setting that is open here', () => {
+  const elsewhere = async (bench: AppBench, dt: number): Promise<void> => {
+    const times = USUAL.times.map((time, slot) => (slot === 10 ? dt : time));
+    keepIn(bench.store, settingOf('calm', { ...USUAL, times }));
+    await run(bench.session.library.refresh());
+  };
+
+  it('comes to the screen where nothing was typed, as a step that undo takes back', async () => {
+    const bench = await opened(settingOf('calm'));
+    await elsewhere(bench, 6000);
+    expect([bench.editor.textOf(DT), bench.session.opened.unsaved.value]).toEqual([
+      '1:00',
+      { changes: 0, unreadable: 0, elsewhere: false },
+    ]);
+    bench.editor.undo();
+    expect([bench.editor.textOf(DT), bench.session.opened.unsaved.value?.changes]).toEqual(['3:00', 1]);
+  });
+
+  it('leaves what was typed here as it is, and is told before it gives way', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, S2, '70');
+    await elsewhere(bench, 6000);
+    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['3:00', '70']);
+    expect(bench.session.opened.unsaved.value).toEqual({ changes: 2, unreadable: 0, elsewhere: true });
+    await run(bench.saveSetting.save());
+    expect([bench.saveSetting.current.value?.step, dtOf(bench, 'calm')]).toEqual(['elsewhere', 6000]);
+    bench.saveSetting.take();
+    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['1:00', '65']);
+    bench.editor.undo();
+    expect([bench.editor.textOf(S2), bench.session.opened.unsaved.value?.elsewhere]).toEqual(['70', true]);
+    await run(bench.saveSetting.save());
+    await run(bench.saveSetting.replace());
+    expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
+  });
+});
+
+describe('a setting with a timer', () => {
+  it('is loaded over what the timer holds as one step, which undo takes back with its name', async () => {
+    const store = stored(settingOf('calm'));
+    const bench = await connectedBench({ store });
+    const held = bench.editor.working.value;
+    expect(await run(bench.session.showSetting(settingOf('calm')))).toBe(true);
+    expect([names(bench), bench.editor.textOf(S2), bench.editor.undoStep.value?.code]).toEqual([
+      ['Lancer', 'calm'],
+      '65',
+      'load-setting',
+    ]);
+    expect(bench.session.opened.unsaved.value?.changes).toBe(0);
+    bench.editor.undo();
+    expect([bench.editor.working.value, bench.session.openSetting.value]).toEqual([held, null]);
+    bench.editor.redo();
+    expect(names(bench)).toEqual(['Lancer', 'calm']);
+  });
+
+  it('that was open before it was connected is laid over it and stays the one that is open', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, S2, '70');
+    await run(bench.session.connect());
+    expect([names(bench), bench.editor.textOf(S2), bench.session.opened.unsaved.value?.changes]).toEqual([
+      ['Lancer', 'calm'],
+      '70',
+      1,
+    ]);
+    bench.editor.undo();
+    expect(bench.session.openSetting.value).toBeNull();
+  });
+
+  it.each([
+    ['other-class', newProgram({ timerClass: 'B', ...USUAL_LAYOUT, from: 'usual' })],
+    ['other-layout', newProgram({ timerClass: 'Q', functions: 10, servos: 2, from: 'usual' })],
+  ] as const)('is refused with the reason %s', async (reason, program) => {
+    const bench = await connectedBench();
+    const { value } = bench.editor.working;
+    expect(bench.session.opened.obstacle(program)).toBe(reason);
+    expect(await run(bench.session.showSetting(settingOf('other', program)))).toBe(false);
+    expect(bench.editor.working.value).toBe(value);
+    await run(bench.session.disconnect());
+    expect(await run(bench.session.showSetting(settingOf('other', program)))).toBe(true);
+  });
+
+  it('is refused while the servos follow: they would move', async () => {
+    const bench = await connectedBench();
+    bench.session.safety.confirm();
+    await run(bench.bench.moveTo(4));
+    await run(bench.follow.start());
+    expect(await run(bench.session.showSetting(settingOf('calm')))).toBe(false);
+    expect(bench.session.opened.obstacle(USUAL)).toBe('following');
+  });
+
+  it('is what the timer holds after it was saved from it, with its source, until another timer comes', async () => {
+    const bench = await connectedBench({ store: stored() });
+    await run(bench.session.opened.saveAs({ model: 'lancer', name: 'as read' }));
+    const [record] = bench.session.library.settings.list.value;
+    expect([names(bench)[1], record?.setting.from, record?.setting.program]).toEqual([
+      'as read',
+      'timer',
+      bench.editor.baseline.value,
+    ]);
+    const memory = bench.timer.core.memories[0];
+    if (memory) memory.times[10] = 7700;
+    await run(bench.session.read());
+    expect(bench.session.openSetting.value, 'it may be another timer').toBeNull();
+  });
+
+  it('stays the one that is open through a write', async () => {
+    const bench = await connectedBench({ store: stored(settingOf('calm')) });
+    await run(bench.session.showSetting(settingOf('calm')));
+    bench.editor.wrote(bench.editor.working.value as TimerProgram);
+    expect([names(bench)[1], bench.editor.changes.value]).toEqual(['calm', []]);
+  });
+});
