@@ -62,8 +62,8 @@ export class KeptWork {
     const known = this.#bringBackEdits().then(() => knowledge.refresh());
     await Promise.all([known, backups.load(), link.start()]);
     this.#drafts.keepAgain();
-    // It may be long, and nothing on the screen waits for it.
-    await library.load();
+    // It may be long, and nothing waits for it.
+    void library.load();
     await aside.load();
   }
 
