@@ -26,6 +26,8 @@ export function App({ models }: { readonly models: AppModels }) {
   const title = useRef(document.title);
   useEffect(() => {
     document.title = shown === 'program' ? title.current : words.window(words.names[shown], title.current);
+    // For the styles of all that stands around a view.
+    document.documentElement.setAttribute('data-view', shown);
   }, [shown, words]);
   const view: Record<View, () => preact.JSX.Element> = {
     program: () =>
@@ -66,7 +68,7 @@ export function App({ models }: { readonly models: AppModels }) {
         staged={isStart && hasStage(session)}
       />
       {!isStart && <ViewLinks views={views} />}
-      <ViewFrame views={views} busy={session.runner.busy.value}>
+      <ViewFrame views={views} busy={session.runner.busy.value} whole={hasProgram && shown === 'program'}>
         <RecoveryPanel session={session} write={write} finishWrite={finishWrite} />
         {view[shown]()}
       </ViewFrame>

@@ -1,3 +1,4 @@
+import { useEffect } from 'preact/hooks';
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { messages, type Said } from '../messages/index.js';
@@ -17,6 +18,7 @@ interface ConnectionHelpProps {
 /** What to do, step by step, folded up under the notice: for this system first, for the others folded up once more. */
 export function ConnectionHelp({ code, platform, info, address = location.href }: ConnectionHelpProps) {
   const { title, on, systems } = messages.value.help;
+  useEffect(() => () => document.documentElement.removeAttribute('data-help'), []);
   const { here, elsewhere } = helpFor(code, { platform, info, address });
   if (here.length === 0) return null;
   return (
@@ -61,5 +63,7 @@ function Steps({ steps }: { readonly steps: readonly Step[] }) {
  * out of sight.
  */
 function keepInSight(help: HTMLDetailsElement): void {
-  if (help.open) help.closest('.top')?.scrollIntoView();
+  const top = help.closest('.top');
+  document.documentElement.toggleAttribute('data-help', help.open && top !== null);
+  if (help.open) top?.scrollIntoView();
 }

@@ -25,7 +25,7 @@ interface ValueFieldProps {
   readonly readOnly?: boolean;
 }
 
-/** More letters than there is room for beside a unit on a phone: such a time has a colon. */
+/** More letters than there is room for beside a unit on a phone: such a time has a colon. So has an old value. */
 const LONG = 5;
 
 /** One value of the program, to be typed over. What differs from the timer is marked, with the old value under it. */
@@ -48,6 +48,7 @@ export function ValueField(props: ValueFieldProps) {
   const state = isChanged ? 'changed' : model.isConfirmed.value ? 'confirmed' : '';
   // The sheet says and does what else stands at the field.
   const isHeld = focused.value && hand.isTouch.value;
+  const filled = text.length > LONG || (!isLarge && was !== null);
   const id = (what: string): string => `${place}-${what}-${key}`;
   const described = [
     unit && id('unit'),
@@ -63,7 +64,10 @@ export function ValueField(props: ValueFieldProps) {
   useWheel(input, step);
   useSwipe(input, step);
   return (
-    <span class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''}`} {...refuseDrag}>
+    <span
+      class={`value ${state} ${either ? 'asked' : isWrong ? 'wrong' : ''} ${filled ? 'filled' : ''}`}
+      {...refuseDrag}
+    >
       <input
         ref={input}
         type="text"
@@ -75,7 +79,6 @@ export function ValueField(props: ValueFieldProps) {
         aria-invalid={isWrong}
         aria-describedby={described.join(' ') || undefined}
         readOnly={readOnly}
-        class={text.length > LONG ? 'long' : ''}
         value={text}
         onFocus={({ currentTarget }) => {
           focused.value = true;

@@ -8,11 +8,13 @@ interface ViewFrameProps {
   readonly views: Views;
   /** Bytes move: what is shown is about to change. */
   readonly busy: boolean;
+  /** It takes all the room that there is, to its edges. */
+  readonly whole: boolean;
   readonly children: ComponentChildren;
 }
 
 /** Around the view that is shown. Whoever comes back to a view finds it scrolled as it was, and the focus in it. */
-export function ViewFrame({ views, busy, children }: ViewFrameProps) {
+export function ViewFrame({ views, busy, whole, children }: ViewFrameProps) {
   const main = useRef<HTMLElement>(null);
   const places = useRef(new Map<View, Place>());
   const before = useRef<View | null>(null);
@@ -34,7 +36,7 @@ export function ViewFrame({ views, busy, children }: ViewFrameProps) {
   return (
     <main
       ref={main}
-      class={`view ${shown}-view`}
+      class={`view ${shown}-view ${whole ? 'whole' : ''}`}
       tabIndex={-1}
       aria-busy={busy}
       onFocusCapture={({ target }) => {
