@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useCallback, useEffect, useRef } from 'preact/hooks';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { FLIGHTS } from './flights/flight-filter.js';
@@ -22,6 +22,11 @@ export function App({ models }: { readonly models: AppModels }) {
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
   const isStart = !hasProgram && shown === 'program';
+  // The same at each drawing: else the whole program is drawn with it.
+  const print = useCallback(() => {
+    models.printOrder.choose();
+    views.show('print');
+  }, [models, views]);
   // As the page came with it.
   const title = useRef(document.title);
   useEffect(() => {
@@ -35,10 +40,7 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.program.Part
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           sharing={models.sharing}
-          onPrint={() => {
-            models.printOrder.choose();
-            views.show('print');
-          }}
+          onPrint={print}
         />
       ) : (
         <StartScreen {...{ session, installation, platform }} />
