@@ -74,6 +74,11 @@ export function groupOf(how: 'type' | 'step' | 'move', field: string): string {
   return `${how} ${field}`;
 }
 
+/** Whether a handle is being moved: the last step grows with each frame. */
+export function isMoving({ open }: History<unknown>): boolean {
+  return open?.startsWith(groupOf('move', '')) ?? false;
+}
+
 /**
  * Something was done. What could be redone is forgotten.
  * @param before the state before it.

@@ -1,10 +1,14 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
+import { isMoving } from '../editing/history.js';
 import type { Draft } from '../storage/index.js';
 import type { Drafts } from './drafts.js';
 import type { Session } from './session.js';
 
 /** Milliseconds between two looks at what is kept, when something came back during the first. */
 const LOOK_AGAIN = 1000;
+
+/** While a handle is moved there is a new value at each frame: one may wait so long to be kept, in milliseconds. */
+const MOVING_WAIT = 500;
 
 /** What the pilot works on is kept as it is typed; what a reload or a crash has interrupted is brought back. */
 export class KeptWork {
@@ -13,6 +17,9 @@ export class KeptWork {
   readonly #session: Session;
   readonly #drafts: Drafts;
   readonly #show: (draft: Draft) => void;
+  /** Keeps what is on the screen, where that waits until a handle is let go. */
+  #late: (() => void) | null = null;
+  #lateTimer: ReturnType<typeof setTimeout> | undefined;
   #looking: Promise<void> | null = null;
   #lookAgain = false;
 
@@ -32,14 +39,25 @@ export class KeptWork {
       const readAt = standing.value.at;
       const model = origin.key.value;
       const ofModel = model === null ? {} : { model };
-      if (content) this.#drafts.keep({ ...content, readAt, ...ofModel }, simulated.value);
+      const isSimulated = simulated.value;
+      if (content) this.#late = () => this.#drafts.keep({ ...content, readAt, ...ofModel }, isSimulated);
+      if (!content?.history || !isMoving(content.history)) this.#keepLate();
+      else this.#lateTimer ??= setTimeout(() => this.#keepLate(), MOVING_WAIT);
     });
     await this.bringBack();
   }
 
   /** Keeps at once what was typed: the page is left, or may be. */
   keepNow(): void {
+    this.#keepLate();
     this.#drafts.flush();
+  }
+
+  #keepLate(): void {
+    clearTimeout(this.#lateTimer);
+    this.#lateTimer = undefined;
+    this.#late?.();
+    this.#late = null;
   }
 
   /**

@@ -1,4 +1,6 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
+import { setValues } from '../../../src/app/editing/edit.js';
+import { groupOf } from '../../../src/app/editing/history.js';
 import { type ProgramField, type TimerProgram, withValue } from '../../../src/program/index.js';
 import { CAPTURED_POSITIONS } from '../../protocol/vectors.js';
 import { type AppBench, appBench, connectedBench, idle, MemoryStore, reloaded, run } from '../bench/bench.js';
@@ -519,6 +521,30 @@ describe('after a reload', () => {
     before.session.keptWork.keepNow();
     const after = await appBench({ store: store.next() });
     expect(after.editor.textOf(S1)).toBe('9');
+  });
+
+  it('what a handle is moved to is kept now and then, when it is let go, and when the page is left', async () => {
+    const bench = await connectedBench();
+    const move = (value: number): void => {
+      bench.editor.apply(setValues({ code: 'move-mark', params: {} }, [{ field: S1, value }], groupOf('move', 'S1')));
+    };
+    const kept = (): unknown => [...bench.store.drafts.records.values()][0]?.working.positions[0]?.[2];
+    const saved = vi.spyOn(bench.store.drafts, 'save');
+    for (let value = 40; value < 60; value++) {
+      move(value);
+      await idle(10);
+    }
+    expect([saved.mock.calls.length, kept()], 'not at each step').toEqual([0, undefined]);
+    await idle(500);
+    expect([saved.mock.calls.length, kept()], 'while it is still in hand').toEqual([1, 59]);
+    move(60);
+    bench.editor.settle();
+    await idle(0);
+    expect(kept(), 'let go').toBe(60);
+    move(61);
+    bench.session.keptWork.keepNow();
+    await idle(0);
+    expect(kept(), 'left').toBe(61);
   });
 
   it('edits of the simulated timer are not put onto a real one', async () => {
