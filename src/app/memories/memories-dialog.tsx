@@ -7,10 +7,10 @@ import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { ClosingButtons, JobStep } from '../write/dialog-steps.js';
+import { Difference } from '../write/difference.js';
 import { MoveServosCheck } from '../write/move-servos-check.js';
 import { SafetyCheck } from '../write/safety-check.js';
 import { UncertainNote } from '../write/uncertain-band.js';
-import { ValueTable } from '../write/value-table.js';
 import type { MemoriesStep, MemoryJobs } from './memory-jobs.js';
 import { nextFlightText } from './next-flight-line.js';
 import { isGood, type MemoriesOutcome, type MemoryChange, type MemoryEnd, type Plan } from './plan.js';
@@ -61,7 +61,7 @@ function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
     <>
       <p>{lead(session, plan)}</p>
       {changes.map((change) => (
-        <Difference key={change.memory} session={session} change={change} folded={changes.length > 1} />
+        <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
       ))}
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
       {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
@@ -77,30 +77,22 @@ function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
   );
 }
 
-interface DifferenceProps {
+interface MemoryDifferenceProps {
   readonly session: Session;
   readonly change: MemoryChange;
   readonly folded: boolean;
 }
 
 /** What changes in one memory: DT and motor stop first, then all values that differ. */
-function Difference({ session, change: { memory, before, goal, changes }, folded }: DifferenceProps) {
-  const { memories: words, write, edits } = messages.value;
-  const { identity } = before;
+function MemoryDifference({ session, change: { memory, before, goal, changes }, folded }: MemoryDifferenceProps) {
+  const { memories: words, edits } = messages.value;
   const held = keyFigures(before);
   const name = memoryText(session, memory);
   const figures = keyFigures(goal).map(({ label, text }, index) => {
     const was = held[index]?.text ?? text;
     return was === text ? words.stays(label, text) : edits.change(label, was, text);
   });
-  const table = changes.length > 0 && (
-    <ValueTable
-      identity={identity}
-      names={[write.from, write.to]}
-      rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
-      lastCounts
-    />
-  );
+  const table = changes.length > 0 && <Difference before={before} goal={goal} changes={changes} />;
   return (
     <section aria-label={name}>
       <p>
@@ -145,8 +137,8 @@ interface ResultProps {
 function Result({ session, jobs, current }: ResultProps) {
   const { memories: words, write } = messages.value;
   const { plan, outcome, kept } = current;
-  const { ends, saved, unkept, stopped } = outcome;
-  const again = unkept || stopped === 'stale';
+  const { ends, saved, notHeld, stopped } = outcome;
+  const again = notHeld || stopped === 'stale';
   return (
     <>
       <div class={`notice ${isGood(outcome) && kept ? 'good' : 'bad'}`} role="alert">
@@ -155,7 +147,7 @@ function Result({ session, jobs, current }: ResultProps) {
         {ends.map((end) => (
           <p key={end.memory}>{endText(session, end)}</p>
         ))}
-        {unkept && <NoticeText said={write.move.unkept} />}
+        {notHeld && <NoticeText said={write.move.notHeld} />}
         {!kept && <p>{words.notKept}</p>}
       </div>
       {plan.kind !== 'back-up' && <Current session={session} />}
@@ -164,7 +156,7 @@ function Result({ session, jobs, current }: ResultProps) {
         again={
           again
             ? {
-                label: unkept ? write.move.again : words.again,
+                label: notHeld ? write.move.again : words.again,
                 disabled: !session.runner.ready.value,
                 onClick: () => void jobs.open(plan),
               }

@@ -1,18 +1,15 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { differences, type ProgramField } from '../../program/index.js';
-import type { Identity } from '../../protocol/index.js';
+import { differences } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
+import { ComparisonGrid } from '../write/comparison-grid.js';
+import { LONG_LIST } from '../write/difference.js';
 import { ValueTable } from '../write/value-table.js';
-import { ComparisonGrid } from './comparison-grid.js';
 import type { Compared, Memories } from './memories.js';
 import { lastRead } from './memory-cards.js';
 import './memory-comparison.css';
-
-/** More values than these stand in the grid of the program, not one under the other. */
-const MOST_LISTED = 8;
 
 interface MemoryComparisonProps {
   readonly session: Session;
@@ -32,9 +29,7 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   const [left, right] = [first, second].map((memory) => lastRead(session.knowledge.of(memory)));
   const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
   const changes = left && right ? differences(left, right) : [];
-  const grid = changes.length > MOST_LISTED;
-  // The grid has no place for the idle throttle, nor for what a start holds that knows no motor stop.
-  const listed = grid ? changes.filter(({ field }) => !hasPlace(field, left?.identity)) : changes;
+  const grid = changes.length > LONG_LIST;
   return (
     <section class="comparison" aria-labelledby="comparison-title">
       <div class="comparison-head">
@@ -90,11 +85,11 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
               <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
             </p>
             {grid && <ComparisonGrid first={left} second={right} names={names} />}
-            {listed.length > 0 && (
+            {!grid && changes.length > 0 && (
               <ValueTable
                 identity={left.identity}
                 names={names}
-                rows={listed.map(({ field, from, to }) => ({ field, values: [from, to] }))}
+                rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
               />
             )}
           </div>
@@ -103,12 +98,6 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
       )}
     </section>
   );
-}
-
-/** Whether the grid shows a field. */
-function hasPlace(field: ProgramField, identity: Identity | undefined): boolean {
-  if (field.kind === 'idleThrottle') return false;
-  return field.kind === 'position' || field.slot > 0 || identity?.timerClass === 'Q';
 }
 
 interface ChoiceProps {

@@ -47,7 +47,7 @@ type Stopped = NonNullable<MemoriesOutcome['stopped']>;
 /** What a job over several memories has done so far. */
 interface Done {
   saved: number;
-  unkept: boolean;
+  notHeld: boolean;
   /** The memories in which the write has begun. */
   readonly begun: Set<number>;
 }
@@ -85,7 +85,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       this.show({
         step: 'done',
         plan,
-        outcome: { saved: 0, ends, stopped: end.stopped, unkept: false },
+        outcome: { saved: 0, ends, stopped: end.stopped, notHeld: false },
         kept: true,
       });
     }
@@ -99,13 +99,13 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const { knowledge, nextFlight } = this.#session;
     const { plan, changes } = shown;
     this.#kept = true;
-    const done: Done = { saved: 0, unkept: false, begun: new Set() };
+    const done: Done = { saved: 0, notHeld: false, begun: new Set() };
     const { stopped } = await this.#run(plan, async (on, options) => {
       if (on !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');
       if (plan.kind === 'back-up') done.saved = await this.#backUp(on, options);
       else await this.#write(changes, on, options, done);
     });
-    const { saved, unkept, begun } = done;
+    const { saved, notHeld, begun } = done;
     const ends = changes.map((change) => {
       const { memory } = change;
       return endOf(memory, knowledge.of(memory), change, begun.has(memory));
@@ -113,7 +113,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     // What stopped a backup stands in the notice of the page.
     if (plan.kind === 'back-up' && saved === 0) this.show(null);
     else if (plan.kind !== 'back-up' && stopped === 'aborted' && begun.size === 0) this.#nothingWritten();
-    else this.show({ step: 'done', plan, outcome: { saved, ends, stopped, unkept }, kept: this.#kept });
+    else this.show({ step: 'done', plan, outcome: { saved, ends, stopped, notHeld }, kept: this.#kept });
     // What was written may be what is on the screen.
     if (begun.size > 0) nextFlight.doubt();
     await this.#session.readIfOpen();
@@ -211,7 +211,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     await this.#roundTrip.wasRestored(identity, original, stopped);
     if (stopped) throw stopped;
     const reports = memories.map(({ report }) => report);
-    done.unkept = servoMoves.wanted(moveServos, reports);
+    done.notHeld = servoMoves.wanted(moveServos, reports);
   }
 
   #nothingWritten(): void {

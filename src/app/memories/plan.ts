@@ -45,7 +45,7 @@ export interface MemoriesOutcome {
   /** What stopped it; null when nothing did. */
   readonly stopped: TimerErrorCode | 'unexpected' | null;
   /** Positions were not kept, perhaps because the servos did not move. */
-  readonly unkept: boolean;
+  readonly notHeld: boolean;
 }
 
 /** Whether there is nothing to be said but that it was done. */

@@ -180,7 +180,7 @@ export const en = {
       why: 'This timer seems to keep positions only where its servos stand. Unless the servos move, it will probably not keep these.',
       label: 'Move the servos to each function before its positions are stored',
       hint: 'The servos will move then: hold the model safely, with nothing in their way.',
-      unkept: {
+      notHeld: {
         title: 'The timer acknowledged the positions but did not keep them.',
         advice:
           'This timer probably keeps them only where its servos stand. Write again, and let the servos move to each function.',

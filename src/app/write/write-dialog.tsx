@@ -11,6 +11,7 @@ import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
 import { CrossingCheck } from './crossing-check.js';
 import { ClosingButtons, JobStep } from './dialog-steps.js';
+import { Difference } from './difference.js';
 import { MoveServosCheck } from './move-servos-check.js';
 import { SafetyCheck } from './safety-check.js';
 import { UncertainNote } from './uncertain-band.js';
@@ -56,7 +57,7 @@ export function WriteDialog({ session, write, after }: WriteDialogProps) {
           )}
           {current.step === 'done' && (
             <Result session={session} write={write} identity={identity} done={current}>
-              {current.report.result === 'verified' && !current.unkept && after}
+              {current.report.result === 'verified' && !current.notHeld && after}
             </Result>
           )}
           {current.step === 'refused' && <Refused write={write} error={current.error} />}
@@ -112,12 +113,7 @@ function Review({ session, write, review: { shown, moved } }: ReviewProps) {
       <p>{changes.length === 0 ? words.nothing : words.lead(whereText(session, memory, shown.model))}</p>
       {changes.length > 0 && (
         <>
-          <ValueTable
-            identity={identity}
-            names={[words.from, words.to]}
-            rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
-            lastCounts
-          />
+          <Difference before={shown.baseline} goal={shown.goal} changes={changes} />
           <details>
             <summary>{words.inWords}</summary>
             <DifferenceInWords identity={identity} changes={changes} />
@@ -194,7 +190,7 @@ interface ResultProps {
 }
 
 function Result({ session, write, identity, done, children }: ResultProps) {
-  const { report, unkept } = done;
+  const { report, notHeld } = done;
   const { write: words, timer } = messages.value;
   const canWrite = session.runner.ready.value && !session.editor.blocked.value;
   const shown = report.values.filter(({ status, asked }) => status !== 'verified' || !asked);
@@ -204,7 +200,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
         <NoticeText said={words[report.result]} />
         {report.result === 'verified' && report.held && <Verdict session={session} done={done} held={report.held} />}
         {report.stopped && <NoticeText said={timer[report.stopped.code]} />}
-        {unkept && <NoticeText said={words.move.unkept} />}
+        {notHeld && <NoticeText said={words.move.notHeld} />}
         {report.repeats > 0 && <p>{words.repeats(report.repeats)}</p>}
       </div>
       {shown.length > 0 && (
@@ -223,7 +219,7 @@ function Result({ session, write, identity, done, children }: ResultProps) {
       {children}
       <ClosingButtons
         onClose={() => write.dismiss()}
-        again={unkept ? { label: words.move.again, disabled: !canWrite, onClick: () => void write.again() } : null}
+        again={notHeld ? { label: words.move.again, disabled: !canWrite, onClick: () => void write.again() } : null}
       />
     </>
   );

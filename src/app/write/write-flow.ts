@@ -44,7 +44,7 @@ export type WriteStep =
       /** What became of the write has to be seen: only its button closes it, not an Escape meant for something else. */
       readonly stays: boolean;
       /** Positions were not kept, perhaps because the servos did not move. */
-      readonly unkept: boolean;
+      readonly notHeld: boolean;
     }
   | { readonly step: 'refused'; readonly error: TimerError };
 
@@ -200,8 +200,8 @@ export class WriteFlow extends JobDialog<WriteStep> {
         if (report.result === 'verified') recognition.wrote(shown.model);
       }
       const stays = report.result !== 'verified' || signal.aborted;
-      const unkept = servoMoves.wanted(moveServos, [report]);
-      this.show({ step: 'done', report, shown, at, stays, unkept });
+      const notHeld = servoMoves.wanted(moveServos, [report]);
+      this.show({ step: 'done', report, shown, at, stays, notHeld });
     });
   }
 

@@ -168,7 +168,7 @@ describe('two memories', () => {
     expect(screen.getByText('They hold the same.')).toBeTruthy();
   });
 
-  it('stand in the grid of the program when much differs, with what has no place there below', async () => {
+  it('stand in the grid of the program when much differs, the idle throttle below', async () => {
     const { session } = await read();
     const m2 = session.knowledge.of(1);
     if (m2.state !== 'read') throw new Error('not read');
@@ -182,7 +182,7 @@ describe('two memories', () => {
     expect(row('Motor stop')).toEqual(['Motor stop', '10.0 s', '']);
     expect(row('Start')).toEqual(['Start', '', 'M2 16 M1 15', 'M2 16 M1 15', 'M2 16 M1 15']);
     expect(row('DT')[1]).toBe('M2 3:30 min M1 3:00 min');
-    expect(cells(), 'the idle throttle').toEqual(['77', '30']);
+    expect(row('Idle throttle')).toEqual(['Idle throttle', 'M2 77 M1 30', '']);
   });
 
   it('are read there where one has not been', async () => {

@@ -469,7 +469,7 @@ describe('a copy to a timer that keeps positions only where its servos stand', (
     const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
     const copy: Plan = { kind: 'copy', from: 1, to: 3 };
     await job(made, copy);
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { unkept: true } });
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { notHeld: true } });
     expect(moves()).toBe(0);
     made.session.servoMoves.allow(true);
     made.memories.jobs.dismiss();
@@ -477,7 +477,7 @@ describe('a copy to a timer that keeps positions only where its servos stand', (
     expect([made.session.servoMoves.needed, made.session.servoMoves.allowed.value]).toEqual([true, false]);
     made.session.servoMoves.allow(true);
     await run(made.memories.jobs.start());
-    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { unkept: false } });
+    expect(made.memories.jobs.current.value).toMatchObject({ step: 'done', outcome: { notHeld: false } });
     expect(made.timer.core.memories[3]?.positions[0]?.[2]).toBe(51);
     expect(moves()).toBe(1);
   });

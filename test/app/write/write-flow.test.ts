@@ -260,28 +260,28 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   const moves = ({ timer }: AppBench): number => timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
 
   /** One write has shown what it does. */
-  async function unkept(): Promise<AppBench> {
+  async function notHeld(): Promise<AppBench> {
     const bench = await connectedBench({ quirks: { servoNeedsMove: true } });
     bench.editor.type(S1, '7');
     await run(bench.write.open());
     expect(bench.session.servoMoves.needed, 'nothing is known yet').toBe(false);
     bench.session.safety.confirm();
     await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ step: 'done', unkept: true });
+    expect(bench.write.current.value).toMatchObject({ step: 'done', notHeld: true });
     return bench;
   }
 
   it('moves nothing unasked, also when it is known what the timer does', async () => {
-    const bench = await unkept();
+    const bench = await notHeld();
     await run(bench.write.again());
     expect([bench.write.current.value?.step, bench.session.servoMoves.allowed.value]).toEqual(['review', false]);
     await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'differs' }, unkept: true });
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'differs' }, notHeld: true });
     expect(moves(bench)).toBe(0);
   });
 
   it('moves them when it is asked for, once', async () => {
-    const bench = await unkept();
+    const bench = await notHeld();
     bench.write.dismiss();
     await run(bench.models.bench.moveTo(9));
     expect(bench.models.bench.done.value).not.toBeNull();
@@ -289,7 +289,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     await run(bench.write.again());
     bench.session.servoMoves.allow(true);
     await run(bench.write.start());
-    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, unkept: false });
+    expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' }, notHeld: false });
     expect([moves(bench) - before, bench.timer.core.content.positions[0]?.[2]]).toEqual([1, 7]);
     expect(bench.models.bench.done.value, 'the bench no longer says where they stand').toBeNull();
     bench.write.dismiss();
@@ -299,7 +299,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   });
 
   it('moves nothing when it was agreed to and the dialog was left', async () => {
-    const bench = await unkept();
+    const bench = await notHeld();
     await run(bench.write.again());
     bench.session.servoMoves.allow(true);
     bench.write.dismiss();
@@ -309,7 +309,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   });
 
   it('does not begin, and moves nothing, without the safety', async () => {
-    const bench = await unkept();
+    const bench = await notHeld();
     await run(bench.write.again());
     bench.session.servoMoves.allow(true);
     bench.session.safety.withdraw();
@@ -335,7 +335,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     ['a position that was kept', { status: 'verified' }, false],
     ['a position to which the servo was moved', {}, true],
   ])('was not wanted by %s', async (_, value, moved) => {
-    const { session } = await unkept();
+    const { session } = await notHeld();
     const lost: ValueReport = { field: S1, wanted: 7, held: 35, status: 'differs', asked: true };
     const reportOf = (given: ValueReport) => ({ values: [given] }) as unknown as WriteReport;
     expect(session.servoMoves.wanted(false, [reportOf(lost)])).toBe(true);
@@ -343,7 +343,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   });
 
   it('is known again after a reload, for this port and kind of timer', async () => {
-    const after = await reloaded(await unkept());
+    const after = await reloaded(await notHeld());
     await run(after.session.connect());
     expect(after.session.servoMoves.needed).toBe(true);
     const other = await connectedBench({ store: after.store, identity: { timerClass: 'B' } });
@@ -354,7 +354,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
   });
 
   it('asks the same of what finishes an interrupted write, or goes back', async () => {
-    const bench = await unkept();
+    const bench = await notHeld();
     bench.editor.type(S3, '8');
     await run(bench.write.again());
     bench.session.servoMoves.allow(true);

@@ -8,16 +8,21 @@ interface ComparisonGridProps {
   readonly second: TimerProgram;
   /** What the two are called. */
   readonly names: readonly [string, string];
+  /** The first is to take the place of the second. */
+  readonly replaces?: boolean;
 }
 
-/** Two programs in one grid: a value that both hold stands once, one that differs twice. */
-export function ComparisonGrid({ first, second, names }: ComparisonGridProps) {
+/** Two programs in one grid, whole: a value that both hold stands once, one that differs twice. */
+export function ComparisonGrid({ first, second, names, replaces = false }: ComparisonGridProps) {
   const { overview: words, program: titles, servoName } = messages.value;
   const { identity } = first;
   const servos = Array.from({ length: identity.servos }, (_, servo) => servo);
   const slots = Array.from({ length: slotCount(identity) }, (_, slot) => slot);
+  // That of the start stands for the motor stop on a Q, and for nothing on the others: it is shown where it differs.
+  const hasTime = (slot: number): boolean =>
+    slot > 0 || (identity.timerClass !== 'Q' && first.times[0] !== second.times[0]);
   return (
-    <div class="comparison-grid">
+    <div class={`comparison-grid ${replaces ? 'replaces' : ''}`}>
       <table>
         <caption class="visually-hidden">{words.compared(...names)}</caption>
         <thead>
@@ -44,12 +49,19 @@ export function ComparisonGrid({ first, second, names }: ComparisonGridProps) {
           {slots.map((slot) => (
             <tr key={slot}>
               <th scope="row">{slotLabel(identity, slot)}</th>
-              {slot === 0 ? <td /> : <Cell {...{ first, second, names }} field={{ kind: 'time', slot }} />}
+              {hasTime(slot) ? <Cell {...{ first, second, names }} field={{ kind: 'time', slot }} /> : <td />}
               {servos.map((servo) => (
                 <Cell key={servo} {...{ first, second, names }} field={{ kind: 'position', servo, slot }} />
               ))}
             </tr>
           ))}
+          {typeof (first.idleThrottle ?? second.idleThrottle) === 'number' && (
+            <tr>
+              <th scope="row">{titles.idleThrottle}</th>
+              <Cell {...{ first, second, names }} field={{ kind: 'idleThrottle' }} />
+              <td colSpan={servos.length} />
+            </tr>
+          )}
         </tbody>
       </table>
     </div>
@@ -63,7 +75,7 @@ interface CellProps extends ComparisonGridProps {
 function Cell({ first, second, names, field }: CellProps) {
   const [one, other] = [first, second].map((program) => {
     const value = valueAt(program, field);
-    return value === null ? '' : figureText(program.identity, field, value);
+    return value === null ? messages.value.write.status.unknown : figureText(program.identity, field, value);
   });
   if (one === other) return <td>{one}</td>;
   return (
