@@ -9,10 +9,10 @@ export const share = {
     copy: 'Copy link',
     send: 'Share…',
     sendFailed: 'The browser could not share it. Copy the link instead.',
-    scan: 'Or point the camera of the other device at this:',
+    scan: 'Point the camera of the other device at this code, or send the link below.',
     qr: (name: string) => `QR code of “${name}”`,
     cut: 'The end of the note has no room in the QR code. The link holds all of it.',
-    tooLong: 'This setting is too long for a QR code. The link holds it.',
+    tooLong: 'This setting is too long for a QR code. Send the link.',
     close: 'Close',
   },
   received: {

@@ -81,8 +81,8 @@ export function useLeaves(copies: readonly Copy[]): {
       leaves.value = copies.flatMap((copy, at) => setSheet(current.children[at] as Element, copy));
     };
     set();
-    // The letters may come later than the words.
-    const observer = new ResizeObserver(set);
+    // The letters may come later than the words. While it is printed there is nothing to measure.
+    const observer = new ResizeObserver(() => current.offsetWidth > 0 && set());
     for (const body of current.querySelectorAll('.leaf-body')) observer.observe(body);
     return () => observer.disconnect();
   }, [copies, leaves]);

@@ -29,6 +29,15 @@ export function Offer({ sharing, shared, page }: OfferProps) {
   return (
     <>
       <p>{words.lead}</p>
+      {qr ? (
+        <>
+          <p>{words.scan}</p>
+          <QrCode text={qr.link} label={words.qr(shared.name)} />
+          {qr.isCut && <p class="hint">{words.cut}</p>}
+        </>
+      ) : (
+        <p class="hint">{words.tooLong}</p>
+      )}
       <div class="share-link">
         <label for={id}>{words.link}</label>
         <input
@@ -52,15 +61,6 @@ export function Offer({ sharing, shared, page }: OfferProps) {
         <p class="bad-text" role="alert">
           {words.sendFailed}
         </p>
-      )}
-      {qr ? (
-        <>
-          <p>{words.scan}</p>
-          <QrCode text={qr.link} label={words.qr(shared.name)} />
-          {qr.isCut && <p class="hint">{words.cut}</p>}
-        </>
-      ) : (
-        <p class="hint">{words.tooLong}</p>
       )}
       <div class="buttons">
         <button type="button" class="primary" onClick={() => sharing.close()}>

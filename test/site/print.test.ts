@@ -1,0 +1,109 @@
+import { expect, test } from 'vitest';
+import { encodeLink, LINK_MARK, type SharedSetting } from '../../src/program/index.js';
+import { programOf } from '../app/programs.js';
+import { AppPage } from './app-page.js';
+import { PHONE } from './page.js';
+import { isWellMade } from './well-made.js';
+
+const wide = (name: string, functions: number, servos: number, note = ''): SharedSetting => ({
+  name,
+  note,
+  at: 1_795_000_000_000,
+  tags: [],
+  modelName: 'Lancer 07',
+  program: programOf(
+    'Q',
+    Array.from({ length: functions + 1 }, (_, slot) => (slot === functions ? 36_000 : 50 + slot * 38)),
+    Array.from({ length: servos }, (_, servo) =>
+      Array.from({ length: functions + 1 }, (_, slot) => (servo * 7 + slot) % 131),
+    ),
+  ),
+});
+const NOTE = `${'The tailplane was lowered by two steps because the model stalled. '.repeat(30)}\n${'x'.repeat(400)}\nlast line`;
+/** The usual one; many servos with a long note; more functions than a page has rows. */
+const SETTINGS = [wide('usual', 10, 3, 'calm'), wide('wide', 20, 8, NOTE), wide('long', 60, 2), wide('widest', 12, 12)];
+
+/** What stands beyond the room of its page, or is cut by its edge. */
+function outside(app: AppPage): Promise<string[]> {
+  return app.page.evaluate(() =>
+    [...document.querySelectorAll('.print-preview article')].flatMap((leaf) => {
+      const body = leaf.querySelector('.leaf-body')?.getBoundingClientRect();
+      const parts = leaf.querySelectorAll('.leaf-body :is(tr, p, h2, h3, svg, caption)');
+      return [...parts].flatMap((part) => {
+        const { top, bottom, left, right, width } = part.getBoundingClientRect();
+        const isIn =
+          body && top >= body.top - 1 && bottom <= body.bottom + 1 && left >= body.left - 1 && right <= body.right + 1;
+        return isIn || width === 0 ? [] : [`${leaf.className}: ${part.outerHTML.slice(0, 90)}`];
+      });
+    }),
+  );
+}
+
+/** The sizes of the pages in a PDF file, in millimetres. */
+async function sizesOf(app: AppPage): Promise<string[]> {
+  const file = (await app.page.pdf({ preferCSSPageSize: true })).toString('latin1');
+  const pages = file.match(/\/Type\s*\/Page\b(?!s)/g)?.length ?? 0;
+  const boxes = [...file.matchAll(/\/MediaBox\s*\[0 0 ([\d.]+) ([\d.]+)\]/g)].map((box) =>
+    box
+      .slice(1)
+      .map((points) => Math.round((Number(points) / 72) * 25.4))
+      .join('x'),
+  );
+  return [`${pages} pages`, ...new Set(boxes)];
+}
+
+test('sheets of several settings: every row on a page, as many pages as shown, on each paper', async () => {
+  const app = await AppPage.open();
+  for (const setting of SETTINGS) {
+    await app.page.evaluate((to) => void location.assign(to), LINK_MARK + encodeLink(setting));
+    await app.button('Keep in the library').click();
+    await app.button('Show in the library').click();
+  }
+  await app.page
+    .getByRole('link', { name: /Lancer 07/ })
+    .first()
+    .click();
+  await app.button('Print…').first().click();
+  const preview = app.page.getByRole('region', { name: 'Preview' });
+  await preview.getByRole('heading', { name: 'Lancer 07' }).nth(3).waitFor();
+  const papers = {
+    A5: '148x210',
+    A4: '210x297',
+    Letter: '216x279',
+    'A4, two to a page': '297x210',
+    'Letter, two to a page': '279x216',
+  };
+  for (const [paper, size] of Object.entries(papers)) {
+    await app.page.getByRole('radio', { name: paper, exact: true }).check();
+    // Whatever was on the screen: the letters may have come later than the words.
+    await app.page.evaluate(() => document.fonts.ready);
+    const shown = await preview.locator('.print-page').count();
+    expect(await sizesOf(app), paper).toEqual([`${shown} pages`, size]);
+    await app.page.emulateMedia({ media: 'print' });
+    expect(await outside(app), paper).toEqual([]);
+    const rows = await preview.locator('.leaf-table tbody tr').count();
+    // Each slot and the motor stop, once in each table of some servos.
+    const tables = 2;
+    expect(rows, paper).toBe(12 + 22 + 62 + tables * 14);
+    await expect.poll(() => preview.getByText('last line').count()).toBe(1);
+    await app.page.emulateMedia({ media: null });
+  }
+});
+
+test('the print view is well made, on a phone too, and prints what the browser offers', async () => {
+  for (const size of [{}, PHONE]) {
+    const app = await AppPage.open({
+      ...size,
+      before: () => {
+        window.print = () => document.body.setAttribute('data-printed', '');
+      },
+    });
+    await app.trySimulated('F1Q');
+    await app.page.evaluate(() => location.assign('#print'));
+    await app.page.getByRole('region', { name: 'Preview' }).getByRole('row', { name: /^DT/ }).waitFor();
+    await isWellMade(app, 'print', { here: app.page.viewportSize() ?? { width: 1280, height: 720 } });
+    await app.expectNoSidewaysScrolling();
+    await app.button('Print 1 page…').click();
+    expect(await app.page.locator('body[data-printed]').count()).toBe(1);
+  }
+});

@@ -1,0 +1,89 @@
+import { expect, inject, test } from 'vitest';
+import { encodeLink, LINK_MARK } from '../../src/program/index.js';
+import { SETTING } from '../program/library-examples.js';
+import { AppPage } from './app-page.js';
+import { PHONE } from './page.js';
+import { isWellMade, showTheme } from './well-made.js';
+
+const { program, name, at, tags } = SETTING;
+const SHARED = { name, note: 'Turns left after 12 s. '.repeat(20), at, tags, program, modelName: 'Lancer 07' };
+const HASH = LINK_MARK + encodeLink(SHARED);
+const arrive = (app: AppPage, hash: string): Promise<void> => app.page.evaluate((to) => void location.assign(to), hash);
+const hashOf = (app: AppPage): string => new URL(app.page.url()).hash;
+
+test('a setting that is shared by link is kept on another device, and asked for once', async () => {
+  const pilot = await AppPage.open();
+  await pilot.trySimulated('F1Q');
+  await pilot.type('DT time', '4:00');
+  await pilot.button('Save to library…').click();
+  await pilot.field('Name of the setting').fill('windy');
+  await pilot.field('Name of the model').fill('Lancer 07');
+  await pilot.button('Save').click();
+  await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await pilot.goTo('Library');
+  await pilot.page.getByRole('link', { name: /Lancer 07/ }).click();
+  await pilot.page.getByRole('link', { name: /windy/ }).click();
+  await pilot.button('Share…').click();
+  const link = await pilot.field('Link').inputValue();
+  expect(link.startsWith(`${inject('site')}#s=`)).toBe(true);
+
+  const friend = await AppPage.open();
+  await friend.page.goto('about:blank');
+  await friend.page.goto(link);
+  const dialog = friend.page.getByRole('dialog', { name: 'A setting came by link' });
+  await dialog.getByText('windy', { exact: true }).waitFor();
+  expect(await dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
+  await friend.reload();
+  await dialog.getByRole('button', { name: 'Keep in the library' }).click();
+  await dialog.getByRole('status').filter({ hasText: '“windy” is in the library.' }).waitFor();
+  await dialog.getByRole('button', { name: 'Show in the library' }).click();
+  await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
+  await friend.reload();
+  await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
+  expect(await dialog.count()).toBe(0);
+  await friend.page.goBack();
+  expect(await dialog.count(), 'nor on the way back').toBe(0);
+});
+
+test('its QR code is read back from the screen, in every theme', async () => {
+  for (const size of [{}, PHONE]) {
+    const app = await AppPage.open(size);
+    await arrive(app, HASH);
+    await app.button('Keep in the library').click();
+    await app.button('Show in the library').click();
+    await app.button('Share…').click();
+    await app.page.getByRole('img', { name: 'QR code of “calm morning”' }).waitFor();
+    await isWellMade(app, 'share', { here: app.page.viewportSize() ?? { width: 1280, height: 720 } });
+    for (const theme of ['light', 'dark', 'sun', 'forced']) {
+      if (theme === 'forced') await app.page.emulateMedia({ forcedColors: 'active', colorScheme: 'dark' });
+      else await showTheme(app, theme);
+      const buffer = await app.page.locator('.qr-code').screenshot();
+      const reader = await app.sibling();
+      await reader.goTo('Library');
+      await reader.button('Read a QR code…').click();
+      await reader.page
+        .getByLabel('Picture with a QR code')
+        .setInputFiles({ name: 'qr.png', mimeType: 'image/png', buffer });
+      await reader.page.getByText(/Turns left after 12 s\./).waitFor();
+      await reader.page.close();
+    }
+  }
+});
+
+test('a link that comes while the page is open is shown over the view that is there, and edits stay', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  await app.connect();
+  await app.type('DT time', '5:00');
+  await app.goTo('Memories');
+  await arrive(app, `${HASH.slice(0, -4)}AAAA`);
+  await app.page.getByRole('alert').filter({ hasText: 'This link cannot be read.' }).waitFor();
+  await app.button('Close').click();
+  expect(hashOf(app)).toBe('#memories');
+  await arrive(app, HASH);
+  await app.text('The timer that is connected has other functions or servos.').waitFor();
+  await isWellMade(app, 'received');
+  await app.button('Do not keep').click();
+  expect(hashOf(app)).toBe('#memories');
+  await app.goTo('Program');
+  expect(await app.valueOf('DT time')).toBe('5:00');
+});
