@@ -6,7 +6,7 @@ import { preview } from 'vite';
 /** What a host can say beside the page: see the README. */
 const HEADERS = {
   'Content-Security-Policy': "frame-ancestors 'none'",
-  'Permissions-Policy': 'serial=(self)',
+  'Permissions-Policy': 'serial=(self), camera=(self)',
   'X-Content-Type-Options': 'nosniff',
   'Cache-Control': 'no-cache',
 };
