@@ -1,0 +1,227 @@
+/** The help inside of the page. Only the parts that show it need these sentences. */
+export const guide = {
+  pages: {
+    checklist: 'Before the flight',
+    trouble: 'When something is wrong',
+    words: 'What the values are',
+    energy: 'Energy for F1Q',
+    steps: 'First steps',
+  },
+  nav: 'Help pages',
+};
+
+/** What a pilot is told who comes here for the first time. */
+export const firstSteps = {
+  title: 'First steps',
+  of: (at: number, count: number) => `${at} of ${count}`,
+  steps: {
+    read: {
+      title: 'Read the timer',
+      text: 'Click Connect, wake the timer and hold it close. The page reads what it holds. Reading changes nothing and moves nothing.',
+    },
+    write: {
+      title: 'Change and write',
+      text: 'Type over a value: what differs from the timer is marked. Write shows every difference first. The page says Verified only when it has read the timer again and found what you wanted.',
+    },
+    fly: {
+      title: 'Before you fly',
+      text: 'The top of every view says which memory flies next, and its DT. Under Help there is a checklist. All of this works without a network, and nothing leaves this device.',
+    },
+  },
+  back: 'Back',
+  next: 'Next',
+  done: 'Done',
+  skip: 'Skip',
+};
+
+/** What the values of a program are, with unit and range. */
+export const words = {
+  title: 'What the values are',
+  close: 'Close',
+  more: 'More about each',
+  range: 'Range',
+  fields: {
+    function: {
+      name: 'Function',
+      short: 'A step of the flight. At its time each servo goes to its position.',
+      more: 'The functions come one after the other: start, function 1, function 2 and so on, then DT. There is no way to switch one off. One that you do not need gets the positions of the one before: then nothing moves.',
+      range: 'Start and DT, and usually nine functions between them',
+    },
+    time: {
+      name: 'Time',
+      short: 'When a function begins, counted from launch.',
+      more: 'Type seconds, such as 12.5, or minutes and seconds, such as 2:05. For F1B and F1E the manuals do not say clearly whether the timer counts from launch or from the function before.',
+      range:
+        'By the manual, F1Q: 0.1 to 99.9 s in steps of 0.1 s. F1B: functions 1 and 2 0.01 to 9.99 s, the others 0.1 to 99.9 s. F1E: not known',
+    },
+    after: {
+      name: 'After',
+      short: 'How long after the function before it a function begins.',
+      more: 'A value that is typed here moves all later functions with it, but not DT.',
+      range: 'Seconds, as for the time',
+    },
+    position: {
+      name: 'Position',
+      short: 'Where a servo stands: S1 is the first servo, S2 the second.',
+      more: 'What angle a step is, nobody knows: it depends on the servo and the linkage. Try it on the bench. Name the servos tells the page what each one moves.',
+      range: '0 to 130 steps',
+    },
+    motorStop: {
+      name: 'Motor stop',
+      short: 'F1Q only: when the motor stops, counted from launch.',
+      more: 'It is no function: no servo moves with it. It may come anywhere between start and DT.',
+      range: 'By the manual 0.1 to 99.9 s in steps of 0.1 s',
+    },
+    dt: {
+      name: 'DT',
+      short: 'The dethermaliser: the time at which it brings the model down.',
+      more: 'It is counted from launch. A DT shorter than your own limit is shown in red: it is right for a test flight, and wrong for all others.',
+      range: 'By the manual 1 to 720 s in whole seconds. No timer can be sent more than 655 s, which is 10:55 min',
+    },
+    idleThrottle: {
+      name: 'Idle throttle',
+      short: 'F1Q only: likely how fast the motor turns while the start switch is held.',
+      more: 'It is read and written as a number. What the number means is not known.',
+      range: '0 to 100 is usual. The unit is not known',
+    },
+    memory: {
+      name: 'Memory',
+      short: 'A timer keeps several programs. The memory that is chosen in it flies next.',
+      more: 'M1 is the first memory. To look at another one does not change which one flies next.',
+      range: 'Usually four, M1 to M4. Older timers have five',
+    },
+  },
+};
+
+/** What a pilot goes through before a flight. */
+export const checklist = {
+  title: 'Before the flight',
+  lead: 'Tick as you go. The ticks are for one flight and are not kept.',
+  items: {
+    memory: { text: 'The right memory flies next.', why: 'A fly-off memory has another DT.' },
+    dtTime: { text: 'The DT time was said aloud.', why: 'A short DT from a test flight ends the next flight early.' },
+    surfaces: { text: 'Wing, tailplane and rudder sit firmly and stand as they should.', why: '' },
+    battery: { text: 'The battery is charged, and its plug is in all the way.', why: 'Without the timer no DT comes.' },
+    dtSeen: {
+      text: 'I have seen DT move.',
+      why: 'On the bench of this page, or with the timer run to its end, propeller off.',
+    },
+    radioDt: { text: 'The radio DT was tried, if there is one.', why: 'This page cannot send it.' },
+    switch: {
+      text: 'The start switch springs back by itself, each of five times.',
+      why: 'One that sticks keeps the motor idling: the sequence never begins, and no DT comes.',
+    },
+    propeller: { text: 'The propeller is tight, turns freely, and nobody is in front of it.', why: '' },
+  },
+  /** What is known of the timer at hand. */
+  known: {
+    now: (memory: string, dt: string, time: string) => `${memory} flies next, DT ${dt}, read ${time}.`,
+    once: (memory: string, dt: string, time: string | null) =>
+      time === null ? `${memory}, DT ${dt}, as last read.` : `${memory}, DT ${dt}, as last read ${time}.`,
+    not: (memory: string) => `It is not known what ${memory} holds. Read it before you fly.`,
+    memory: 'This memory',
+    simulated: 'This is a simulated timer.',
+    nothing: 'No timer has been read. Connect to see its memory and DT here.',
+    unwritten: (count: number) =>
+      count === 1 ? '1 change is not written to it.' : `${count} changes are not written to it.`,
+  },
+  left: (count: number) => (count === 1 ? '1 to go' : `${count} to go`),
+  done: 'All ticked. Good flight.',
+  again: 'Begin afresh',
+  own: {
+    label: 'Add an item of your own',
+    hint: 'Such as: tracker is on. It stays in the list.',
+    add: 'Add',
+    refused: 'It is in the list already, or the list is full.',
+    remove: (text: string) => `Remove “${text}”`,
+    removeShort: 'Remove',
+  },
+};
+
+/** What is wrong, as a pilot sees it, and what to do. Steps of the connection stand in en-help.ts. */
+export const troubles = {
+  title: 'When something is wrong',
+  lead: 'Choose what you see.',
+  symptoms: {
+    noAnswer: { title: 'The timer does not answer', steps: [] as string[] },
+    noAdapter: { title: 'The page does not find the adapter', steps: [] as string[] },
+    refused: { title: 'The port does not open', steps: [] as string[] },
+    wrongValues: {
+      title: 'The values look wrong',
+      steps: [
+        'Look at the top: it says which memory is shown, and which one flies next. Each memory has its own values.',
+        'Click Read again. On a disturbed line the page believes a reading only when two of them agree.',
+        'Does each time come before the one above it? Then the two bytes of a time may be swapped. The page asks you: compare both with what you know of the timer.',
+        'On F1B and F1E the times may be counted from the function before. Compare them with the handheld programmer.',
+        'What the page shows and what is written is not rounded. A timer may round what is finer than its manual says.',
+      ],
+    },
+    cutOff: {
+      title: 'The write broke off',
+      steps: [
+        'Do not fly this model yet. Nobody knows what the memory holds until it is read.',
+        'Wake the timer, hold it close, click Connect. The page reads it, and then offers to finish the write or to take it back.',
+        'What the timer held before is kept: see the backups under Memories.',
+      ],
+    },
+    noMove: {
+      title: 'A servo does not move',
+      steps: [
+        'Has this function the same position as the one before? Then nothing moves.',
+        'Is the plug of the servo in, and the battery charged? When the battery is plugged in, the servos go to their DT position.',
+        'Hold the model safely and click the row of the function in the Bench view. The servo goes there if the timer reaches it.',
+        'Does it go elsewhere than the table says? Some timers keep a position only where the servo stands. The page then offers to let the servos move while it writes.',
+        'Does it hum or stop before its end? The linkage may bind: try fewer steps.',
+      ],
+    },
+    noMotor: {
+      title: 'The motor does not start',
+      steps: [
+        'After a flight the timer locks the motor. Hold to UNLOCK in the Bench view frees it. The propeller may start: hold the model, and keep clear of the propeller.',
+        'Has the start switch sprung back? While it is held the motor only idles.',
+        'Is the motor stop longer than 0.1 s?',
+      ],
+    },
+  },
+};
+
+/** The energy that the rules of F1Q leave for the motor. */
+export const energy = {
+  title: 'Energy for F1Q',
+  lead: 'How long may the motor run? From the weight of the model and the power that the motor takes.',
+  weight: 'Weight of the model',
+  grams: 'g',
+  power: 'Power',
+  watts: 'W',
+  voltage: 'Battery voltage',
+  volts: 'V',
+  current: 'Battery current',
+  amperes: 'A',
+  by: 'Power known as',
+  ways: { watts: 'Watts', product: 'Volts and amperes' },
+  measured: 'Measure at the battery while the motor runs at full power.',
+  events: { rounds: 'Rounds', flyOff: 'Fly-off' },
+  event: 'Flight',
+  wrong: (least: string, most: string) => `A figure from ${least} to ${most}.`,
+  missing: 'Type the weight and the power: the motor run is worked out here.',
+  allowed: 'Allowed energy',
+  joules: (joules: number) => `${joules} J`,
+  run: 'Motor run',
+  seconds: (seconds: string) => `${seconds} s`,
+  watt: (watts: string) => `${watts} W`,
+  energyBy: {
+    weight: (perGram: number) => `${perGram} J for each gram`,
+    ceiling: (most: number) => `the most for any model: ${most} J`,
+  },
+  runBy: {
+    energy: 'then the energy is used',
+    time: (longest: number) => `the longest run: ${longest} s`,
+  },
+  onScreen: (run: string, joules: number) => `The program on the screen stops the motor at ${run}: ${joules} J.`,
+  within: 'That is within it.',
+  beyond: 'That is more than is allowed.',
+  told: (year: number) =>
+    `These figures are the rules of F1Q as pilots told them around ${year}. Rules change: check the current Sporting Code of the FAI before a contest.`,
+  flyOffTold: 'The figures for a fly-off were less certain even then.',
+  limiter: 'With an energy limiter on board the motor stops earlier when the limit is reached. DT keeps its time.',
+};
