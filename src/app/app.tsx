@@ -2,6 +2,7 @@ import { useCallback, useEffect, useRef } from 'preact/hooks';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { FLIGHTS } from './flights/flight-filter.js';
+import type { FirstSteps as FirstStepsModel } from './help/first-steps.js';
 import { messages } from './messages/index.js';
 import type { AppModels } from './models.js';
 import * as parts from './parts.js';
@@ -18,6 +19,7 @@ export function App({ models }: { readonly models: AppModels }) {
     models;
   const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
     models;
+  const { help } = models;
   const { views: words } = messages.value;
   const hasProgram = session.editor.identity.value !== null;
   const shown = views.shown.value;
@@ -40,10 +42,13 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.program.Part
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           sharing={models.sharing}
+          onExplain={() => help.explain(true)}
           onPrint={print}
         />
       ) : (
-        <StartScreen {...{ session, installation, platform }} />
+        <StartScreen {...{ session, installation, platform }}>
+          <FirstSteps session={session} steps={help.steps} />
+        </StartScreen>
       ),
     memories: () => (
       <parts.memories.Part
@@ -60,8 +65,11 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.library.Part models={models} />
       ),
     print: () => <parts.print.Part session={session} order={models.printOrder} onPrint={() => window.print()} />,
+    help: () => <parts.help.Part {...{ session, help, platform }} path={views.path.value} />,
     line: () => <parts.line.Part session={session} view={line.view} form={line.form} />,
-    settings: () => <parts.settings.Part {...{ session, preferences, theme, density, erase, views }} />,
+    settings: () => (
+      <parts.settings.Part {...{ session, preferences, theme, density, erase, views, installation, update }} />
+    ),
   };
   return (
     <>
@@ -77,4 +85,11 @@ export function App({ models }: { readonly models: AppModels }) {
       <parts.dialogs.Part models={models} />
     </>
   );
+}
+
+/** For who comes here for the first time: whoever has something here has been here. */
+function FirstSteps({ session, steps }: { readonly session: AppModels['session']; readonly steps: FirstStepsModel }) {
+  const { backups, keptPrograms, library } = session;
+  const isKnown = [backups.list, keptPrograms.list, library.models.list].some(({ value }) => value.length > 0);
+  return isKnown || steps.shown.value === null ? null : <parts.firstSteps.Part steps={steps} />;
 }

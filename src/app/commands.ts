@@ -2,8 +2,10 @@ import { fieldKey } from '../program/index.js';
 import type { Identity } from '../protocol/index.js';
 import { setValues } from './editing/edit.js';
 import { FLIGHTS } from './flights/flight-filter.js';
+import { HELP_PAGES } from './help/help.js';
 import type { SaveSetting } from './library/save-setting.js';
 import { offerScreen } from './library/share/share-screen.js';
+import { guide } from './messages/en-guide.js';
 import { flightMessages } from './messages/flights.js';
 import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
 import { libraryMessages } from './messages/library.js';
@@ -141,6 +143,8 @@ function pageCommands({ views, theme, erase, sharing }: AppModels): Command[] {
       name: palette.goTo(words.names[view]),
       run: () => views.show(view),
     })),
+    { name: palette.help, keys: '?', run: () => views.show('help') },
+    ...HELP_PAGES.map((page) => ({ name: palette.helpOn(guide.pages[page]), run: () => views.show('help', page) })),
     ...THEMES.filter((name) => name !== theme.chosen.value).map((name) => ({
       name: palette.theme(themes.names[name]),
       run: () => theme.choose(name),

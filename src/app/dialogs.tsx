@@ -1,6 +1,7 @@
 import { commandsOf } from './commands.js';
 import { FlightDialog } from './flights/flight-dialog.js';
 import { FlyingThis } from './flights/flying-this.js';
+import { WordsDialog } from './help/field-words.js';
 import { FileDrop } from './library/files/file-drop.js';
 import { ImportDialog } from './library/files/import-dialog.js';
 import { addressPath } from './library/place.js';
@@ -11,13 +12,14 @@ import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
 import { ModelDialog } from './recognition/model-dialog.js';
 import { EraseDialog } from './settings/erase-dialog.js';
+import { HelpKey } from './shell/help-key.js';
 import { NewsDialog } from './shell/news-dialog.js';
 import { Palette } from './shell/palette.js';
 import { WriteDialog } from './write/write-dialog.js';
 
 /** What can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
-  const { session, views, sharing, write, memories, leaving, flights, erase, update, saveSetting } = models;
+  const { session, views, sharing, write, memories, leaving, flights, erase, update, saveSetting, help } = models;
   const after = (
     <>
       <FlyingThis session={session} log={flights} onFillIn={() => write.dismiss()} />
@@ -43,6 +45,12 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
         onLibrary={(model, key) => views.show('library', addressPath(model, key))}
       />
       <EraseDialog session={session} erase={erase} />
+      <WordsDialog
+        help={help}
+        hasMotor={session.editor.identity.value?.timerClass === 'Q'}
+        onMore={() => views.show('help', 'words')}
+      />
+      <HelpKey views={views} />
       <NewsDialog update={update} />
       <Palette commands={() => commandsOf(models)} />
     </>

@@ -5,6 +5,7 @@ import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
 import { Installation } from './connect/installation.js';
 import { FlightLog } from './flights/flight-log.js';
+import { Help } from './help/help.js';
 import { Browse } from './library/browse.js';
 import { LibraryFiles } from './library/files/library-files.js';
 import { SaveSetting } from './library/save-setting.js';
@@ -64,6 +65,7 @@ export interface AppModels {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly installation: Installation;
+  readonly help: Help;
   /** What the pilot sits at: it chooses sentences, nothing else. */
   readonly platform: Platform;
 }
@@ -132,6 +134,7 @@ export function createModels({
     update: new UpdateOffer(session),
     portHolder: new PortHolder(session, channel),
     installation: new Installation(),
+    help: new Help(session),
     platform,
   };
 }

@@ -12,6 +12,10 @@ export const flights = onDemand(async () => (await import('./flights/flights-vie
 export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
 export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
 export const print = onDemand(async () => (await import('./print/print-view.js')).PrintView);
+export const help = onDemand(async () => (await import('./shell/help-view.js')).HelpView);
+export const firstSteps = onDemand(async () => (await import('./help/first-steps-card.js')).FirstStepsCard, {
+  silent: true,
+});
 export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, { silent: true });
 
 /** What the simulated timers are made of. */
@@ -35,6 +39,8 @@ export async function fetchParts(): Promise<void> {
     print,
     flights,
     fileNotice,
+    help,
+    firstSteps,
   ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.

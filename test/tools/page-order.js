@@ -11,7 +11,7 @@ const ORDER = [
   // The files that lie in src/app itself: the start, the models, the views that are shown.
   ['app'],
   ['shell'],
-  ['connect', 'program', 'bench', 'memories', 'recognition', 'library', 'flights', 'print', 'line', 'settings'],
+  ['connect', 'program', 'bench', 'memories', 'recognition', 'library', 'flights', 'print', 'help', 'line', 'settings'],
   // Memories and bench write, too.
   ['write'],
   ['timeline'],

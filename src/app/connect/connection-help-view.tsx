@@ -15,15 +15,25 @@ interface ConnectionHelpProps {
   readonly address?: string;
 }
 
-/** What to do, step by step, folded up under the notice: for this system first, for the others folded up once more. */
-export function ConnectionHelp({ code, platform, info, address = location.href }: ConnectionHelpProps) {
-  const { title, on, systems } = messages.value.help;
+/** What to do, step by step, folded up under the notice. */
+export function ConnectionHelp({ address = location.href, ...situation }: ConnectionHelpProps) {
+  const { code } = situation;
   useEffect(() => () => document.documentElement.removeAttribute('data-help'), []);
-  const { here, elsewhere } = helpFor(code, { platform, info, address });
-  if (here.length === 0) return null;
+  if (helpFor(code, { ...situation, address }).here.length === 0) return null;
   return (
     <details key={code} class="help" onToggle={({ currentTarget }) => keepInSight(currentTarget)}>
-      <summary>{title}</summary>
+      <summary>{messages.value.help.title}</summary>
+      <HelpSteps {...situation} address={address} />
+    </details>
+  );
+}
+
+/** What to do, step by step: for this system first, for the others folded up. */
+export function HelpSteps({ code, platform, info, address = location.href }: ConnectionHelpProps) {
+  const { on, systems } = messages.value.help;
+  const { here, elsewhere } = helpFor(code, { platform, info, address });
+  return (
+    <>
       <Steps steps={here} />
       {elsewhere.map(({ system, steps }) => (
         <details key={system}>
@@ -31,7 +41,7 @@ export function ConnectionHelp({ code, platform, info, address = location.href }
           <Steps steps={steps} />
         </details>
       ))}
-    </details>
+    </>
   );
 }
 

@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import type { Platform } from '../browser/platform.js';
 import { clockText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -19,10 +20,12 @@ interface StartScreenProps {
   readonly platform: Platform;
   /** The address of the page. */
   readonly address?: string;
+  /** What stands between Connect and what this device keeps. */
+  readonly children?: ComponentChildren;
 }
 
 /** Before anything was read: Connect with its three steps, what this device keeps, and what can be done without. */
-export function StartScreen({ session, installation, platform, address = location.href }: StartScreenProps) {
+export function StartScreen({ session, installation, platform, address = location.href, children }: StartScreenProps) {
   const { start } = messages.value;
   const { unavailable } = session.link;
   if (hasStage(session)) return <LinkStage session={session} platform={platform} />;
@@ -50,6 +53,7 @@ export function StartScreen({ session, installation, platform, address = locatio
         </div>
         <KeptPicture session={session} />
       </div>
+      {children}
       <div class="start-cards">
         <KeptPrograms session={session} />
         <Simulated session={session} />
@@ -88,6 +92,7 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
           {start.install}
         </button>
       )}
+      <a href="#help">{start.help}</a>
       <a href="#settings">{start.settings}</a>
     </p>
   );

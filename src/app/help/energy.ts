@@ -48,7 +48,7 @@ export function allowanceFor({ perGram, most, longest }: EnergyRule, weight: num
 
 /** The energy that a motor run takes: joules, rounded up. @param run in hundredths of a second. */
 export function energyOf(run: number, power: number): number {
-  return Math.ceil((run * power) / 100 - TINY);
+  return Math.max(0, Math.ceil((run * power) / 100 - TINY));
 }
 
 /** What a sum of fractions may be off by. */

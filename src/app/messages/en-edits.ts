@@ -85,6 +85,7 @@ export const edits = {
     done: 'Done',
   },
   table: {
+    explain: 'What the values are',
     interval: 'After',
     intervalHint: 'Time after the function before',
     showIntervals: 'Show intervals',

@@ -7,13 +7,20 @@ export const guide = {
     energy: 'Energy for F1Q',
     steps: 'First steps',
   },
+  /** The same where there is little room. */
+  short: {
+    checklist: 'Checklist',
+    trouble: 'Trouble',
+    words: 'Values',
+    energy: 'Energy',
+    steps: 'First steps',
+  },
   nav: 'Help pages',
 };
 
 /** What a pilot is told who comes here for the first time. */
 export const firstSteps = {
-  title: 'First steps',
-  of: (at: number, count: number) => `${at} of ${count}`,
+  of: (at: number, count: number) => `First steps, ${at} of ${count}`,
   steps: {
     read: {
       title: 'Read the timer',
@@ -39,13 +46,13 @@ export const words = {
   title: 'What the values are',
   close: 'Close',
   more: 'More about each',
-  range: 'Range',
+  range: (range: string) => `Range: ${range}.`,
   fields: {
     function: {
       name: 'Function',
       short: 'A step of the flight. At its time each servo goes to its position.',
       more: 'The functions come one after the other: start, function 1, function 2 and so on, then DT. There is no way to switch one off. One that you do not need gets the positions of the one before: then nothing moves.',
-      range: 'Start and DT, and usually nine functions between them',
+      range: 'Usually start, nine functions and DT',
     },
     time: {
       name: 'Time',

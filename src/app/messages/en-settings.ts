@@ -4,6 +4,7 @@ export const theme = { title: 'Colours', names: { system: 'System', light: 'Ligh
 /** What a pilot has set once. */
 export const settings = {
   title: 'Settings',
+  help: 'Help: checklist, trouble, values, energy',
   look: 'Look',
   expert: 'Expert: show the line',
   expertHint:

@@ -17,6 +17,7 @@ export const start = {
   },
   readyOffline: 'Ready offline',
   install: 'Install',
+  help: 'Help',
   settings: 'Settings',
   /** The program that is drawn. */
   picture: {

@@ -16,3 +16,13 @@ export const update = {
   version: (version: string) => `Version ${version}`,
   close: 'Close',
 };
+
+/** Which version of the page this is. */
+export const aboutPage = {
+  title: 'This page',
+  version: (version: string) => `Sidus Timer ${version}.`,
+  offline: 'All of it is on this device: it works without a network.',
+  notOffline: 'It is not kept on this device yet: open it once with a network.',
+  take: (version: string | null) =>
+    version === null ? 'Use the new version now' : `Use the new version ${version} now`,
+};

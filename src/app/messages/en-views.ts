@@ -9,6 +9,7 @@ export const views = {
     line: 'Line',
     settings: 'Settings',
     print: 'Print',
+    help: 'Help',
   },
   /** The title of the window: “Memories · Sidus Timer”. */
   window: (view: string, name: string) => `${view} · ${name}`,
@@ -45,6 +46,8 @@ export const palette = {
   print: 'Print this program…',
   share: 'Share this program…',
   readCode: 'Read a QR code or a link…',
+  help: 'Help',
+  helpOn: (page: string) => `Help: ${page}`,
   goTo: (view: string) => `Go to ${view}`,
   theme: (name: string) => `Colours: ${name}`,
 };

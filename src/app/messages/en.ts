@@ -15,7 +15,7 @@ import { backups, recovery } from './en-recovery.js';
 import { density, settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
 import { newProgram, start } from './en-start.js';
-import { update } from './en-update.js';
+import { aboutPage, update } from './en-update.js';
 import { palette, parts, strip, views } from './en-views.js';
 
 type Params = Readonly<Record<string, string>>;
@@ -231,6 +231,7 @@ export const en = {
     exchange: 'Swap them and read again',
   },
   update,
+  aboutPage,
   help,
   otherTab: {
     /** @param what empty while that tab has not read a timer. */

@@ -22,6 +22,8 @@ import './program-table.css';
 interface ProgramTableProps extends Pick<ProgramRowProps, 'session' | 'bench' | 'follow' | 'marked'> {
   /** Those of the rows, where they are opened from elsewhere too. Default: its own. */
   readonly tools?: RowTools;
+  /** Tells what the values are. */
+  readonly onExplain: () => void;
 }
 
 /** More rows or columns than these are looked at in a part, with the heads in sight. */
@@ -29,7 +31,7 @@ const MOST_SLOTS = 12;
 const MOST_SERVOS = 4;
 
 /** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
-export function ProgramTable({ session, bench, follow, marked, tools: given }: ProgramTableProps) {
+export function ProgramTable({ session, bench, follow, marked, tools: given, onExplain }: ProgramTableProps) {
   const { editor } = session;
   const { program, edits } = messages.value;
   const selection = useMemo(() => new Selection(), []);
@@ -114,7 +116,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given }: P
         >
           <caption class="visually-hidden">{program.tableCaption}</caption>
           <TableHead
-            {...{ editor, identity, servos }}
+            {...{ editor, identity, servos, onExplain }}
             onSwitch={() => {
               intervals.value = !intervals.value;
             }}

@@ -11,17 +11,26 @@ interface TableHeadProps {
   readonly servos: readonly number[];
   /** Where there is room for one of the two, the other one is shown. */
   readonly onSwitch: () => void;
+  /** Tells what the values are. */
+  readonly onExplain: () => void;
 }
 
 /** What the columns hold, and in which unit; for a servo also what can be done to all of its positions. */
-export function TableHead({ editor, identity, servos, onSwitch }: TableHeadProps) {
+export function TableHead({ editor, identity, servos, onSwitch, onExplain }: TableHeadProps) {
   const { program, edits, servoName } = messages.value;
   const { table } = edits;
   return (
     <thead>
       <tr>
-        <th scope="col">
+        <th scope="col" aria-label={program.slot}>
           <span class="visually-hidden">{program.slot}</span>
+          <button
+            type="button"
+            class="head-help"
+            aria-label={table.explain}
+            title={table.explain}
+            onClick={onExplain}
+          />
         </th>
         <TimeHead class="time" switchTo={table.showIntervals} onSwitch={onSwitch}>
           {program.time}

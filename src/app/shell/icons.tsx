@@ -1,6 +1,6 @@
 import type { VIEWS } from './views.js';
 
-type Linked = (typeof VIEWS)[number];
+type Linked = (typeof VIEWS)[number] | 'help';
 
 /** One path for each view, in a square of 24. */
 const PATHS: Readonly<Record<Linked, string>> = {
@@ -10,6 +10,7 @@ const PATHS: Readonly<Record<Linked, string>> = {
   bench: 'M5 12a4 4 0 1 0 8 0a4 4 0 1 0-8 0M13 12h8M9 8V3M9 21v-5',
   library: 'M5 4h4v16H5zM11 4h4v16h-4zM17 5l3 .7-3 14',
   line: 'M3 12h4l2-6 4 12 2-6h6',
+  help: 'M9 9.2a3 3 0 1 1 4.2 2.8c-.8.4-1.2 1-1.2 1.8M12 17h.01M3 12a9 9 0 1 0 18 0a9 9 0 1 0-18 0',
   settings:
     'M8.8 12a3.2 3.2 0 1 0 6.4 0a3.2 3.2 0 1 0-6.4 0M12 3v3M12 18v3M3 12h3M18 12h3M5.6 5.6l2 2M16.4 16.4l2 2M18.4 5.6l-2 2M7.6 16.4l-2 2',
 };

@@ -33,12 +33,15 @@ export interface ProgramViewProps {
   readonly programPicture: ProgramPicture;
   readonly sharing: Sharing;
   readonly onPrint: () => void;
+  /** Tells what the values of the table are. */
+  readonly onExplain: () => void;
   readonly saveSetting: SaveSetting;
 }
 
 /** What the timer holds and what it shall hold: the large figures, the table, the checks, and the way to the timer. */
 export function ProgramView(props: ProgramViewProps) {
-  const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing, onPrint } = props;
+  const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing } = props;
+  const { onPrint, onExplain } = props;
   const { program, header, about, views } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
@@ -108,7 +111,7 @@ export function ProgramView(props: ProgramViewProps) {
         {looking === null ? (
           <div class="of-memory" inert={leaving}>
             {!isNarrow && <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />}
-            <ProgramTable {...{ session, bench, follow, marked, tools }} />
+            <ProgramTable {...{ session, bench, follow, marked, tools, onExplain }} />
             {(identity.timerClass === 'B' || identity.timerClass === 'E') && <p class="hint">{program.absolute}</p>}
           </div>
         ) : (

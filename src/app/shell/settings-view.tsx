@@ -1,4 +1,5 @@
 import { AboutTimer } from '../connect/about-timer.js';
+import type { Installation } from '../connect/installation.js';
 import { PortList, SerialSettingsForm } from '../connect/port-list.js';
 import { messages } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
@@ -9,6 +10,8 @@ import type { Erase } from '../settings/erase.js';
 import { ShortDtLimit } from '../settings/short-dt-limit.js';
 import type { Theme } from '../settings/theme.js';
 import { ThemeChoice } from '../settings/theme-choice.js';
+import { AboutPage } from './about-page.js';
+import type { UpdateOffer } from './update-offer.js';
 import type { Views } from './views.js';
 import './settings-view.css';
 
@@ -19,14 +22,22 @@ export interface SettingsViewProps {
   readonly density: Density;
   readonly erase: Erase;
   readonly views: Views;
+  readonly installation: Installation;
+  readonly update: UpdateOffer;
 }
 
 /** What is set once: how the page looks, the adapters, what this device keeps. */
-export function SettingsView({ session, preferences, theme, density, erase, views }: SettingsViewProps) {
+export function SettingsView(props: SettingsViewProps) {
+  const { session, preferences, theme, density, erase, views, installation, update } = props;
   const { settings: words, erase: eraseWords, shortDt } = messages.value;
   return (
     <>
       <h1>{words.title}</h1>
+      <p>
+        <a class="to-help-page" href="#help">
+          {words.help}
+        </a>
+      </p>
       <section class="setting">
         <h2>{words.look}</h2>
         <ThemeChoice theme={theme} />
@@ -62,6 +73,7 @@ export function SettingsView({ session, preferences, theme, density, erase, view
           </button>
         </div>
       </section>
+      <AboutPage installation={installation} update={update} />
     </>
   );
 }

@@ -13,9 +13,12 @@ export function ViewLinks({ views }: { readonly views: Views }) {
   const nav = useRef<HTMLElement>(null);
   useHeight(nav, areBelow ? '--tabs' : '--rail');
   const shown = views.shown.value;
+  const wanted = VIEWS.filter((view) => view !== 'line' || views.expert.value || shown === 'line');
+  // A phone has no room for a sixth: the way to the help is in the settings.
+  const inRail = areBelow ? wanted : wanted.flatMap((view) => (view === 'settings' ? (['help', view] as const) : view));
   return (
     <nav class="view-links" aria-label={words.title} ref={nav}>
-      {VIEWS.filter((view) => view !== 'line' || views.expert.value || shown === 'line').map((view) => (
+      {inRail.map((view) => (
         <a key={view} href={`#${view}`} class={`to-${view}`} aria-current={view === shown ? 'page' : undefined}>
           <ViewIcon view={view} />
           {words.names[view]}

@@ -7,7 +7,7 @@ import { isLink } from '../library/share/sharing.js';
 /** The views of the page, in the order in which they stand in the rail. */
 export const VIEWS = ['program', 'memories', 'bench', 'library', 'line', 'settings'] as const;
 /** Views that are reached from others, and have no place in the rail. */
-const SIDE_VIEWS = ['print'] as const;
+const SIDE_VIEWS = ['print', 'help'] as const;
 export type View = (typeof VIEWS | typeof SIDE_VIEWS)[number];
 
 /** What a view is told of the window: its address, and when that changes. */

@@ -15,6 +15,8 @@ describe('the start', () => {
     await opened();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual([
       'Connect',
+      'Skip',
+      'Next',
       'New program…',
       'F1Q',
       'F1B',

@@ -1,0 +1,76 @@
+import { useId } from 'preact/hooks';
+import { words } from '../messages/en-guide.js';
+import { Modal } from '../ui/modal.js';
+import type { Help } from './help.js';
+import './field-words.css';
+
+type Field = keyof typeof words.fields;
+const FIELDS = Object.keys(words.fields) as Field[];
+/** What stands only where a motor is. */
+const MOTOR: ReadonlySet<Field> = new Set(['motorStop', 'idleThrottle']);
+
+/** What each value is, in full. */
+export function WordsPage() {
+  return (
+    <dl class="field-words">
+      {FIELDS.map((field) => {
+        const { name, short, more, range } = words.fields[field];
+        return (
+          <div key={field}>
+            <dt>{name}</dt>
+            <dd>
+              <p>
+                {short} {more}
+              </p>
+              <p class="field-range">{words.range(range)}</p>
+            </dd>
+          </div>
+        );
+      })}
+    </dl>
+  );
+}
+
+interface WordsDialogProps {
+  readonly help: Help;
+  /** Whether the timer has one. */
+  readonly hasMotor: boolean;
+  /** All of it is to be shown. */
+  readonly onMore: () => void;
+}
+
+/** The same in short, over the table that it is about. */
+export function WordsDialog({ help, hasMotor, onMore }: WordsDialogProps) {
+  const titleId = useId();
+  const close = (): void => help.explain(false);
+  return (
+    <Modal open={help.explaining.value} title={words.title} titleId={titleId} held={false} onEscape={close}>
+      <dl class="field-words">
+        {FIELDS.filter((field) => hasMotor || !MOTOR.has(field)).map((field) => (
+          <div key={field}>
+            <dt>{words.fields[field].name}</dt>
+            <dd>
+              <p>{words.fields[field].short}</p>
+              <p class="field-range">{words.range(words.fields[field].range)}</p>
+            </dd>
+          </div>
+        ))}
+      </dl>
+      <div class="buttons">
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            close();
+            onMore();
+          }}
+        >
+          {words.more}
+        </button>
+        <button type="button" class="primary" onClick={close}>
+          {words.close}
+        </button>
+      </div>
+    </Modal>
+  );
+}

@@ -1,0 +1,16 @@
+import { guide } from '../messages/en-guide.js';
+import { HELP_PAGES, type HelpPage } from './help.js';
+import './help-nav.css';
+
+/** From one page of the help to another. */
+export function HelpNav({ shown }: { readonly shown: HelpPage }) {
+  return (
+    <nav class="help-nav" aria-label={guide.nav}>
+      {HELP_PAGES.map((page) => (
+        <a key={page} href={`#help/${page}`} aria-current={page === shown ? 'page' : undefined}>
+          {guide.short[page]}
+        </a>
+      ))}
+    </nav>
+  );
+}

@@ -1,0 +1,34 @@
+import type { ComponentChildren } from 'preact';
+import { troubles as words } from '../messages/en-guide.js';
+import './trouble-page.css';
+
+export type Symptom = keyof typeof words.symptoms;
+const SYMPTOMS = Object.keys(words.symptoms) as Symptom[];
+
+/**
+ * What to do, by what a pilot sees.
+ * @param connection what is told about the connection, where a symptom has to do with it.
+ */
+export function TroublePage({ connection }: { readonly connection: (symptom: Symptom) => ComponentChildren }) {
+  return (
+    <div class="trouble-page">
+      <p>{words.lead}</p>
+      {SYMPTOMS.map((symptom) => {
+        const { title, steps } = words.symptoms[symptom];
+        return (
+          <details key={symptom} name="symptom">
+            <summary>{title}</summary>
+            {steps.length > 0 && (
+              <ol>
+                {steps.map((step) => (
+                  <li key={step}>{step}</li>
+                ))}
+              </ol>
+            )}
+            {connection(symptom)}
+          </details>
+        );
+      })}
+    </div>
+  );
+}

@@ -1,0 +1,43 @@
+import { news } from '../browser/news.js';
+import type { Installation } from '../connect/installation.js';
+import { messages } from '../messages/index.js';
+import { ReleaseList } from './release-list.js';
+import type { UpdateOffer } from './update-offer.js';
+
+interface AboutPageProps {
+  readonly installation: Installation;
+  readonly update: UpdateOffer;
+}
+
+/** Which version this is, what is new in it, whether it works without a network, and where help is. */
+export function AboutPage({ installation, update }: AboutPageProps) {
+  const { aboutPage: words, update: updateWords, start } = messages.value;
+  const install = installation.install.value;
+  const take = update.take.value;
+  return (
+    <section class="setting">
+      <h2>{words.title}</h2>
+      <p>
+        {words.version(news.version)} {installation.ready.value ? words.offline : words.notOffline}
+      </p>
+      {news.releases.length > 0 && (
+        <details>
+          <summary>{updateWords.news}</summary>
+          <ReleaseList releases={news.releases} />
+        </details>
+      )}
+      <div class="buttons">
+        {take && (
+          <button type="button" onClick={take}>
+            {words.take(update.version.value)}
+          </button>
+        )}
+        {install && (
+          <button type="button" onClick={install}>
+            {start.install}
+          </button>
+        )}
+      </div>
+    </section>
+  );
+}

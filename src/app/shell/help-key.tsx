@@ -1,0 +1,20 @@
+import { useEffect } from 'preact/hooks';
+import type { Views } from './views.js';
+
+/** The key `?` leads to the help, but where something is typed or a dialog asks. */
+export function HelpKey({ views }: { readonly views: Views }) {
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent): void => {
+      const { target, key, ctrlKey, metaKey, altKey } = event;
+      const isTyped =
+        target instanceof Element && target.closest('input, textarea, select, [contenteditable]') !== null;
+      if (key !== '?' || ctrlKey || metaKey || altKey || isTyped) return;
+      if (document.querySelector('dialog[open]') !== null) return;
+      event.preventDefault();
+      views.show('help');
+    };
+    document.addEventListener('keydown', onKey);
+    return () => document.removeEventListener('keydown', onKey);
+  }, [views]);
+  return null;
+}

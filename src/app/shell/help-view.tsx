@@ -1,0 +1,77 @@
+import type { Platform } from '../browser/platform.js';
+import type { HelpCode } from '../connect/connection-help.js';
+import { connectionSaid, HelpSteps } from '../connect/connection-help-view.js';
+import { ChecklistPage } from '../help/checklist-page.js';
+import { EnergyPage } from '../help/energy-page.js';
+import { WordsPage } from '../help/field-words.js';
+import { FirstStepsPage } from '../help/first-steps-card.js';
+import { type Help, type HelpPage, helpPageAt } from '../help/help.js';
+import { HelpNav } from '../help/help-nav.js';
+import { type Symptom, TroublePage } from '../help/trouble-page.js';
+import { guide } from '../messages/en-guide.js';
+import { messages } from '../messages/index.js';
+import type { Session } from '../session/session.js';
+import { NoticeText } from '../ui/notice-text.js';
+
+export interface HelpViewProps {
+  readonly session: Session;
+  readonly help: Help;
+  readonly platform: Platform;
+  /** The page of the help, as the address says it. */
+  readonly path: string;
+}
+
+/** What a pilot can look up, on the field, too. */
+export function HelpView({ session, help, platform, path }: HelpViewProps) {
+  const shown = helpPageAt(path);
+  const pages: Record<HelpPage, () => preact.JSX.Element> = {
+    checklist: () => <ChecklistPage checklist={help.checklist} session={session} />,
+    trouble: () => (
+      <TroublePage connection={(symptom) => <Connection session={session} platform={platform} symptom={symptom} />} />
+    ),
+    words: () => <WordsPage />,
+    energy: () => <EnergyPage motorStop={motorStopOf(session)} />,
+    steps: () => <FirstStepsPage />,
+  };
+  return (
+    <>
+      <h1>{messages.value.views.names.help}</h1>
+      <HelpNav shown={shown} />
+      <section class="help-page" aria-labelledby="help-page-title">
+        <h2 id="help-page-title">{guide.pages[shown]}</h2>
+        {pages[shown]()}
+      </section>
+    </>
+  );
+}
+
+/** Where a symptom has to do with the connection: what the page says there of itself when it happens. */
+const CODES: Partial<Readonly<Record<Symptom, HelpCode>>> = {
+  noAnswer: 'waiting',
+  noAdapter: 'nothing-chosen',
+  refused: 'busy',
+  cutOff: 'lost',
+};
+
+interface ConnectionProps extends Pick<HelpViewProps, 'session' | 'platform'> {
+  readonly symptom: Symptom;
+}
+
+function Connection({ session, platform, symptom }: ConnectionProps) {
+  const asked = CODES[symptom];
+  if (!asked) return null;
+  const { unavailable } = session.link;
+  const code = unavailable && symptom === 'noAdapter' ? unavailable : asked;
+  return (
+    <div class="help">
+      {code === unavailable && <NoticeText said={connectionSaid(unavailable, platform)} />}
+      <HelpSteps code={code} platform={platform} info={null} />
+    </div>
+  );
+}
+
+/** In hundredths of a second; null where the program on the screen has none. */
+function motorStopOf({ editor }: Session): number | null {
+  const program = editor.working.value;
+  return program?.identity.timerClass === 'Q' ? (program.times[0] ?? null) : null;
+}

@@ -1,0 +1,220 @@
+import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
+import { afterEach, describe, expect, it } from 'vitest';
+import { idle, type MemoryStore, reloaded, run } from '../bench/bench.js';
+import { button, connected, drawn, goTo, opened, press, type } from '../screen.js';
+
+const PAGES = {
+  checklist: 'Before the flight',
+  trouble: 'When something is wrong',
+  words: 'What the values are',
+  energy: 'Energy for F1Q',
+  steps: 'First steps',
+};
+type Page = keyof typeof PAGES;
+
+/** Goes to a page of the help, as its link does. */
+async function look(models: { views: { show(view: 'help', path: string): void } }, page: string): Promise<void> {
+  act(() => models.views.show('help', page));
+  await idle(0);
+}
+
+afterEach(() => localStorage.clear());
+
+describe('the help', () => {
+  it.each(Object.keys(PAGES) as Page[])('has a page of its own for: %s', async (page) => {
+    const { models } = await opened();
+    await look(models, page);
+    expect(screen.getByRole('heading', { level: 2, name: PAGES[page] })).toBeTruthy();
+    const current = within(screen.getByRole('navigation', { name: 'Help pages' })).getAllByRole('link');
+    expect(current.filter((link) => link.getAttribute('aria-current') === 'page')).toHaveLength(1);
+  });
+
+  it.each(['', 'nowhere', 'words/more', 'constructor'])('begins with the checklist at “%s”', async (path) => {
+    const { models } = await opened();
+    await look(models, path);
+    expect(screen.getByRole('heading', { level: 2, name: 'Before the flight' })).toBeTruthy();
+  });
+
+  it('opens by the key ?, but not where that is typed or a dialog asks', async () => {
+    const { views } = await connected();
+    const hit = (target: Element): void => {
+      act(() => void fireEvent.keyDown(target, { key: '?' }));
+    };
+    hit(screen.getByRole('textbox', { name: 'DT time' }));
+    expect(views.shown.value).toBe('program');
+    await press('What the values are');
+    hit(document.body);
+    expect(views.shown.value).toBe('program');
+    await press('Close');
+    hit(document.body);
+    expect(views.shown.value).toBe('help');
+  });
+
+  it('is told in short over the table that it is about, and leads to the rest', async () => {
+    const { views } = await connected();
+    await press('What the values are');
+    const dialog = within(screen.getByRole('dialog', { name: 'What the values are' }));
+    expect(dialog.getByText('Range: 0 to 130 steps.')).toBeTruthy();
+    expect(dialog.getByText('Motor stop')).toBeTruthy();
+    fireEvent.click(dialog.getByRole('button', { name: 'More about each' }));
+    await idle(0);
+    expect([views.shown.value, views.path.value, screen.queryByRole('dialog')]).toEqual(['help', 'words', null]);
+  });
+
+  it('tells nothing of a motor where there is none', async () => {
+    await connected({ identity: { timerClass: 'B' } });
+    await press('What the values are');
+    expect(within(screen.getByRole('dialog')).queryByText('Motor stop')).toBeNull();
+  });
+});
+
+describe('the first steps', () => {
+  it('are three, stand below Connect, and are not shown again when they were seen', async () => {
+    const bench = await opened();
+    expect(screen.getByText('First steps, 1 of 3')).toBeTruthy();
+    const connect = button('Connect');
+    const card = screen.getByRole('region', { name: 'Read the timer' });
+    expect(connect.compareDocumentPosition(card) & Node.DOCUMENT_POSITION_FOLLOWING).toBeTruthy();
+    await press('Next');
+    await press('Next');
+    expect(screen.getByText('First steps, 3 of 3')).toBeTruthy();
+    await press('Back');
+    await press('Next');
+    await press('Done');
+    expect(screen.queryByText(/^First steps, /)).toBeNull();
+    cleanup();
+    await drawn(await reloaded(bench));
+    expect(screen.queryByText(/^First steps, /)).toBeNull();
+  });
+
+  it('are skipped by one press, for good', async () => {
+    await opened();
+    await press('Skip');
+    cleanup();
+    await opened();
+    expect(screen.queryByText(/^First steps, /)).toBeNull();
+  });
+
+  it('are not told to who has reached a timer, or has something here', async () => {
+    const bench = await connected();
+    await run(bench.session.disconnect());
+    await press('Close program');
+    expect(screen.queryByText(/^First steps, /)).toBeNull();
+    localStorage.clear();
+    cleanup();
+    const store: MemoryStore = bench.store;
+    await opened({ store });
+    expect(screen.getByText('First steps, 1 of 3'), 'nothing is kept yet').toBeTruthy();
+    await press('New program…');
+    await press('Make the program');
+    await press('Close program');
+    expect(screen.queryByText(/^First steps, /)).toBeNull();
+  });
+});
+
+describe('what the checklist says of the timer', () => {
+  const known = (): string => document.querySelector('.known-now')?.textContent?.trim() ?? '';
+
+  it('is nothing before one was read', async () => {
+    const { models } = await opened();
+    await look(models, 'checklist');
+    expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
+  });
+
+  it('is what flies next while it is there, and what was last read when it is not', async () => {
+    const { models, session } = await connected();
+    await look(models, 'checklist');
+    expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\.$/);
+    await run(session.disconnect());
+    await idle(0);
+    expect(known()).toMatch(/^M1, DT 3:00 min, as last read \d\d:\d\d\.$/);
+  });
+
+  it('is what the timer holds, not what is typed, and that this is not written', async () => {
+    const { models } = await connected();
+    await type('DT time', '6:00');
+    await look(models, 'checklist');
+    expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\. 1 change is not written to it\.$/);
+  });
+
+  it('is never that of a program which no timer has', async () => {
+    const { models } = await opened();
+    await press('New program…');
+    await press('Make the program');
+    await look(models, 'checklist');
+    expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
+  });
+
+  it('is that nobody knows after a write that was cut off', async () => {
+    const { models, adapter, timer } = await connected();
+    await type('DT time', '4:00');
+    await press('Write…');
+    fireEvent.click(screen.getByRole('checkbox', { name: /^The propeller is off/ }));
+    await idle(0);
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'SETTIMERS') adapter.unplug();
+      return name === 'SETTIMERS';
+    };
+    await press(/^Write 1 change$/);
+    await look(models, 'checklist');
+    expect(known()).toBe('It is not known what M1 holds. Read it before you fly.');
+  });
+});
+
+describe('the energy', () => {
+  const fill = (label: string, value: string): void => {
+    act(() => void fireEvent.input(screen.getByLabelText(label), { target: { value } }));
+  };
+
+  it('is worked out as it is typed, by watts or volts and amperes, and says from when the rule is', async () => {
+    const { models } = await opened();
+    await look(models, 'energy');
+    expect(screen.getByText(/told them around 2022\. Rules change: check/)).toBeTruthy();
+    fill('Weight of the model', '480');
+    fill('Power', '165');
+    expect([screen.getByText('1440 J'), screen.getByText('8.7 s')]).toHaveLength(2);
+    fireEvent.click(screen.getByRole('radio', { name: 'Volts and amperes' }));
+    await idle(0);
+    expect(screen.queryByText('1440 J')).toBeNull();
+    fill('Battery voltage', '11,1');
+    fill('Battery current', '15');
+    expect(screen.getByText('8.6 s')).toBeTruthy();
+    fireEvent.click(screen.getByRole('radio', { name: 'Fly-off' }));
+    await idle(0);
+    expect(screen.getByText('960 J')).toBeTruthy();
+  });
+
+  it('says what can be typed, and works nothing out of what cannot', async () => {
+    const { models } = await opened();
+    await look(models, 'energy');
+    fill('Power', '165');
+    fill('Weight of the model', '9');
+    expect(screen.getByRole('alert').textContent).toBe('A figure from 10 g to 5000 g.');
+    expect(screen.getByText(/^Type the weight and the power/)).toBeTruthy();
+  });
+
+  it('is compared with the motor stop on the screen, and only of a timer that has one', async () => {
+    const { models } = await connected();
+    await look(models, 'energy');
+    fill('Weight of the model', '480');
+    fill('Power', '165');
+    expect(screen.getByText(/stops the motor at 10\.0 s: 1650 J\. That is more than is allowed\.$/)).toBeTruthy();
+    fill('Power', '140');
+    expect(screen.getByText(/stops the motor at 10\.0 s: 1400 J\. That is within it\.$/)).toBeTruthy();
+    cleanup();
+    const glider = await connected({ identity: { timerClass: 'E' } });
+    await look(glider.models, 'energy');
+    fill('Weight of the model', '480');
+    fill('Power', '165');
+    expect(screen.queryByText(/stops the motor/)).toBeNull();
+  });
+});
+
+it('a symptom of the connection is told with the steps that the page gives when it happens', async () => {
+  const { models } = await opened();
+  await look(models, 'trouble');
+  const symptom = within(screen.getByText('The timer does not answer').closest('details') as HTMLElement);
+  expect(symptom.getByText(/^The timer falls asleep after one or two minutes\./)).toBeTruthy();
+  await goTo('settings');
+  expect(screen.getByRole('link', { name: /^Help: checklist/ })).toBeTruthy();
+});
