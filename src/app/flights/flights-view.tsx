@@ -20,7 +20,7 @@ export interface FlightsViewProps {
 export function FlightsView({ session, log }: FlightsViewProps) {
   const words = flightMessages.value;
   const { library } = session;
-  const { list, loaded, removed } = library.flights;
+  const { list, loaded } = library.flights;
   useEffect(() => {
     void library.flights.load();
     void library.load();
@@ -34,14 +34,6 @@ export function FlightsView({ session, log }: FlightsViewProps) {
         <a href="#library">{words.library}</a>
       </div>
       <FlyingThis session={session} log={log} again />
-      {removed.value.length > 0 && (
-        <div class="notice" role="status">
-          <p>{words.removed(removed.value.length)}</p>
-          <button type="button" onClick={() => library.flights.undoRemove()}>
-            {words.undoRemove}
-          </button>
-        </div>
-      )}
       {!loaded.value && list.value.length === 0 && (
         <p class="hint" role="status">
           {words.loading}

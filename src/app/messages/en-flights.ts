@@ -97,8 +97,6 @@ export const flights = {
     tooLong: (most: number) => `At most ${most} characters.`,
     shortDt: (dt: string) => `DT was ${dt} on this flight.`,
   },
-  removed: (count: number) => plural(count, 'flight was deleted.', 'flights were deleted.'),
-  undoRemove: 'Undo',
   csv: {
     save: 'Save as a table (CSV)',
     separator: 'Between columns',

@@ -74,6 +74,8 @@ describe('with a short DT in the timer', () => {
     await run(app.session.connect());
     await press('Disconnect');
     expect(buttons()).toContain('Put back to 4:00 min…');
+    app.models.preferences.setShortDt(30_000);
+    expect(app.session.shortDt.held.value?.back, 'what was long is short by now').toBe(30_000);
   });
 
   it('is put back to what a round of the class needs, where no long one was seen', async () => {
