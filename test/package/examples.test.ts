@@ -1,6 +1,9 @@
-import { copyFileSync, mkdirSync, readFileSync } from 'node:fs';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { copyFileSync, existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { parseLibraryFile } from '../../src/program/index.js';
 import { firstContent } from '../../src/simulator/index.js';
 import { B536 } from '../protocol/vectors.js';
 import { Consumer, root } from '../tools/pack.js';
@@ -26,7 +29,8 @@ export class SerialPort extends Duplex {
     if (autoOpen !== false || baudRate !== 9600) throw new Error('opened in another way');
     if (path === '/dev/none') return done(new Error('No such file or directory, cannot open /dev/none'));
     this.isOpen = true;
-    const timer = new VirtualTimer();
+    const options = { '/dev/rounds': { quirks: { timeStep: 10 } }, '/dev/slow': { latency: 100 } };
+    const timer = new VirtualTimer(options[path]);
     if (path === '/dev/asleep') timer.core.sleep();
     timer.core.memory = 2;
     timer.core.onAnswer = ({ name }) => name === 'SETMEMORY' && process.stderr.write(\`memory \${timer.core.memory}\\n\`);
@@ -55,7 +59,7 @@ export class SerialPort extends Duplex {
 }
 `;
 
-describe('the backup program for Node', () => {
+describe('the program for Node', () => {
   let consumer: Consumer;
   beforeAll(async () => {
     consumer = await Consumer.create();
@@ -64,14 +68,14 @@ describe('the backup program for Node', () => {
     consumer.write('node_modules/serialport/index.js', SERIALPORT);
     consumer.write('node_modules/serialport/index.d.ts', SERIALPORT_TYPES);
     consumer.link('@types');
-    for (const file of ['backup.js', 'package.json', 'tsconfig.json']) {
+    for (const file of ['timer.js', 'package.json', 'tsconfig.json']) {
       copyFileSync(join(root, 'examples/node-backup', file), join(consumer.folder, file));
     }
   });
 
-  const backup = (...args: string[]) => consumer.tell(process.execPath, 'backup.js', ...args);
-  const written = (file: string) =>
-    JSON.parse(readFileSync(join(consumer.folder, file), 'utf8')) as { memories: object[] };
+  const tool = (...args: string[]) => consumer.tell(process.execPath, 'timer.js', ...args);
+  const settingsIn = (file: string) =>
+    parseLibraryFile(readFileSync(join(consumer.folder, file), 'utf8')).library.settings;
 
   it('compiles', () => {
     expect(consumer.tell(process.execPath, join(root, 'node_modules/typescript/bin/tsc'), '-p', '.')).toEqual({
@@ -82,49 +86,94 @@ describe('the backup program for Node', () => {
   });
 
   it('lists the ports', () => {
-    expect(backup()).toMatchObject({ code: 0, said: expect.stringMatching(/^\/dev\/timer Nobody\n\/dev\/asleep \n/) });
+    expect(tool()).toMatchObject({ code: 0, said: expect.stringMatching(/^\/dev\/timer Nobody\n\/dev\/asleep \n/) });
   });
 
-  it('writes the current memory to a file, and changes nothing', () => {
-    expect(backup('/dev/timer', 'timer.json')).toEqual({
+  it('shows what the current memory holds, and changes nothing', () => {
+    const { code, said, complained } = tool('/dev/timer');
+    expect([code, complained]).toEqual([0, 'closed\n']);
+    expect(said.split('\n').slice(0, 3)).toEqual([
+      'B 536, memory M3',
+      'slot   time/s   S1   S2   S3',
+      'Start           15   15   15',
+    ]);
+    expect(said).toMatch(/\nDT +\d+\.00( +\d+){3}\n$/);
+  });
+
+  it('sets DT, and says verified when it was', () => {
+    expect(tool('/dev/timer', 'dt', '180')).toEqual({ code: 0, said: 'Verified.\n', complained: 'closed\n' });
+    expect(tool('/dev/timer', 'dt', '20')).toMatchObject({ code: 0, said: 'warning: dt-short\nVerified.\n' });
+    expect(tool('/dev/rounds', 'dt', '20.55')).toMatchObject({
+      code: 3,
+      said: expect.stringMatching(/wanted 2055, the timer holds 2050\nNot verified: differs\.\n$/),
+    });
+    for (const wrong of ['655.36', '1e3', '0.123', 'long']) {
+      expect(tool('/dev/timer', 'dt', wrong), wrong).toMatchObject({
+        code: 1,
+        complained: expect.stringContaining('655.35'),
+      });
+    }
+  });
+
+  it('writes the current memory to a file that the page opens, too', () => {
+    expect(tool('/dev/timer', 'backup', 'timer.json')).toEqual({
       code: 0,
       said: 'B 536: 1 of 4 memories are in timer.json.\n',
       complained: 'closed\n',
     });
-    expect(written('timer.json')).toMatchObject({
-      timer: B536,
-      memories: [{ memory: 2, ...firstContent(B536, 2), idleThrottle: null }],
-    });
+    expect(settingsIn('timer.json')).toMatchObject([
+      { name: 'M3', program: { identity: B536, memory: 2, ...firstContent(B536, 2), idleThrottle: null } },
+    ]);
   });
 
-  it('writes all memories, and goes back to the one that was current', () => {
-    expect(backup('/dev/timer', 'all.json', '--all')).toEqual({
+  it('writes all memories, goes back to the one that was current, and restores them', () => {
+    expect(tool('/dev/timer', 'backup', 'all.json', '--all')).toEqual({
       code: 0,
       said: 'B 536: 4 of 4 memories are in all.json.\n',
-      complained: 'memory 0\nmemory 1\nmemory 3\nmemory 2\nclosed\n',
+      complained: 'memory 0\nmemory 1\nmemory 2\nmemory 3\nmemory 2\nclosed\n',
     });
-    const { memories } = written('all.json');
-    expect(memories).toEqual(
-      [2, 0, 1, 3].map((memory) => expect.objectContaining({ memory, ...firstContent(B536, memory) })),
+    const programs = settingsIn('all.json').map(({ program }) => program);
+    expect([...programs].sort((a, b) => Number(a.memory) - Number(b.memory))).toEqual(
+      [0, 1, 2, 3].map((memory) => expect.objectContaining({ memory, ...firstContent(B536, memory) })),
     );
+    const edited = readFileSync(join(consumer.folder, 'all.json'), 'utf8').replace('"time": "1.00"', '"time": "1.10"');
+    consumer.write('edited.json', edited);
+    expect(tool('/dev/timer', 'restore', 'edited.json')).toMatchObject({
+      code: 0,
+      said: expect.stringMatching(/^(M\d: Verified\.\n){4}$/),
+    });
   });
 
-  it('overwrites no backup', () => {
+  it('overwrites no backup, and restores nothing from what is none', () => {
     consumer.write('there.json', 'precious');
-    expect(backup('/dev/timer', 'there.json')).toEqual({
-      code: 1,
-      said: '',
-      complained: 'there.json is there already.\n',
-    });
+    expect(tool('/dev/timer', 'backup', 'there.json')).toMatchObject({ code: 1, said: '' });
     expect(readFileSync(join(consumer.folder, 'there.json'), 'utf8')).toBe('precious');
+    expect(tool('/dev/timer', 'restore', 'there.json')).toMatchObject({ code: 1, said: '' });
+  });
+
+  it('is stopped by Ctrl+C behind the request under way, and lets go of the port', async () => {
+    const args = ['timer.js', '/dev/slow', 'backup', 'slow.json', '--all'];
+    const running = spawn(process.execPath, args, { cwd: consumer.folder, stdio: ['ignore', 'ignore', 'pipe'] });
+    let complained = '';
+    running.stderr.setEncoding('utf8').on('data', (text: string) => {
+      complained += text;
+      if (complained === 'memory 0\n') running.kill('SIGINT');
+    });
+    const [code] = (await once(running, 'close')) as [number];
+    // The memory that was current is current again.
+    expect([code, complained]).toEqual([130, expect.stringMatching(/^memory 0\nmemory 2\nclosed\n.*\(aborted\)\n$/)]);
+    expect(existsSync(join(consumer.folder, 'slow.json'))).toBe(false);
+  });
+
+  it('says how it is called', () => {
+    for (const wrong of [['dt', '-1'], ['--fly'], ['fly'], ['toString'], ['dt'], ['backup'], ['dt', '20', 'more']]) {
+      expect(tool('/dev/timer', ...wrong), wrong.join(' ')).toMatchObject({ code: 2, said: '' });
+    }
   });
 
   it('says what went wrong, by code where there is one, and lets go of the port', () => {
-    expect(backup('/dev/none', 'none.json')).toMatchObject({
-      code: 1,
-      complained: expect.stringContaining('No such file'),
-    });
-    expect(backup('/dev/asleep', 'asleep.json')).toMatchObject({
+    expect(tool('/dev/none')).toMatchObject({ code: 1, complained: expect.stringContaining('No such file') });
+    expect(tool('/dev/asleep')).toMatchObject({
       code: 1,
       complained: expect.stringMatching(/^closed\n.*\(no-answer\)\n$/),
     });

@@ -1,6 +1,6 @@
 // Compiles what consumers write against the packed package, on each TypeScript that is meant to take its types, and
-// runs the backup example with the real `serialport` on its mock binding. Needs the registry, and so is a part of `npm
-// run check` and not of the tests.
+// runs the example for Node with the real `serialport` on its mock binding. Needs the registry, and so is a part of
+// `npm run check` and not of the tests.
 
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -124,14 +124,16 @@ function backUp(tarball) {
     process.execPath,
     '--require',
     './mock.cjs',
-    'backup.js',
+    'timer.js',
     '/dev/timer',
+    'backup',
     'timer.json',
     '--all',
   );
-  const { memories } = JSON.parse(readFileSync(join(where, 'timer.json'), 'utf8'));
-  if (memories.length !== 4 || memories[3].times[10] !== 27_000) throw new Error(`Not backed up: ${said}`);
-  console.log(`The backup example works with serialport: ${said.trim()}`);
+  const { settings } = JSON.parse(readFileSync(join(where, 'timer.json'), 'utf8'));
+  if (settings.length !== 4 || settings[3].program.slots[10].time !== '270.00')
+    throw new Error(`Not backed up: ${said}`);
+  console.log(`The program for Node works with serialport: ${said.trim()}`);
 }
 
 try {
