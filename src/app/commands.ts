@@ -88,7 +88,7 @@ function flightCommands({ views, flights }: AppModels): Command[] {
     if (key !== null) flights.fillIn(key);
   };
   return [
-    ...(flights.held.value ? [{ name: words.flying.button, run: flying }] : []),
+    ...(flights.flyable.value ? [{ name: words.flying.button, run: flying }] : []),
     { name: messages.value.palette.goTo(words.title), run: () => views.show('library', FLIGHTS) },
   ];
 }

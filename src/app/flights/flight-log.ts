@@ -1,4 +1,4 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
+import { batch, computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
 import * as v from 'valibot';
 import { differences, type Flight, LIMITS, sameLayout, type TimerProgram } from '../../program/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
@@ -7,6 +7,9 @@ import type { Session } from '../session/session.js';
 import { putBackDt } from '../write/put-back.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
+
+/** What is flown, and by which model with which setting. */
+type Flown = Pick<Flight, 'program' | 'model' | 'modelName' | 'setting' | 'settingName'>;
 
 /** The place where the pilot was last. */
 const PLACE = 'flight-place';
@@ -19,14 +22,21 @@ const place = v.pipe(v.string(), v.maxLength(LIMITS.place));
 export class FlightLog {
   /** What flies next by a fresh reading, never what is merely typed; null while that is not known. */
   readonly held: ReadonlySignal<TimerProgram | null>;
+  /** What can be logged now: what is held; under the result of a write also what that has verified. */
+  readonly flyable: ReadonlySignal<TimerProgram | null>;
   /** The flight that was logged last on this page, by its key; null once it was undone. */
   readonly logged: ReadonlySignal<string | null>;
+  /** The browser was asked to keep that flight, and did not. */
+  readonly unkept: ReadonlySignal<boolean>;
   /** The flight that is filled in; null while none is. */
   readonly filling: ReadonlySignal<string | null>;
   /** What of the log is shown: it outlasts the view. */
   readonly filter: ReadonlySignal<FlightFilter>;
   readonly #filter = signal(NO_FILTER, { name: 'flightFilter' });
   readonly #logged = signal<string | null>(null, { name: 'logged' });
+  readonly #unkept = signal(false, { name: 'flightUnkept' });
+  /** By the write whose result is shown: the timer may have been unplugged since. */
+  readonly #verified = signal<Flown | null>(null, { name: 'verifiedFlown' });
   readonly #filling = signal<string | null>(null, { name: 'filling' });
   readonly #session: Session;
   readonly #write: WriteFlow;
@@ -37,6 +47,7 @@ export class FlightLog {
     this.#session = session;
     this.#write = write;
     this.logged = this.#logged;
+    this.unkept = this.#unkept;
     this.filling = this.#filling;
     this.filter = this.#filter;
     this.held = computed(() => {
@@ -45,12 +56,13 @@ export class FlightLog {
       const known = knowledge.of(editor.working.value?.memory ?? null);
       return known.state === 'read' ? known.program : null;
     });
+    this.flyable = computed(() => this.held.value ?? this.#verified.value?.program ?? null);
     effect(() => {
       const step = write.current.value;
-      if (step?.step === 'done' && step.report.result === 'verified' && step.report.held) {
-        if (this.#puttingBack !== null) void this.change(this.#puttingBack, { program: step.report.held });
-        this.#puttingBack = null;
-      } else if (step === null) this.#puttingBack = null;
+      const held = step?.step === 'done' && step.report.result === 'verified' ? step.report.held : null;
+      this.#verified.value = held && untracked(() => this.#flown(held));
+      if (held && this.#puttingBack !== null) void this.change(this.#puttingBack, { program: held });
+      if (held || step === null) this.#puttingBack = null;
     });
   }
 
@@ -59,21 +71,9 @@ export class FlightLog {
    * @returns the key of the flight; null where it is not known what flies next.
    */
   flying(): string | null {
-    const program = this.held.peek();
-    if (!program) return null;
-    const { modelAtHand, openSetting, editor } = this.#session;
-    // What is on the screen and not in the timer belongs to some setting, too: that one is not flown.
-    const opened = editor.changes.peek().length === 0 ? openSetting.peek() : null;
-    const setting = opened?.setting;
-    const model = modelAtHand.peek() ?? opened?.model;
-    return this.#add({
-      model: model?.id ?? null,
-      modelName: model?.name ?? '',
-      setting: setting?.id ?? null,
-      settingName: setting?.name ?? '',
-      program,
-      place: this.#place(),
-    });
+    const held = this.held.peek();
+    const flown = held ? this.#flown(held) : this.#verified.peek();
+    return flown && this.#add({ ...flown, place: this.#place() });
   }
 
   /** The same model is flown once more, as it was: nobody has read its timer since. */
@@ -147,11 +147,32 @@ export class FlightLog {
     this.#puttingBack = (await putBackDt(this.#session, this.#write)) ? key : null;
   }
 
-  #add(flight: Omit<Flight, 'id' | 'at' | 'wind' | 'temperature' | 'round' | 'result' | 'note'>): string {
+  #flown(program: TimerProgram): Flown {
+    const { modelAtHand, openSetting, editor } = this.#session;
+    // What is on the screen and not in the timer belongs to some setting, too: that one is not flown.
+    const opened = editor.changes.peek().length === 0 ? openSetting.peek() : null;
+    const setting = opened?.setting;
+    const model = modelAtHand.peek() ?? opened?.model;
+    return {
+      model: model?.id ?? null,
+      modelName: model?.name ?? '',
+      setting: setting?.id ?? null,
+      settingName: setting?.name ?? '',
+      program,
+    };
+  }
+
+  #add(flight: Flown & Pick<Flight, 'place'>): string {
     const key = newId();
     const nothingNoted = { wind: null, temperature: null, round: '', result: null, note: '' };
-    this.#logged.value = key;
-    void this.#session.library.keepFlight({ id: key, at: Date.now(), ...nothingNoted, ...flight });
+    const { library } = this.#session;
+    batch(() => {
+      this.#logged.value = key;
+      this.#unkept.value = false;
+    });
+    void library.keepFlight({ id: key, at: Date.now(), ...nothingNoted, ...flight }).then(() => {
+      if (this.#logged.peek() === key) this.#unkept.value = library.flights.unsaved.peek().has(key);
+    });
     return key;
   }
 

@@ -21,7 +21,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
   const { flights } = session.library;
   const key = log.logged.value;
   const logged = flights.get(key)?.flight;
-  const held = log.held.value;
+  const held = log.flyable.value;
   // What was logged belongs to the place where it was.
   useEffect(() => () => log.forgetLogged(), [log]);
   if (logged) {
@@ -33,7 +33,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
       <div class="flying-this">
         <p role="status">
           <strong>{words.logged(timeOf(logged.at), [logged.modelName || row.noModel, logged.place])}</strong>
-          {flights.unsaved.value.has(logged.id) && <span class="bad-text"> {words.unkept}</span>}
+          {log.unkept.value && <span class="bad-text"> {words.unkept}</span>}
         </p>
         <div class="buttons">
           <button type="button" class="quiet" onClick={() => log.undo()}>

@@ -158,6 +158,7 @@ export class Session {
       editor,
       standing: this.standing,
       nextFlight,
+      byteOrderOpen: reader.byteOrderOpen,
       simulated: reader.simulated,
       model: () => this.modelAtHand.value?.id ?? null,
     });

@@ -30,6 +30,8 @@ interface ShortDtParts {
   readonly editor: Editor;
   readonly standing: ReadonlySignal<Standing>;
   readonly nextFlight: Pick<NextFlight, 'open'>;
+  /** It is open how this timer writes its times. */
+  readonly byteOrderOpen: ReadonlySignal<boolean>;
   readonly simulated: ReadonlySignal<boolean>;
   /** The id of the model whose timer is connected; null where that is not known. */
   readonly model: () => string | null;
@@ -46,11 +48,12 @@ export class ShortDt {
 
   constructor(parts: ShortDtParts) {
     this.#parts = parts;
-    const { editor, standing, nextFlight } = parts;
+    const { editor, standing, nextFlight, byteOrderOpen } = parts;
     /** What flies next by a reading of this connection: not what was read once, or is of another memory by now. */
-    const now = computed(() =>
-      standing.value.sure === 'now' && !nextFlight.open.value ? editor.baseline.value : null,
-    );
+    const now = computed(() => {
+      const isSure = standing.value.sure === 'now' && !nextFlight.open.value && !byteOrderOpen.value;
+      return isSure ? editor.baseline.value : null;
+    });
     this.held = computed(() => {
       const program = now.value;
       if (!program || !this.isShort(program)) return null;

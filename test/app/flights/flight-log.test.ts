@@ -114,6 +114,25 @@ describe('one tap', () => {
     expect(names.sort()).toEqual(['', 'calm']);
   });
 
+  it('logs what a write has verified as long as its result is shown, also when the timer is gone by then', async () => {
+    const app = await connectedBench();
+    await app.session.library.load();
+    await app.session.library.keepModel(LANCER);
+    app.session.recognition.say(LANCER);
+    app.editor.type(DT, '4:00');
+    await run(app.write.open());
+    app.session.safety.confirm();
+    await run(app.write.start());
+    await run(app.session.disconnect());
+    expect([app.flights.held.value, app.flights.flyable.value?.times[10]]).toEqual([null, 24_000]);
+    app.flights.flying();
+    await idle();
+    expect(latest(app)).toMatchObject({ modelName: 'Lancer 07' });
+    expect(latest(app).program.times[10]).toBe(24_000);
+    app.write.dismiss();
+    expect([app.flights.flyable.value, app.flights.flying()]).toEqual([null, null]);
+  });
+
   it('is undone, and what was deleted comes back', async () => {
     const app = await connectedBench();
     app.flights.flying();
@@ -138,7 +157,7 @@ describe('one tap', () => {
     app.flights.flying();
     await idle();
     expect([logged(app).length, kept(app).length]).toEqual([1, 0]);
-    expect(app.session.library.flights.unsaved.value.has(latest(app).id)).toBe(true);
+    expect(app.flights.unkept.value).toBe(true);
     app.store.broken = false;
     await app.session.library.keepAgain();
     expect(kept(app)).toEqual(logged(app));
