@@ -50,6 +50,14 @@ async function review(page) {
   await page.getByRole('dialog').waitFor();
 }
 
+/** Offers the program on the screen, by its name in the list of commands. @param {Page} page */
+async function offer(page) {
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type('share this');
+  await page.keyboard.press('Enter');
+  await page.getByRole('dialog', { name: /^Share/ }).waitFor();
+}
+
 /** @param {Page} page */
 const promise = (page) =>
   page
@@ -391,6 +399,32 @@ export const states = {
       await settled(page);
       await page.locator('summary', { hasText: 'Compare' }).click();
       await toTop(page);
+    },
+  },
+  print: {
+    title: 'The setting sheet of what is on the screen',
+    reach: async (page) => {
+      await connect(page);
+      await goTo(page, 'print');
+      await page.getByRole('region', { name: 'Preview' }).getByRole('table').first().waitFor();
+    },
+  },
+  share: {
+    title: 'A setting as a link and a QR code',
+    reach: async (page) => {
+      await connect(page);
+      await offer(page);
+    },
+  },
+  received: {
+    title: 'A setting that came by link',
+    reach: async (page) => {
+      await connect(page);
+      await offer(page);
+      const link = await page.getByRole('textbox', { name: 'Link', exact: true }).inputValue();
+      await press(page, 'Close');
+      await page.evaluate((hash) => location.assign(hash), new URL(link).hash);
+      await page.getByRole('dialog', { name: 'A setting came by link' }).waitFor();
     },
   },
   line: {

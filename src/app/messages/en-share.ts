@@ -32,7 +32,11 @@ export const share = {
     openOver: 'Load into the table',
     close: 'Close',
     discard: 'Do not keep',
-    unwritten: 'What you have typed and not written stays: Undo brings it back.',
+    /** What becomes of what was typed. @param over it comes over what the timer at hand holds. */
+    unwritten: (over: boolean) =>
+      over
+        ? 'What you have typed stays: Undo brings it back.'
+        : 'The program on the screen is put away. What you have typed is kept on this device.',
     notOpened: 'It could not be opened just now. Try again.',
     show: 'Show in the library',
     kept: (name: string) => `“${name}” is in the library.`,

@@ -55,6 +55,13 @@ describe('a setting sheet', () => {
     ]);
     const late = programOf('Q', [20_000, 30, 18_000], [[1, 2, 3]]);
     expect(linesOf(late)).toEqual(['Start 0  1', 'Function 1 0.30 0.30 2', 'DT 3:00 2:59.70 3', 'Motor stop 3:20']);
+    const same = programOf('Q', [30, 30, 18_000], [[1, 2, 3]]);
+    expect(linesOf(same), 'what comes at its very time follows it').toEqual([
+      'Start 0  1',
+      'Motor stop 0.30',
+      'Function 1 0.30 0.30 2',
+      'DT 3:00 2:59.70 3',
+    ]);
     const falling = programOf('B', [0, 300, 200, 18_000], [[1, 2, 3, 4]]);
     expect(linesOf(falling)[2]).toBe('Function 2 2.00 -1.00 3');
   });

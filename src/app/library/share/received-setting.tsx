@@ -144,7 +144,7 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
         </div>
       )}
       {obstacle !== null && <p class="hint">{words.obstacles[obstacle]}</p>}
-      {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten}</p>}
+      {obstacle === null && editor.dirty.value && <p class="hint">{words.unwritten(connection.value !== null)}</p>}
       {failed.value && (
         <p class="bad-text" role="alert">
           {words.notOpened}

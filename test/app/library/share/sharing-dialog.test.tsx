@@ -111,6 +111,7 @@ describe('a setting that comes by link', () => {
   it('says that it is lost when the page is closed where nothing can be kept', async () => {
     const store = new MemoryStore();
     const bench = await opened({ store });
+    await bench.session.library.keepModel(MODEL);
     await comes(bench);
     store.broken = true;
     await press('Keep in the library');
