@@ -75,6 +75,7 @@ export function App({ models }: { readonly models: AppModels }) {
     <>
       <Header
         {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform, files }}
+        installation={installation}
         staged={isStart && hasStage(session)}
       />
       {!isStart && <ViewLinks views={views} />}

@@ -1,3 +1,4 @@
+import { computed } from '@preact/signals';
 import { Bench } from './bench/bench.js';
 import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
@@ -133,8 +134,17 @@ export function createModels({
     finishWrite: new FinishWrite(session, write),
     update: new UpdateOffer(session),
     portHolder: new PortHolder(session, channel),
-    installation: new Installation(),
+    installation: new Installation(
+      platform,
+      computed(() => isVerified(write) && !session.link.simulated.value),
+    ),
     help: new Help(session),
     platform,
   };
+}
+
+/** Whether the write that is shown was verified. */
+function isVerified({ current }: WriteFlow): boolean {
+  const step = current.value;
+  return step?.step === 'done' && step.report.result === 'verified';
 }

@@ -24,7 +24,12 @@ export const fetchSimulated = () => import('./connect/simulated-timer.js');
 /** What reads and writes the files of the library. */
 export const fetchFileWork = () => import('./library/files/import-work.js');
 
-/** Fetches all of them, the program first. */
+/** What reads a QR code where the browser does not. */
+const fetchCodeReader = () => import('qr/decode.js');
+
+/**
+ * Fetches all of them, the program first: a page whose version was replaced by another tab finds them nowhere any more.
+ */
 export async function fetchParts(): Promise<void> {
   for (const part of [
     program,
@@ -44,5 +49,5 @@ export async function fetchParts(): Promise<void> {
   ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
-  await Promise.all([fetchSimulated(), fetchFileWork()]).catch(() => {});
+  await Promise.all([fetchSimulated(), fetchFileWork(), fetchCodeReader()]).catch(() => {});
 }

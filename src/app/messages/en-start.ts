@@ -54,6 +54,18 @@ export const start = {
   },
 };
 
+/** That the page can be installed. */
+export const installHint = {
+  title: 'Keep Sidus Timer at hand.',
+  ways: {
+    button: 'Installed, it has a window and an icon of its own.',
+    share:
+      'Tap Share, then Add to Home Screen. In a tab, what is kept here may be deleted when you do not come back for seven days. On the Home Screen the page may begin with an empty library: export yours to a file first.',
+    dock: 'In Safari, choose File, then Add to Dock. The page may begin with an empty library there: export yours to a file first.',
+  },
+  notNow: 'Not now',
+};
+
 /** The dialog that makes a program without a timer. */
 export const newProgram = {
   title: 'New program',

@@ -14,7 +14,7 @@ import { crossing, memoryNames, recognition } from './en-recognition.js';
 import { backups, recovery } from './en-recovery.js';
 import { density, settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
-import { newProgram, start } from './en-start.js';
+import { installHint, newProgram, start } from './en-start.js';
 import { aboutPage, update } from './en-update.js';
 import { palette, parts, strip, views } from './en-views.js';
 
@@ -104,6 +104,7 @@ export const en = {
   },
   start,
   newProgram,
+  installHint,
   program: {
     title: 'Program',
     tableCaption: 'Time and servo positions of each function',

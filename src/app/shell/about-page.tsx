@@ -1,3 +1,4 @@
+import { useSignal } from '@preact/signals';
 import { news } from '../browser/news.js';
 import type { Installation } from '../connect/installation.js';
 import { messages } from '../messages/index.js';
@@ -12,6 +13,7 @@ interface AboutPageProps {
 /** Which version this is, what is new in it, whether it works without a network, and where help is. */
 export function AboutPage({ installation, update }: AboutPageProps) {
   const { aboutPage: words, update: updateWords, start } = messages.value;
+  const isRead = useSignal(false);
   const install = installation.install.value;
   const take = update.take.value;
   return (
@@ -21,9 +23,9 @@ export function AboutPage({ installation, update }: AboutPageProps) {
         {words.version(news.version)} {installation.ready.value ? words.offline : words.notOffline}
       </p>
       {news.releases.length > 0 && (
-        <details>
+        <details onToggle={({ currentTarget }) => (isRead.value = currentTarget.open)}>
           <summary>{updateWords.news}</summary>
-          <ReleaseList releases={news.releases} />
+          {isRead.value && <ReleaseList releases={news.releases} />}
         </details>
       )}
       <div class="buttons">

@@ -1,6 +1,7 @@
 import { useRef } from 'preact/hooks';
 import type { Follow } from '../bench/follow.js';
 import type { Platform } from '../browser/platform.js';
+import type { Installation } from '../connect/installation.js';
 import { LinkNotice } from '../connect/link-notice.js';
 import type { LibraryFiles } from '../library/files/library-files.js';
 import type { Leaving } from '../memories/leaving.js';
@@ -38,6 +39,7 @@ interface HeaderProps {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly platform: Platform;
+  readonly installation: Installation;
   readonly files: LibraryFiles;
   /** The way to a timer is told large, in the place of the program. */
   readonly staged: boolean;

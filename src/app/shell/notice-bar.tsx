@@ -1,5 +1,7 @@
 import type { Platform } from '../browser/platform.js';
 import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
+import { InstallHint } from '../connect/install-hint.js';
+import type { Installation } from '../connect/installation.js';
 import { OtherTabNotice } from '../connect/other-tab-notice.js';
 import type { LibraryFiles } from '../library/files/library-files.js';
 import { hexOf } from '../messages/frame-text.js';
@@ -36,6 +38,7 @@ interface NoticeBarProps {
   readonly portHolder: PortHolder;
   readonly platform: Platform;
   readonly files: LibraryFiles;
+  readonly installation: Installation;
 }
 
 /** What was done with files. */
@@ -44,16 +47,20 @@ export const fileNotice = onDemand(async () => (await import('../library/files/f
 });
 
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
-export function NoticeBar({ session, keeping, aside, update, portHolder, platform, files }: NoticeBarProps) {
+export function NoticeBar({ session, keeping, aside, update, portHolder, platform, ...rest }: NoticeBarProps) {
+  const { files, installation } = rest;
   const { dismiss, link } = messages.value;
   const notice = session.notices.current.value;
   const holder = portHolder.tab.value;
+  // Nothing that can wait moves the table while a timer is there.
+  const isCalm = notice === null && session.link.state.value.status === 'off';
   return (
     <div class="notices" role="status">
       <UpdateNotice update={update} busy={session.runner.busy.value} />
       <KeepingNotice keeping={keeping} library={session.library} onExport={() => void files.exportAll()} />
       {files.said.value && <fileNotice.Part files={files} />}
       <AsideNotice aside={aside} />
+      {isCalm && <InstallHint installation={installation} />}
       <RemovedNotice backups={session.backups} />
       <LibraryRemovedNotice library={session.library} />
       {session.byteOrderOpen.value && session.connection.value && <ByteOrderChoice session={session} />}
