@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
 import { AppPage } from './app-page.js';
+import { isWellMade } from './well-made.js';
 
 test('a flight is logged with one tap, filled in, kept, found again and exported; a short DT is put back', async () => {
   const app = await AppPage.open({ locale: 'en-GB', timezoneId: 'Europe/Budapest' });
@@ -46,6 +47,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   expect(await rows.count()).toBe(2);
   await page.getByText('2 flights', { exact: true }).first().waitFor();
   await page.getByText('Filter and export').click();
+  await isWellMade(app, 'the log of flights');
   await page.getByRole('searchbox', { name: 'Search' }).fill('trimmed gyula');
   await rows.nth(1).waitFor({ state: 'detached' });
   expect(await rows.innerText()).toContain('DT 20 s');
@@ -77,6 +79,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   expect(await flown.getByRole('row', { name: /^DT/ }).innerText(), 'a copy, whatever was written since').toContain(
     '20 s',
   );
+  await isWellMade(app, 'the form of a flight');
   await form.getByRole('button', { name: 'Delete' }).click();
   await page.getByText('No flight fits this filter.').waitFor();
   await page.getByRole('button', { name: 'Undo', exact: true }).first().click();

@@ -135,11 +135,11 @@ describe('with a short DT in the timer', () => {
 
   it('says nothing while it is open how this timer writes its times', async () => {
     const { session, timer } = await appBench({ quirks: { bigEndianTimes: true } });
-    for (const memory of timer.core.memories) memory.times[10] = 1500;
+    for (const memory of timer.core.memories) memory.times[10] = 0x1700;
     await run(session.connect());
     expect([session.byteOrderOpen.value, session.shortDt.held.value]).toEqual([true, null]);
     await run(session.assume({ bigEndianTimes: true }));
-    expect([session.byteOrderOpen.value, session.shortDt.held.value?.dt]).toEqual([false, 1500]);
+    expect([session.byteOrderOpen.value, session.shortDt.held.value?.dt]).toEqual([false, 0x1700]);
   });
 
   it('cannot be put back while something stands in the way of a write, and says so', async () => {
