@@ -24,6 +24,8 @@ export const print = {
     count === 1
       ? 'One of these settings is not in the library of this device.'
       : `${count} of these settings are not in the library of this device.`,
+  left: (count: number) =>
+    `${plural(count, 'setting is', 'settings are')} not on this print: 100 at a time are set. Print the others after it.`,
   choose: (chosen: number) => `Settings on this print: ${chosen}`,
   search: 'Search by model or setting',
   onScreen: 'The program on the screen',

@@ -117,20 +117,26 @@ export function linesIn(paragraph: Element): string[] {
   const text = node?.textContent ?? '';
   if (!node || text === '') return [''];
   const range = document.createRange();
-  const lines: string[] = [];
-  let [start, bottom] = [0, Number.POSITIVE_INFINITY];
-  for (let at = 0; at < text.length; at++) {
+  const place = (at: number): DOMRect => {
     range.setStart(node, at);
     range.setEnd(node, at + 1);
-    const rect = range.getBoundingClientRect();
-    if (rect.height === 0) continue;
-    if (rect.top >= bottom) {
-      lines.push(text.slice(start, at).trimEnd());
-      start = at;
+    return range.getBoundingClientRect();
+  };
+  const lines: string[] = [];
+  for (let start = 0; start < text.length; ) {
+    const { top, bottom } = place(start);
+    const middle = (top + bottom) / 2;
+    // The first character of the next line, found by halving: what follows is never above.
+    let next = text.length;
+    for (let last = start; next - last > 1; ) {
+      const at = Math.floor((last + next) / 2);
+      if (place(at).top > middle) next = at;
+      else last = at;
     }
-    bottom = (rect.top + rect.bottom) / 2;
+    lines.push(text.slice(start, next).trimEnd());
+    start = next;
   }
-  return [...lines, text.slice(start).trimEnd()];
+  return lines;
 }
 
 function heightOf(element: Element | null | undefined): number {

@@ -28,12 +28,14 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const paper = print.paper.value;
   const pages = onPaper(leaves, leavesOn(paper));
   const { value: missing } = print.missing;
+  const { value: left } = print.left;
   return (
     <>
       <div class="print-tools">
         <h1>{words.title}</h1>
         <p class="hint">{words.lead}</p>
         <PrintChoices print={print} />
+        {left > 0 && <p role="status">{words.left(left)}</p>}
         {missing > 0 && <p role="status">{words.missing(missing)}</p>}
         <div class="buttons">
           <button

@@ -10,6 +10,9 @@ import { leafOf, PAPERS, type Paper } from './paper.js';
 import { ON_SCREEN, type PrintOrder } from './print-order.js';
 import { type SheetSource, sheetOf } from './sheet.js';
 
+/** More are not set at once: each takes a moment, and a pilot who wants them all prints them in turn. */
+const MOST_SHEETS = 100;
+
 /** What is printed, and on what. */
 export class Print {
   readonly #session: Session;
@@ -26,6 +29,8 @@ export class Print {
   readonly search: ReadonlySignal<string> = this.#search;
   /** What is to be set on pages. */
   readonly copies: ReadonlySignal<readonly Copy[]>;
+  /** How many of the chosen ones are too many for one print. */
+  readonly left: ReadonlySignal<number>;
   /** How many of the chosen ones are not in the library: another tab may have deleted them. */
   readonly missing: ReadonlySignal<number>;
   /** The settings that the search finds, those of one model together. */
@@ -44,10 +49,11 @@ export class Print {
       const kept = order.keys.value.filter((key) => key !== ON_SCREEN);
       return library.settings.loaded.value ? kept.filter((key) => !library.settings.get(key)).length : 0;
     });
+    this.left = computed(() => Math.max(0, sources.value.length - MOST_SHEETS));
     this.copies = computed(() => {
       const leaf = leafOf(this.#paper.value);
       const parts = this.#parts.value;
-      return sources.value.map((source) => {
+      return sources.value.slice(0, MOST_SHEETS).map((source) => {
         const sheet = sheetOf(source, editor.shortDt.value);
         return { sheet, leaf, sections: sectionsOf(sheet, leaf, parts), hasLines: parts.has('lines') };
       });

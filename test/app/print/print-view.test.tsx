@@ -95,6 +95,17 @@ describe('the print view', () => {
     vi.unstubAllGlobals();
   });
 
+  it('sets a hundred sheets at a time, and says how many are left', async () => {
+    const bench = await opened();
+    const keys = Array.from({ length: 102 }, (_, at) => `setting-${at}`);
+    for (const id of keys) await bench.session.library.keepSetting({ ...SETTING, id, model: null });
+    bench.printOrder.choose(keys);
+    await goTo('print');
+    await idle();
+    expect(sheets()).toHaveLength(100);
+    expect(screen.getByText(/^2 settings are not on this print/)).toBeTruthy();
+  });
+
   it('a setting that another tab has changed is printed as it is now', async () => {
     const bench = await withLibrary();
     bench.printOrder.choose(['wind']);

@@ -107,6 +107,8 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
   const failed = useSignal(false);
   const { opened, connection, library, editor } = session;
   const obstacle = opened.obstacle(shared.program);
+  // Before that it is not known which models there are: one might be made a second time.
+  const isLoaded = library.models.loaded.value && library.settings.loaded.value;
   const known = received.known.value;
   const kept = received.kept.value;
   const open = async (): Promise<void> => {
@@ -169,7 +171,12 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
             {words.show}
           </button>
         ) : (
-          <button type="button" class="primary" disabled={received.keeping.value} onClick={() => void received.keep()}>
+          <button
+            type="button"
+            class="primary"
+            disabled={received.keeping.value || !isLoaded}
+            onClick={() => void received.keep()}
+          >
             {words.keep}
           </button>
         )}

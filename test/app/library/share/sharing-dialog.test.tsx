@@ -108,6 +108,28 @@ describe('a setting that comes by link', () => {
     expect(library.settings.get(SETTING.id)?.setting).toEqual(SETTING);
   });
 
+  it('waits for the library to be read: no model is made twice', async () => {
+    const store = new MemoryStore();
+    await store.models.save({ key: MODEL.id, model: MODEL, order: 1, changedAt: 1, verified: [] });
+    const all = store.models.all.bind(store.models);
+    let answer = (): void => {};
+    vi.spyOn(store.models, 'all').mockImplementation(async () => {
+      await new Promise<void>((resolve) => {
+        answer = resolve;
+      });
+      return all();
+    });
+    const bench = await opened({ store });
+    await comes(bench);
+    const keep = () => screen.getByRole<HTMLButtonElement>('button', { name: 'Keep in the library' });
+    expect(keep().disabled).toBe(true);
+    answer();
+    await idle(0);
+    expect(keep().disabled).toBe(false);
+    await press('Keep in the library');
+    expect(bench.session.library.models.list.value.map(({ key }) => key)).toEqual([MODEL.id]);
+  });
+
   it('says that it is lost when the page is closed where nothing can be kept', async () => {
     const store = new MemoryStore();
     const bench = await opened({ store });
