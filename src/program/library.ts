@@ -134,7 +134,9 @@ export function requireModel(value: unknown, path = 'model'): Model {
     refuse('wrong-type', `${path}.timerClass`, 'one printable character, or null', timerClass);
   }
   const photo = of.photo ?? null;
-  if (photo !== null) text(photo, `${path}.photo`, LIMITS.photo);
+  if (photo !== null && !/^[A-Za-z0-9+/]*={0,2}$/.test(text(photo, `${path}.photo`, LIMITS.photo))) {
+    refuse('wrong-type', `${path}.photo`, 'base64', photo);
+  }
   return {
     id: id(of.id, `${path}.id`),
     name: text(of.name, `${path}.name`, LIMITS.name, 1),

@@ -49,6 +49,7 @@ describe.each([
   [requireModel, MODEL, { id: '__proto__/x' }, 'wrong-type model.id'],
   [requireModel, MODEL, { timerClass: 'QQ' }, 'wrong-type model.timerClass'],
   [requireModel, MODEL, { photo: 'x'.repeat(200_001) }, 'out-of-range model.photo'],
+  [requireModel, MODEL, { photo: 'data:image/jpeg;base64,/9j/' }, 'wrong-type model.photo'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], duty: 'flap' }] }, 'unknown-word model.servos[0].duty'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], low: 131 }] }, 'out-of-range model.servos[0].low'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], low: 1.5 }] }, 'not-an-integer model.servos[0].low'],

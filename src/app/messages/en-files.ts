@@ -43,6 +43,12 @@ export const files = {
     nothing: 'You have all of this already.',
     differs: 'What differs',
     ways: { newer: 'Take the newer', both: 'Keep both', skip: 'Leave out' },
+    /** Of a model of which nothing differs: in place of the first. */
+    bring: 'Import',
+    /** What differs of a model by itself: its name, notes, servos. */
+    itself: 'the model itself',
+    flightOf: (day: string) => `flight of ${day}`,
+    more: (count: number) => `and ${count} more`,
     /** What becomes of what differs. */
     wayText: {
       newer: 'Where yours is newer, yours stays.',
@@ -75,6 +81,7 @@ export const files = {
     line: (line: number, column: number) => `Line ${line}, column ${column}.`,
     field: (path: string) => `Entry: ${path}.`,
     between: (min: number, max: number) => `It must be ${min} to ${max}.`,
+    characters: (min: number, max: number) => `It must have ${min} to ${max} characters.`,
     files: {
       'too-large': 'The file is too large for a library.',
       'no-text': 'The file is no text.',

@@ -1,9 +1,10 @@
+import type { Flight } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { filesMessages } from '../../messages/files.js';
-import { clockText } from '../../messages/index.js';
+import { dateText, dayText } from '../../messages/index.js';
 import { Modal } from '../../ui/modal.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
-import { countOf, type Entry, type Group, takenOf, WAYS } from './import-plan.js';
+import { countOf, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
 import type { ImportStep, LibraryFiles, Refusal } from './library-files.js';
 import './import-dialog.css';
 
@@ -73,12 +74,17 @@ function PlaceInFile({ why: { code, field, details } }: { readonly why: CodecErr
   );
 }
 
+/** Fields that are texts: their limits are characters. */
+const TEXTS = /(?:name|note|place|round|photo|writtenBy|tags\[\d+\]|memoryNames\[\d+\])$/i;
+/** A date is counted in milliseconds inside of the page: no figure for a person. */
+const DATES = /(?:^|\.)(?:at|\w+At)$/;
+
 function reasonOf({ code, field, details: { min, max } }: CodecError): string {
   const { refused: words } = filesMessages.value;
   const reason = (code === 'bad-file' ? words.kinds[field] : words.codes[code]) ?? words.other;
-  const isRange = code === 'out-of-range' && min !== undefined && max !== undefined && max < Number.MAX_SAFE_INTEGER;
-  // A date is counted in milliseconds inside of the page: no figure for a person.
-  return isRange && !field.endsWith('At') && !field.endsWith('.at') ? `${reason} ${words.between(min, max)}` : reason;
+  if (code !== 'out-of-range' || min === undefined || max === undefined || DATES.test(field)) return reason;
+  if (max === Number.MAX_SAFE_INTEGER) return reason;
+  return `${reason} ${TEXTS.test(field) ? words.characters(min, max) : words.between(min, max)}`;
 }
 
 interface PlanProps extends ImportDialogProps {
@@ -97,7 +103,7 @@ function Plan({ files, onTaken, step }: PlanProps) {
   return (
     <>
       <p>
-        {words.import.lead(clockText(step.writtenAt), step.writtenBy)} {words.import.holds(words.counted(step.holds))}
+        {words.import.lead(dateText(step.writtenAt), step.writtenBy)} {words.import.holds(words.counted(step.holds))}
       </p>
       {step.ignored > 0 && <p class="hint">{words.import.ignored(step.ignored)}</p>}
       {differs && (
@@ -149,21 +155,23 @@ function Plan({ files, onTaken, step }: PlanProps) {
 interface GroupRowProps {
   readonly files: LibraryFiles;
   readonly group: Group;
-  readonly way: (typeof WAYS)[number];
+  readonly way: Way;
 }
 
 /** What a file brings of one model, and what becomes of it. */
 function GroupRow({ files, group, way }: GroupRowProps) {
   const { import: words, counted } = filesMessages.value;
   const name = group.name || (group.id === null ? words.loose : words.unknownModel);
-  const of = (standing: Entry['standing']): string =>
-    counted(countOf(group.entries.filter((entry) => entry.standing === standing)));
+  const of = (standing: Entry['standing']): readonly Entry[] =>
+    group.entries.filter((entry) => entry.standing === standing);
+  const differs = of('file-newer').length + of('device-newer').length > 0;
   const lines = [
-    [of('new'), words.group.fresh],
-    [of('file-newer'), words.group.fileNewer],
-    [of('device-newer'), words.group.deviceNewer],
-    [of('same'), words.group.same],
+    [counted(countOf(of('new'))), words.group.fresh],
+    [namesOf(of('file-newer')), words.group.fileNewer],
+    [namesOf(of('device-newer')), words.group.deviceNewer],
+    [counted(countOf(of('same'))), words.group.same],
   ] as const;
+  const ways: readonly Way[] = differs ? WAYS : WAYS.filter((each) => each !== 'both');
   return (
     <li class={way === 'skip' ? 'import-skipped' : undefined}>
       <div>
@@ -173,20 +181,34 @@ function GroupRow({ files, group, way }: GroupRowProps) {
       {takenOf(group, 'both').length > 0 && (
         <select
           aria-label={words.group.way(name)}
-          value={way}
+          value={ways.includes(way) ? way : 'newer'}
           onChange={(event) => {
             const { value } = event.currentTarget;
             const chosen = WAYS.find((each) => each === value);
             if (chosen) files.choose(chosen, group);
           }}
         >
-          {WAYS.map((each) => (
+          {ways.map((each) => (
             <option key={each} value={each}>
-              {words.ways[each]}
+              {each === 'newer' && !differs ? words.bring : words.ways[each]}
             </option>
           ))}
         </select>
       )}
     </li>
   );
+}
+
+/** So many are told by name. */
+const NAMED = 3;
+
+/** What differs, by name. */
+function namesOf(entries: readonly Entry[]): string {
+  const { import: words } = filesMessages.value;
+  const names = entries.slice(0, NAMED).map(({ kind, entry }) => {
+    if (kind === 'models') return words.itself;
+    return 'name' in entry ? entry.name : words.flightOf(dayText((entry as Flight).at));
+  });
+  const more = entries.length - names.length;
+  return [...names, ...(more > 0 ? [words.more(more)] : [])].join(', ');
 }

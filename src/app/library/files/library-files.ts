@@ -161,6 +161,9 @@ export class LibraryFiles {
     const put = recordsOf(step.groups.peek(), ({ id }) => of.get(id) ?? all, before, newId);
     this.dismiss();
     this.#done = { put, before };
+    // On a device that had nothing, the file is what an export of it would be.
+    if (before.models.length + before.settings.length + before.flights.length === 0)
+      this.marks.exported(step.writtenAt);
     const holds = { models: put.models.length, settings: put.settings.length, flights: put.flights.length };
     this.#say({ kind: 'imported', name: step.name, holds, kept: await this.#save(put) });
   }

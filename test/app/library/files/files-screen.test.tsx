@@ -89,7 +89,8 @@ describe('an import', () => {
   ])('with “%s” offers %s', async (way, offer, names) => {
     const app = await library();
     await drop(file(text({ ...ALL, settings: [windy] })));
-    dialog().getByText('Newer in the file: 1 setting');
+    dialog().getByText('Newer in the file: windy');
+    dialog().getByText('The same: 1 model, 1 flight');
     act(() => void fireEvent.click(dialog().getByRole('radio', { name: way })));
     await idle(0);
     expect(button(offer).disabled).toBe(offer === 'Import 0');
@@ -145,8 +146,8 @@ describe('an import', () => {
 
   it('does not write over a library that the browser does not give out', async () => {
     const store = new MemoryStore();
-    const app = await opened({ store });
-    app.store.models.all = () => new Promise(() => {});
+    store.models.all = () => new Promise(() => {});
+    await opened({ store });
     await goTo('library');
     await idle();
     await drop(file());
@@ -168,7 +169,7 @@ describe('what cannot be imported', () => {
     ],
     [
       text().replace('"name": "Lancer 07"', '"name": ""'),
-      'A value is out of its range. It must be 1 to 60.',
+      'A value is out of its range. It must have 1 to 60 characters.',
       'Line 9, column 15. Entry: models[0].name.',
     ],
     [`ÿþ{`, 'The letters of the file cannot be read. Save it as UTF-8.', null],
@@ -369,6 +370,14 @@ describe('the word that it is time for an export', () => {
     localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: old - 5 * DAY, putOffAt: null }));
     await season(old);
     expect(reminder()).toContain('6 changes since the last export, 45 days ago.');
+  });
+
+  it('does not come for what a file has brought to an empty device', async () => {
+    await library({});
+    const settings = many.map((each) => ({ ...each, at: old }));
+    await drop(file(text({ ...ALL, settings, flights: [] }, Date.now() - DAY)));
+    await press('Import 7');
+    expect(reminder()).toBeNull();
   });
 
   it('is put off once and for long, also after a reload', async () => {

@@ -1,0 +1,169 @@
+import { readFile } from 'node:fs/promises';
+import type { Page } from 'playwright';
+import { describe, expect, onTestFinished, test } from 'vitest';
+import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
+import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
+import { AppPage } from './app-page.js';
+import { isWellMade } from './well-made.js';
+
+/** A season: three models, twelve settings, thirty flights. */
+const SEASON: Library = {
+  models: ['Lancer 07', 'Vega 12', 'Pilatus'].map((name, at) => ({ ...MODEL, id: `m${at}`, name, photo: null })),
+  settings: Array.from({ length: 12 }, (_, at) => ({
+    ...SETTING,
+    id: `s${at}`,
+    model: `m${at % 3}`,
+    name: `setting ${at}`,
+    program: { ...SETTING.program, times: SETTING.program.times.map((time) => time + at) },
+  })),
+  flights: Array.from({ length: 30 }, (_, at) => ({
+    ...FLIGHT,
+    id: `f${at}`,
+    at: FLIGHT.at + at,
+    model: `m${at % 3}`,
+    setting: `s${at % 12}`,
+  })),
+};
+const TEXT = formatLibraryFile(SEASON, { writtenAt: Date.UTC(2026, 10, 1), writtenBy: 'a test' });
+
+/** Drops a text on the page, as a file from the desktop. */
+async function drop(page: Page, name: string, text: string): Promise<void> {
+  await page.evaluate(
+    ([title, content]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([content], title));
+      for (const type of ['dragover', 'drop']) {
+        document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }));
+      }
+    },
+    [name, text] as const,
+  );
+}
+
+async function opened(before?: () => void): Promise<AppPage> {
+  const app = await AppPage.open({ acceptDownloads: true, ...(before && { before }) });
+  onTestFinished(() => app.page.context().close());
+  await app.page.evaluate(() => location.assign('#library'));
+  await app.button('Import…').waitFor();
+  return app;
+}
+
+async function takeAll(app: AppPage): Promise<void> {
+  await app.button('Import 45').click();
+  await app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();
+}
+
+/** The library as a file of the page has it, each list in the order of its ids. */
+async function exported(app: AppPage): Promise<Library> {
+  const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Export all…').click()]);
+  expect(download.suggestedFilename()).toMatch(/^Sidus library \d{4}-\d\d-\d\d\.sidus\.json$/);
+  const { library, ignored } = parseLibraryFile(await readFile(await download.path(), 'utf8'));
+  expect(ignored).toEqual([]);
+  const byId = <T extends { readonly id: string }>(list: readonly T[]): T[] =>
+    [...list].sort((a, b) => a.id.localeCompare(b.id, 'en', { numeric: true }));
+  return { models: byId(library.models), settings: byId(library.settings), flights: byId(library.flights) };
+}
+
+/** A browser that has no question where a file is to lie. */
+const noPicker = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
+
+test('a season goes into one file, the device is emptied, and the file brings all of it back', async () => {
+  const app = await opened(noPicker);
+  const { page } = app;
+  await drop(page, 'season.sidus.json', TEXT);
+  await takeAll(app);
+  const before = await exported(app);
+  expect(before).toEqual(SEASON);
+
+  await app.goTo('Settings');
+  await app.button('Delete everything on this device…').click();
+  await Promise.all([page.waitForEvent('load'), app.button('Delete everything').click()]);
+  await page.evaluate(() => location.assign('#library'));
+  await app.text('No model yet').waitFor();
+  await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
+    name: 'back.sidus.json',
+    mimeType: 'application/json',
+    buffer: Buffer.from(formatLibraryFile(before, { writtenAt: Date.now(), writtenBy: 'a test' })),
+  });
+  await takeAll(app);
+  await page.reload();
+  await page.getByRole('link', { name: /^Lancer 07/ }).click();
+  await page.getByRole('link', { name: /^setting 9/ }).waitFor();
+  expect(await exported(app)).toEqual(SEASON);
+});
+
+test('a broken file is refused with its line, a stray one does not lead away, and nothing has changed', async () => {
+  const app = await opened(noPicker);
+  const { page } = app;
+  await drop(page, 'season.sidus.json', TEXT);
+  await takeAll(app);
+  await app.button('Dismiss').click();
+  const address = page.url();
+  for (const [text, reason] of [
+    [TEXT.replace('"10.50"', '"1050"'), /^A value is missing, or of the wrong kind\.$/],
+    [TEXT.slice(0, 9000), /^The file is not whole: it ends too early\.$/],
+    ['['.repeat(200_000), /nested too deep/],
+    ['\u0000\u0001', /letters of the file cannot be read/],
+  ] as const) {
+    await drop(page, 'broken.sidus', text);
+    await page.getByRole('alert').filter({ hasText: reason }).waitFor();
+    await app.button('Close').click();
+  }
+  await drop(page, 'newer.sidus', TEXT.replaceAll('"calm"', '"windy"').replace(/"changedAt.*/g, ''));
+  await app.text('What differs').waitFor();
+  await isWellMade(app, 'import', { phone: { width: 360, height: 740 }, desktop: { width: 1280, height: 800 } });
+  await app.button('Cancel').click();
+  expect(page.url()).toBe(address);
+  expect(await exported(app)).toEqual(SEASON);
+});
+
+describe('where the browser has files', () => {
+  /** A disk of the browser's own, and a system that opens files with the page. */
+  const withFiles = (): void => {
+    const disk = (name: string) =>
+      navigator.storage.getDirectory().then((root) => root.getFileHandle(name, { create: true }));
+    let consumer: (launch: { files: FileSystemFileHandle[] }) => void;
+    Object.assign(window, {
+      showSaveFilePicker: () => disk('mine.sidus.json'),
+      onDisk: async () => (await (await disk('mine.sidus.json')).getFile()).text(),
+      openWith: async (text: string) => {
+        const handle = await disk('sent.sidus');
+        const stream = await handle.createWritable();
+        await stream.write(text);
+        await stream.close();
+        consumer({ files: [handle] });
+      },
+    });
+    Object.defineProperty(window, 'launchQueue', {
+      value: {
+        setConsumer: (given: typeof consumer) => {
+          consumer = given;
+        },
+      },
+    });
+  };
+  interface WithFiles {
+    onDisk(): Promise<string>;
+    openWith(text: string): Promise<void>;
+  }
+
+  test('a file that the system opens is looked at, and an export is saved in place', async () => {
+    const app = await opened(withFiles);
+    const { page } = app;
+    await page.evaluate((text) => (window as unknown as WithFiles).openWith(text), TEXT);
+    await page.getByRole('heading', { name: 'Import sent.sidus' }).waitFor();
+    await takeAll(app);
+    await app.button('Export all…').click();
+    await app.text(/^Saved to mine\.sidus\.json/).waitFor();
+    await page.getByRole('link', { name: /^Vega 12/ }).click();
+    await app.button('Archive').click();
+    await app.button('Save to mine.sidus.json').click();
+    const saved = (): Promise<string> => page.evaluate(() => (window as unknown as WithFiles).onDisk());
+    await expect.poll(async () => /"archived": true/.test(await saved())).toBe(true);
+    expect(parseLibraryFile(await saved()).library.models.map(({ archived }) => archived)).toEqual([
+      false,
+      true,
+      false,
+    ]);
+  });
+});
