@@ -1,4 +1,5 @@
 import { useCallback, useEffect, useRef } from 'preact/hooks';
+import { COMPARE } from './compare/address.js';
 import { hasStage } from './connect/link-stage.js';
 import { StartScreen } from './connect/start-screen.js';
 import { FLIGHTS } from './flights/flight-filter.js';
@@ -61,6 +62,12 @@ export function App({ models }: { readonly models: AppModels }) {
     library: () =>
       views.path.value === FLIGHTS ? (
         <parts.flights.Part session={session} log={models.flights} />
+      ) : views.path.value === COMPARE ? (
+        <parts.compare.Part
+          {...{ session, compare: models.compare }}
+          following={follow.on.value}
+          onBack={() => views.show('library')}
+        />
       ) : (
         <parts.library.Part models={models} />
       ),

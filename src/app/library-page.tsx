@@ -1,3 +1,6 @@
+import { COMPARE } from './compare/address.js';
+import { backupKey, SCREEN, settingKey } from './compare/compare.js';
+import { CompareButton } from './compare/compare-button.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';
 import { ExportButton, LibraryFileButtons } from './library/files/file-buttons.js';
@@ -8,6 +11,7 @@ import { ReadCodeButton, ShareButton } from './library/share/share-buttons.js';
 import { flightMessages } from './messages/flights.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
+import { ModelBackups } from './recognition/model-backups.js';
 
 /** The library, with what other features put into it. */
 export function LibraryPage({ models }: { readonly models: AppModels }) {
@@ -24,12 +28,17 @@ export function LibraryPage({ models }: { readonly models: AppModels }) {
 }
 
 /** One entry for each thing that can be done with the library, a model or a setting beyond looking at it. */
-function placesOf({ session, views, flights, sharing, files, printOrder }: AppModels): Places {
+function placesOf(models: AppModels): Places {
+  const { session, views, flights, sharing, files, printOrder, compare, follow } = models;
   const toFlights = (): void => views.show('library', FLIGHTS);
   const flightsOf = { session, log: flights, onAll: toFlights };
   const print = (keys: readonly string[]): void => {
     printOrder.choose(keys);
     views.show('print');
+  };
+  const sideBySide = (first: string, second?: string): void => {
+    compare.show(first, second);
+    views.show('library', COMPARE);
   };
   return {
     library: (
@@ -58,7 +67,17 @@ function placesOf({ session, views, flights, sharing, files, printOrder }: AppMo
         <ExportButton files={files} part={{ kind: 'model', id: key }} title={model.name} />
       </>
     ),
-    modelSections: ({ key }) => <FlightsSection {...flightsOf} of={{ model: key }} />,
+    modelSections: (record) => (
+      <>
+        <FlightsSection {...flightsOf} of={{ model: record.key }} />
+        <ModelBackups
+          {...{ session, record }}
+          following={follow.on.value}
+          onLoad={() => views.show('program')}
+          onCompare={({ key }) => sideBySide(backupKey(key))}
+        />
+      </>
+    ),
     settingButtons: ({ key, setting }, model) => (
       <>
         <ShareButton sharing={sharing} shared={() => sharedOf(setting, model?.model ?? null)} />
@@ -67,6 +86,9 @@ function placesOf({ session, views, flights, sharing, files, printOrder }: AppMo
           files={files}
           part={{ kind: 'setting', id: key }}
           title={[model?.model.name, setting.name].filter(Boolean).join(' ')}
+        />
+        <CompareButton
+          onCompare={() => sideBySide(session.openSetting.peek()?.setting?.id === key ? SCREEN : settingKey(key))}
         />
       </>
     ),

@@ -4,6 +4,7 @@ import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
 import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
+import { Compare } from './compare/compare.js';
 import { Installation } from './connect/installation.js';
 import { FlightLog } from './flights/flight-log.js';
 import { Help } from './help/help.js';
@@ -60,6 +61,8 @@ export interface AppModels {
   readonly flights: FlightLog;
   /** Settings that go to another device by link or QR code, and come from one. */
   readonly sharing: Sharing;
+  /** Any two programs side by side. */
+  readonly compare: Compare;
   readonly theme: Theme;
   readonly density: Density;
   readonly preferences: Preferences;
@@ -126,6 +129,7 @@ export function createModels({
     browse: new Browse(session.library),
     saveSetting: new SaveSetting(session),
     files: new LibraryFiles({ library: session.library, storage: keeping.storage, fetchWork: fetchFileWork }),
+    compare: new Compare(session),
     theme,
     flights: new FlightLog(session, write),
     sharing: new Sharing(),

@@ -9,6 +9,7 @@ export const memories = onDemand(async () => (await import('./memories/memories-
 export const bench = onDemand(async () => (await import('./shell/bench-view.js')).BenchView);
 export const library = onDemand(async () => (await import('./library-page.js')).LibraryPage);
 export const flights = onDemand(async () => (await import('./flights/flights-view.js')).FlightsView);
+export const compare = onDemand(async () => (await import('./compare/compare-page.js')).ComparePage);
 export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
 export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
 export const print = onDemand(async () => (await import('./print/print-view.js')).PrintView);
@@ -46,6 +47,7 @@ export async function fetchParts(): Promise<void> {
     fileNotice,
     help,
     firstSteps,
+    compare,
   ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.

@@ -11,7 +11,22 @@ const ORDER = [
   // The files that lie in src/app itself: the start, the models, the views that are shown.
   ['app'],
   ['shell'],
-  ['connect', 'program', 'bench', 'memories', 'recognition', 'library', 'flights', 'print', 'help', 'line', 'settings'],
+  [
+    'connect',
+    'program',
+    'bench',
+    'memories',
+    'recognition',
+    'compare',
+    'library',
+    'flights',
+    'print',
+    'help',
+    'line',
+    'settings',
+  ],
+  // What shows two programs: memories, settings, backups.
+  ['side-by-side'],
   // Memories and bench write, too.
   ['write'],
   ['timeline'],

@@ -21,6 +21,7 @@ export const STEP_CODES = [
   'saved-elsewhere',
   'fix',
   'keep-tried',
+  'take-across',
 ] as const;
 
 export type StepCode = (typeof STEP_CODES)[number];

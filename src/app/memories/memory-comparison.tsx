@@ -1,12 +1,8 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { differences } from '../../program/index.js';
 import { messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
-import { Timeline } from '../timeline/timeline.js';
-import { ComparisonGrid } from '../write/comparison-grid.js';
-import { LONG_LIST } from '../write/difference.js';
-import { ValueTable } from '../write/value-table.js';
+import { ProgramPair } from '../side-by-side/program-pair.js';
 import type { Compared, Memories } from './memories.js';
 import { lastRead } from './memory-cards.js';
 import './memory-comparison.css';
@@ -28,8 +24,6 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   const names = [memoryText(session, first), memoryText(session, second)] as const;
   const [left, right] = [first, second].map((memory) => lastRead(session.knowledge.of(memory)));
   const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
-  const changes = left && right ? differences(left, right) : [];
-  const grid = changes.length > LONG_LIST;
   return (
     <section class="comparison" aria-labelledby="comparison-title">
       <div class="comparison-head">
@@ -78,24 +72,7 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
           </button>
         </div>
       ))}
-      {left && right && (
-        <div class="comparison-stage">
-          <div class="comparison-values">
-            <p role="status">
-              <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
-            </p>
-            {grid && <ComparisonGrid first={left} second={right} names={names} />}
-            {!grid && changes.length > 0 && (
-              <ValueTable
-                identity={left.identity}
-                names={names}
-                rows={changes.map(({ field, from, to }) => ({ field, values: [from, to] }))}
-              />
-            )}
-          </div>
-          <Timeline program={left} overlay={{ program: right, name: names[1] }} title={words.picture(...names)} />
-        </div>
-      )}
+      {left && right && <ProgramPair first={left} second={right} names={names} title={words.picture(...names)} />}
     </section>
   );
 }

@@ -29,6 +29,7 @@ const steps: Record<StepCode, (params: Params) => string> = {
   'saved-elsewhere': () => 'what another tab has saved',
   fix: ({ field }) => `correcting ${field}`,
   'keep-tried': () => 'keeping what was tried',
+  'take-across': ({ field }) => `taking ${field} over`,
 };
 
 /** What stands in the way of an edit or of a pasted cell, beyond what the checks and the fields say themselves. */

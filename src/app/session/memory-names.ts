@@ -9,8 +9,17 @@ export function givenName(model: Model | null, memory: number): string {
 
 /** A memory of the timer at hand, as it is called in a sentence: M2, or M2 “fly-off”. */
 export function memoryText({ modelAtHand }: Pick<Session, 'modelAtHand'>, memory: number): string {
-  const { memoryName, memoryNames } = messages.value;
-  const given = givenName(modelAtHand.value, memory);
+  return memoryOf(modelAtHand.value, memory);
+}
+
+/**
+ * A memory of a model, as it is called in a sentence.
+ * @param memory counted from 0; null for a timer that does not say which is current.
+ */
+export function memoryOf(model: Model | null, memory: number | null): string {
+  const { memoryName, memoryNames, recovery } = messages.value;
+  if (memory === null) return recovery.unknownMemory;
+  const given = givenName(model, memory);
   return given === '' ? memoryName(memory) : memoryNames.named(memoryName(memory), given);
 }
 

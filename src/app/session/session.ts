@@ -340,10 +340,21 @@ export class Session {
     this.#reader.showDraft(this.keptPrograms.take(draft));
   }
 
+  /** Whether a backup can come to the screen: over what is there, or, while no timer is connected, in its place. */
+  canLoad(program: TimerProgram): boolean {
+    const working = this.editor.working.value;
+    if (working && isOfOneShape(working, program)) return true;
+    return this.connection.value === null && !this.engaged.value;
+  }
+
   /** What was kept becomes what the pilot wants; nothing is written. */
   showBackup({ program, model }: Backup): void {
     const { working } = this.editor;
-    if (!working.value || !sameLayout(working.value.identity, program.identity)) return;
+    if (!this.canLoad(program)) return;
+    if (!working.value || !isOfOneShape(working.value, program)) {
+      this.make({ ...program, memory: null });
+      return;
+    }
     const idleThrottle = program.idleThrottle ?? working.value.idleThrottle;
     const wanted = { ...working.value, times: program.times, positions: program.positions, idleThrottle };
     this.editor.apply(replaceAll({ code: 'restore', params: {} }, wanted));
@@ -383,4 +394,8 @@ export class Session {
     this.notices.show({ kind: 'connection', code, port, portKey: port && portKey(port), bytes });
     void this.link.refresh();
   }
+}
+
+function isOfOneShape(a: TimerProgram, b: TimerProgram): boolean {
+  return a.identity.timerClass === b.identity.timerClass && sameLayout(a.identity, b.identity);
 }

@@ -1,0 +1,186 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
+import { comparingMessages } from '../messages/comparing.js';
+import { dayText, fieldLabel, figureText, messages } from '../messages/index.js';
+import { memoryText } from '../session/memory-names.js';
+import type { Session } from '../session/session.js';
+import { ProgramPair } from '../side-by-side/program-pair.js';
+import { type Compare, SCREEN, type Side } from './compare.js';
+import './compare-page.css';
+
+export interface ComparePageProps {
+  readonly session: Session;
+  readonly compare: Compare;
+  /** The servos follow what is edited: they would move with each value. */
+  readonly following: boolean;
+  readonly onBack: () => void;
+}
+
+/** Two programs side by side, and single values of one into the other where that is on the screen. */
+export function ComparePage({ session, compare, following, onBack }: ComparePageProps) {
+  const { compare: words } = comparingMessages.value;
+  const heading = useRef<HTMLHeadingElement>(null);
+  useEffect(() => {
+    heading.current?.focus({ preventScroll: true });
+    void session.library.load();
+  }, [session]);
+  const first = compare.first.value;
+  const second = compare.second.value;
+  return (
+    <section class="compare-page" aria-labelledby="compare-title">
+      <div class="compare-head">
+        <button type="button" class="quiet" onClick={onBack}>
+          <svg class="icon" width="20" height="20" aria-hidden="true">
+            <path d="M12 4L6 10L12 16" />
+          </svg>
+          {words.back}
+        </button>
+        <h1 id="compare-title" ref={heading} tabIndex={-1}>
+          {words.title}
+        </h1>
+      </div>
+      <div class="compare-choice">
+        <Choice
+          label={words.first}
+          session={session}
+          sides={compare.sides.value}
+          chosen={first}
+          onChoose={(key) => compare.chooseFirst(key)}
+        />
+        <Choice
+          label={words.second}
+          session={session}
+          sides={compare.others.value}
+          chosen={second}
+          onChoose={(key) => compare.chooseSecond(key)}
+        />
+        {second && (
+          <button type="button" class="quiet" onClick={() => compare.swap()}>
+            {words.swap}
+          </button>
+        )}
+      </div>
+      {first && second ? (
+        <Pair {...{ session, compare, following, first, second }} />
+      ) : (
+        <p class="hint">{words.nothing}</p>
+      )}
+    </section>
+  );
+}
+
+interface PairProps extends Omit<ComparePageProps, 'onBack'> {
+  readonly first: Side;
+  readonly second: Side;
+}
+
+function Pair({ session, compare, following, first, second }: PairProps) {
+  const { compare: words } = comparingMessages.value;
+  const names = [nameOf(session, first), nameOf(session, second)] as const;
+  const onScreen = first.key === SCREEN || second.key === SCREEN;
+  const setting = [first, second].find((side) => side.kind === 'setting');
+  const canOpen = setting && !onScreen && session.opened.obstacle(setting.program) === null;
+  // What the other one does not know cannot be taken.
+  const other = first.key === SCREEN ? 'to' : 'from';
+  const action = (change: Change) => {
+    const value = change[other];
+    if (value === null) return null;
+    const { identity } = first.program;
+    return (
+      <TakeButton
+        field={change.field}
+        name={words.takeOf(fieldLabel(identity, change.field), figureText(identity, change.field, value))}
+        onTake={() => compare.take(change.field)}
+      />
+    );
+  };
+  return (
+    <ProgramPair
+      first={first.program}
+      second={second.program}
+      names={names}
+      title={words.picture(...names)}
+      actionOf={onScreen && !following ? action : undefined}
+    >
+      {onScreen && <p class="hint">{following ? words.following : words.takeHint}</p>}
+      {canOpen && (
+        <button type="button" onClick={() => void compare.open(setting)}>
+          {words.openFirst(setting.record.setting.name)}
+        </button>
+      )}
+    </ProgramPair>
+  );
+}
+
+interface TakeButtonProps {
+  readonly field: ProgramField;
+  readonly name: string;
+  readonly onTake: () => void;
+}
+
+function TakeButton({ field, name, onTake }: TakeButtonProps) {
+  const { compare: words } = comparingMessages.value;
+  return (
+    <button type="button" class="compare-take" data-take={fieldKey(field)} aria-label={name} onClick={onTake}>
+      {words.take}
+    </button>
+  );
+}
+
+interface ChoiceProps {
+  readonly label: string;
+  readonly session: Session;
+  readonly sides: readonly Side[];
+  readonly chosen: Side | null;
+  readonly onChoose: (key: string) => void;
+}
+
+function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
+  const { compare: words } = comparingMessages.value;
+  const groups = [
+    { name: words.groups.now, of: sides.filter(({ kind }) => kind === 'screen' || kind === 'timer') },
+    { name: words.groups.settings, of: sides.filter(({ kind }) => kind === 'setting') },
+    { name: words.groups.backups, of: sides.filter(({ kind }) => kind === 'backup') },
+  ];
+  return (
+    <label>
+      <span>{label}</span>
+      <select
+        value={chosen?.key ?? ''}
+        disabled={sides.length === 0}
+        onChange={(event) => onChoose(event.currentTarget.value)}
+      >
+        {groups
+          .filter(({ of }) => of.length > 0)
+          .map(({ name, of }) => (
+            <optgroup key={name} label={name}>
+              {of.map((side) => (
+                <option key={side.key} value={side.key}>
+                  {nameOf(session, side)}
+                </option>
+              ))}
+            </optgroup>
+          ))}
+      </select>
+    </label>
+  );
+}
+
+/** What a program is called. */
+function nameOf(session: Session, side: Side): string {
+  const { compare: words } = comparingMessages.value;
+  const { memoryName, recovery } = messages.value;
+  const { library, openSetting } = session;
+  if (side.kind === 'screen') {
+    const setting = openSetting.value?.setting;
+    return setting ? words.screenOf(setting.name) : words.screen;
+  }
+  if (side.kind === 'timer') return words.timer(memoryText(session, side.memory));
+  if (side.kind === 'setting') {
+    const { setting } = side.record;
+    return words.setting(library.models.get(setting.model)?.model.name ?? null, setting.name);
+  }
+  const { program, savedAt, model } = side.backup;
+  const memory = program.memory === null ? recovery.unknownMemory : memoryName(program.memory);
+  return words.backup(memory, dayText(savedAt), library.models.get(model ?? null)?.model.name ?? null);
+}

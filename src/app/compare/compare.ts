@@ -1,0 +1,114 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { fieldKey, type ProgramField, sameLayout, type TimerProgram, valueAt } from '../../program/index.js';
+import { setValues } from '../editing/edit.js';
+import type { Session } from '../session/session.js';
+import type { Backup, SettingRecord } from '../storage/index.js';
+
+/** A program that is at hand. */
+export type Side =
+  /** What is on the screen, with all changes. */
+  | { readonly kind: 'screen'; readonly key: 'screen'; readonly program: TimerProgram }
+  /** What was last read of a memory of the timer that is connected. */
+  | { readonly kind: 'timer'; readonly key: string; readonly memory: number; readonly program: TimerProgram }
+  | { readonly kind: 'setting'; readonly key: string; readonly record: SettingRecord; readonly program: TimerProgram }
+  | { readonly kind: 'backup'; readonly key: string; readonly backup: Backup; readonly program: TimerProgram };
+
+/** Under what a side is chosen. */
+export const SCREEN = 'screen';
+export const settingKey = (id: string): string => `setting/${id}`;
+export const backupKey = (key: string): string => `backup/${key}`;
+
+/** Any two of the programs that are at hand side by side: on the screen, in the timer, settings, backups. */
+export class Compare {
+  /** All that can be compared, in the order in which they are offered. */
+  readonly sides: ReadonlySignal<readonly Side[]>;
+  /** Null where there is nothing at all. */
+  readonly first: ReadonlySignal<Side | null>;
+  /** What the first can be compared with: of its class and layout. */
+  readonly others: ReadonlySignal<readonly Side[]>;
+  /** Null where there is nothing to compare with. */
+  readonly second: ReadonlySignal<Side | null>;
+  readonly #session: Session;
+  readonly #first = signal<string | null>(null, { name: 'firstSide' });
+  readonly #second = signal<string | null>(null, { name: 'secondSide' });
+
+  constructor(session: Session) {
+    this.#session = session;
+    this.sides = computed(() => sidesOf(session));
+    // What is gone gives way to what is there.
+    this.first = computed(() => chosen(this.sides.value, this.#first.value));
+    this.others = computed(() => {
+      const first = this.first.value;
+      return first ? this.sides.value.filter((side) => side.key !== first.key && isComparable(side, first)) : [];
+    });
+    this.second = computed(() => chosen(this.others.value, this.#second.value));
+  }
+
+  /** Puts two side by side, by their keys; null: what is nearest. */
+  show(first: string | null, second: string | null = null): void {
+    batch(() => {
+      this.#first.value = first;
+      this.#second.value = second;
+    });
+  }
+
+  chooseFirst(key: string): void {
+    // What was first becomes the other one where it is chosen there.
+    this.show(key, key === this.second.peek()?.key ? (this.first.peek()?.key ?? null) : this.#second.peek());
+  }
+
+  chooseSecond(key: string): void {
+    this.show(this.first.peek()?.key ?? null, key);
+  }
+
+  swap(): void {
+    this.show(this.second.peek()?.key ?? null, this.first.peek()?.key ?? null);
+  }
+
+  /** A value of the other one goes into the program on the screen, as a step of its own. */
+  take(field: ProgramField): void {
+    const from = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== SCREEN);
+    const value = from && valueAt(from.program, field);
+    if (value === null || value === undefined) return;
+    const name = { code: 'take-across', params: { field: fieldKey(field) } } as const;
+    this.#session.editor.apply(setValues(name, [{ field, value }]));
+  }
+
+  /** Opens the setting that is compared, so that values can be taken into it. */
+  async open({ record: { setting }, key }: Extract<Side, { kind: 'setting' }>): Promise<void> {
+    const other = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== key);
+    if (await this.#session.showSetting(setting)) this.show(SCREEN, other?.key ?? null);
+  }
+}
+
+function sidesOf({ editor, knowledge, library, backups, connection }: Session): Side[] {
+  const working = editor.working.value;
+  const memories = connection.value?.identity.memories ?? 0;
+  const read = Array.from({ length: memories }, (_, memory): Side | null => {
+    const known = knowledge.of(memory);
+    return known.state === 'read' ? { kind: 'timer', key: `timer/${memory}`, memory, program: known.program } : null;
+  });
+  return [
+    ...(working ? [{ kind: SCREEN, key: SCREEN, program: working } as const] : []),
+    ...read.filter((side) => side !== null),
+    ...library.settings.list.value.map(
+      (record): Side => ({
+        kind: 'setting',
+        key: settingKey(record.key),
+        record,
+        program: record.setting.program,
+      }),
+    ),
+    ...backups.list.value.map(
+      (backup): Side => ({ kind: 'backup', key: backupKey(backup.key), backup, program: backup.program }),
+    ),
+  ];
+}
+
+function chosen(sides: readonly Side[], key: string | null): Side | null {
+  return sides.find((side) => side.key === key) ?? sides[0] ?? null;
+}
+
+function isComparable({ program: { identity: a } }: Side, { program: { identity: b } }: Side): boolean {
+  return a.timerClass === b.timerClass && sameLayout(a, b);
+}

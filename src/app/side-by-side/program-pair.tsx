@@ -1,0 +1,51 @@
+import type { ComponentChildren } from 'preact';
+import { type Change, differences, type TimerProgram } from '../../program/index.js';
+import { messages } from '../messages/index.js';
+import { Timeline } from '../timeline/timeline.js';
+import { ComparisonGrid } from '../write/comparison-grid.js';
+import { LONG_LIST } from '../write/difference.js';
+import { ValueTable } from '../write/value-table.js';
+import './program-pair.css';
+
+interface ProgramPairProps {
+  /** Both have one layout. */
+  readonly first: TimerProgram;
+  readonly second: TimerProgram;
+  /** What the two are called. */
+  readonly names: readonly [string, string];
+  /** What the picture is called. */
+  readonly title: string;
+  /** What can be done with each value that differs; then they stand one under the other, however many. */
+  readonly actionOf?: ((change: Change) => ComponentChildren) | undefined;
+  readonly children?: ComponentChildren;
+}
+
+/** Two programs: what differs, in figures and over time. */
+export function ProgramPair({ first, second, names, title, actionOf, children }: ProgramPairProps) {
+  const { overview: words } = messages.value;
+  const changes = differences(first, second);
+  const grid = changes.length > LONG_LIST && !actionOf;
+  return (
+    <div class="program-pair">
+      <div class="pair-values">
+        <p role="status">
+          <strong>{changes.length === 0 ? words.same : words.differs(changes.length)}</strong>
+        </p>
+        {children}
+        {grid && <ComparisonGrid first={first} second={second} names={names} />}
+        {!grid && changes.length > 0 && (
+          <ValueTable
+            identity={first.identity}
+            names={names}
+            rows={changes.map((change) => ({
+              field: change.field,
+              values: [change.from, change.to],
+              note: actionOf?.(change),
+            }))}
+          />
+        )}
+      </div>
+      <Timeline program={first} overlay={{ program: second, name: names[1] }} title={title} />
+    </div>
+  );
+}
