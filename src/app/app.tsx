@@ -98,6 +98,12 @@ export function App({ models }: { readonly models: AppModels }) {
 /** For who comes here for the first time: whoever has something here has been here. */
 function FirstSteps({ session, steps }: { readonly session: AppModels['session']; readonly steps: FirstStepsModel }) {
   const { backups, keptPrograms, library } = session;
+  const isWanted = steps.shown.value !== null;
+  useEffect(() => {
+    if (isWanted) void library.load();
+  }, [isWanted, library]);
   const isKnown = [backups.list, keptPrograms.list, library.models.list].some(({ value }) => value.length > 0);
-  return isKnown || steps.shown.value === null ? null : <parts.firstSteps.Part steps={steps} />;
+  // Not before it is known what is here: nobody sees them come and go.
+  if (!isWanted || isKnown || !library.models.loaded.value) return null;
+  return <parts.firstSteps.Part steps={steps} />;
 }
