@@ -11,7 +11,7 @@ import './connect/start-screen.css';
 import './connect/start-cards.css';
 import './connect/step-list.css';
 import './timeline/small-lanes.css';
-import { afterPaint } from './browser/after-paint.js';
+import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
 import { tried } from './browser/services.js';
 import { earlyClicks } from './early-clicks.js';
@@ -32,7 +32,8 @@ const doEarlyClick = earlyClicks(root);
 afterPaint(async () => {
   try {
     const { openPage } = await import('./open-page.js');
-    openPage(root, theme);
+    await nextTask();
+    await openPage(root, theme);
     doEarlyClick();
   } catch (error) {
     sayFailed();

@@ -1,13 +1,13 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
 import { App } from './app.js';
-import { afterPaint } from './browser/after-paint.js';
+import { afterPaint, nextTask } from './browser/after-paint.js';
 import { lacksOf, media, openDoors, tabNumberOf } from './browser/doors.js';
 import { registerOffline } from './browser/offline.js';
 import { platformOf } from './browser/platform.js';
 import { nameplate, service, tried } from './browser/services.js';
 import { onWake } from './browser/wake.js';
-import { type AppModels, createModels } from './models.js';
+import { createModels } from './models.js';
 import { fetchParts, fetchSimulated } from './parts.js';
 import { TABLET } from './settings/density.js';
 import { browserErasers } from './settings/erasers.js';
@@ -20,12 +20,11 @@ import { browserStorage } from './storage/index.js';
  * Draws the page, then asks the browser for whatever takes its time. Nothing that the browser does not have, refuses or
  * never answers keeps the page from being drawn.
  * @param theme in which the first picture was drawn.
- * @returns the models of the page; null inside of a frame, where it does not work.
  */
-export function openPage(root: HTMLElement, theme: Theme): AppModels | null {
+export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   if (isFramed(window)) {
     render(<FramedPage address={location.href} />, root);
-    return null;
+    return;
   }
   const doors = openDoors();
   const models = createModels({
@@ -43,6 +42,8 @@ export function openPage(root: HTMLElement, theme: Theme): AppModels | null {
     theme,
   });
   const { session, views, sharing, follow, update, keeping, density, installation } = models;
+  // What a slow device needs some time for comes in pieces: what is touched meanwhile is heard between them.
+  await nextTask();
   installation.follow(window);
   const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
@@ -85,5 +86,4 @@ export function openPage(root: HTMLElement, theme: Theme): AppModels | null {
   } catch {
     onMissing();
   }
-  return models;
 }

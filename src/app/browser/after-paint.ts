@@ -8,3 +8,8 @@ export function afterPaint(work: () => void): void {
   requestAnimationFrame(() => requestAnimationFrame(once));
   setTimeout(once, 500);
 }
+
+/** The browser may do something else first. */
+export function nextTask(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
+}
