@@ -50,6 +50,16 @@ async function review(page) {
   await page.getByRole('dialog').waitFor();
 }
 
+/** A DT for trimming is written. @param {Page} page */
+async function trim(page) {
+  await connect(page);
+  await enter(page, 'DT time', '20 s');
+  await press(page, /^Write( \d+)?…$/);
+  await promise(page);
+  await press(page, /^Write \d+ change/);
+  await page.getByText('Verified.').waitFor();
+}
+
 /** Offers the program on the screen, by its name in the list of commands. @param {Page} page */
 async function offer(page) {
   await page.keyboard.press('Control+k');
@@ -399,6 +409,46 @@ export const states = {
       await settled(page);
       await page.locator('summary', { hasText: 'Compare' }).click();
       await toTop(page);
+    },
+  },
+  shortDt: {
+    title: 'Before Disconnect with a short DT',
+    reach: async (page) => {
+      await trim(page);
+      await press(page, 'Close');
+      // On a phone its button is one tap further.
+      await page.keyboard.press('Control+k');
+      await page.keyboard.type('disconnect');
+      await page.keyboard.press('Enter');
+      await page.getByRole('dialog', { name: 'Before you disconnect' }).waitFor();
+    },
+  },
+  flight: {
+    title: 'A flight is filled in',
+    reach: async (page) => {
+      await trim(page);
+      await press(page, 'Flying this');
+      await press(page, 'Fill in');
+      const form = page.getByRole('dialog', { name: 'Flight' });
+      await form.getByRole('textbox', { name: 'Result' }).fill('0:19,5');
+      await form.getByRole('button', { name: '2', exact: true }).click();
+      await press(page, 'Wind: more');
+      await press(page, 'Temperature: more');
+    },
+  },
+  flights: {
+    title: 'The log of flights',
+    reach: async (page) => {
+      await trim(page);
+      await press(page, 'Flying this');
+      await press(page, 'Close');
+      await goTo(page, 'library/flights');
+      await press(page, 'Flying this');
+      await press(page, 'Fill in');
+      const form = page.getByRole('dialog', { name: 'Flight' });
+      await form.getByRole('textbox', { name: 'Result' }).fill('178');
+      await form.getByRole('textbox', { name: 'Note' }).fill('Good air over the wood');
+      await press(page, 'Done');
     },
   },
   print: {
