@@ -35,7 +35,9 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
     <section class="flights-of">
       <h2>{words.title}</h2>
       {records.length === 0 ? (
-        <p class="hint">{flights.loaded.value ? words.section.none : words.loading}</p>
+        <p class="hint">
+          {flights.failed.value ? words.failed : flights.loaded.value ? words.section.none : words.loading}
+        </p>
       ) : (
         <>
           <TotalsLine records={records} />

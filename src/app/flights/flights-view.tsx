@@ -20,7 +20,7 @@ export interface FlightsViewProps {
 export function FlightsView({ session, log }: FlightsViewProps) {
   const words = flightMessages.value;
   const { library } = session;
-  const { list, loaded } = library.flights;
+  const { list, loaded, failed } = library.flights;
   useEffect(() => {
     void library.flights.load();
     void library.load();
@@ -39,7 +39,15 @@ export function FlightsView({ session, log }: FlightsViewProps) {
           {words.loading}
         </p>
       )}
-      {loaded.value && list.value.length === 0 && (
+      {failed.value && (
+        <div class="notice bad" role="alert">
+          <p>{words.failed}</p>
+          <button type="button" onClick={() => void library.flights.load()}>
+            {words.again}
+          </button>
+        </div>
+      )}
+      {loaded.value && !failed.value && list.value.length === 0 && (
         <div class="flights-empty">
           <p>
             <strong>{words.empty.title}</strong>

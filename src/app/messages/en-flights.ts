@@ -10,6 +10,8 @@ export const flights = {
     advice: 'Read or write a timer, then click “Flying this”: the log keeps what the timer holds, with date and place.',
   },
   loading: 'Loading the flights',
+  failed: 'This browser does not give out the flights that it may keep.',
+  again: 'Try again',
   nothingFound: 'No flight fits this filter.',
   day: (date: string, place: string) => (place === '' ? date : `${date} · ${place}`),
   dayCount: (count: number) => plural(count, 'flight', 'flights'),

@@ -1,4 +1,4 @@
-import { type ReadonlySignal, signal } from '@preact/signals';
+import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { Keeper } from '../storage/index.js';
 
 /** So long a deleted record can be put back, in milliseconds. */
@@ -11,12 +11,15 @@ const UNDO_WAIT = 10_000;
 export class Collection<T extends { readonly key: string; readonly changedAt: number }> {
   readonly #list = signal<readonly T[]>([]);
   readonly #loaded = signal(false);
+  readonly #failed = signal(false);
   readonly #removed = signal<readonly T[]>([]);
   readonly #unsaved = signal<ReadonlySet<string>>(new Set());
   /** In their order, without those that were taken out. */
   readonly list: ReadonlySignal<readonly T[]> = this.#list;
   /** Whether the storage has been asked, and has answered in one way or another. */
   readonly loaded: ReadonlySignal<boolean> = this.#loaded;
+  /** It was asked last and has not given what it holds: what is missing in the list may be there. */
+  readonly failed: ReadonlySignal<boolean> = this.#failed;
   /** Taken out of the list, and not deleted yet. */
   readonly removed: ReadonlySignal<readonly T[]> = this.#removed;
   /** What this page has and the storage has not, by key. */
@@ -71,7 +74,10 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
       });
       this.#show([...records.values()]);
     }
-    this.#loaded.value = true;
+    batch(() => {
+      this.#loaded.value = true;
+      this.#failed.value = kept === null;
+    });
     return kept !== null;
   }
 

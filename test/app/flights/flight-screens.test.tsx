@@ -1,7 +1,7 @@
-import { act, fireEvent, screen, within } from '@testing-library/preact';
+import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { type AppBench, idle } from '../bench/bench.js';
-import { button, connected, opened, press, type } from '../screen.js';
+import { type AppBench, idle, reloaded } from '../bench/bench.js';
+import { button, connected, drawn, opened, press, type } from '../screen.js';
 import { PLAIN } from './flights.js';
 
 beforeEach(() => localStorage.clear());
@@ -18,6 +18,12 @@ async function toLog(app: AppBench): Promise<void> {
 
 function fill(name: string, text: string): void {
   act(() => void fireEvent.input(form().getByRole('textbox', { name }), { target: { value: text } }));
+}
+
+/** The page is loaded anew. */
+async function drawnAgain(app: AppBench): Promise<AppBench> {
+  cleanup();
+  return drawn(await reloaded(app));
 }
 
 /** A season: two days at two places. */
@@ -113,6 +119,20 @@ describe('the log', () => {
     expect(text?.split('\r\n').length).toBe(3);
     expect(text).toContain('2026-11-22,09:00,"Gyula","Vega"');
     expect(localStorage.getItem('sidus-timer/csv-separator')).toBe('","');
+  });
+
+  it('says that it could not be read, and never that it is empty, where the browser does not give it out', async () => {
+    const app = await opened();
+    await app.session.library.keepFlight(PLAIN);
+    const all = app.store.flights.all.bind(app.store.flights);
+    app.store.flights.all = () => Promise.reject(new Error('no'));
+    const page = await drawnAgain(app);
+    await toLog(page);
+    expect(screen.getByRole('alert').textContent).toContain('does not give out the flights');
+    expect(screen.queryByText('No flight is logged yet.')).toBeNull();
+    app.store.flights.all = all;
+    await press('Try again');
+    expect([rows().length, screen.queryByRole('alert')]).toEqual([1, null]);
   });
 
   it('says what it is for while it is empty', async () => {
