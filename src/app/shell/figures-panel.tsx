@@ -10,7 +10,10 @@ export interface FiguresPanelProps {
   readonly id: string;
   readonly session: Session;
   readonly preferences: Preferences;
-  /** What stands in the strip where there is room: the memories and the connection; null there. */
+  /**
+   * What stands in the strip where there is room: the memories, and on a phone all that is done to the connection; null
+   * there.
+   */
   readonly rest: { readonly choice: ComponentChildren; readonly actions: ComponentChildren } | null;
   readonly onClose: () => void;
 }
@@ -26,7 +29,7 @@ export function FiguresPanel({ id, session, preferences, rest, onClose }: Figure
     <section class="strip-panel" id={id} aria-label={strip.panel} inert={leavesMemory}>
       {rest?.choice}
       <LargeFigures session={session} />
-      {rest && (
+      {rest?.actions && (
         <>
           <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
           <div class="buttons">

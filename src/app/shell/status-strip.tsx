@@ -15,7 +15,7 @@ import type { Preferences } from '../session/preferences.js';
 import type { Session } from '../session/session.js';
 import { onDemand } from '../ui/on-demand.js';
 import { PlaneIcon } from '../ui/plane-icon.js';
-import { NARROW, useQuery } from '../ui/use-query.js';
+import { NARROW, TIGHT, useQuery } from '../ui/use-query.js';
 import { KnownLine } from './known-line.js';
 import { StripModel } from './strip-model.js';
 import './status-strip.css';
@@ -39,6 +39,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const isNarrow = useQuery(NARROW).value;
+  const isTight = useQuery(TIGHT).value;
   const open = useSignal(false);
   const panel = useId();
   const box = useRef<HTMLDivElement>(null);
@@ -80,7 +81,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
         ) : (
           <LinkState link={session.link} model={isNarrow ? (session.modelAtHand.value?.name ?? null) : null} />
         )}
-        {!isNarrow && choice}
+        {!isTight && choice}
         {identity && (
           <button
             type="button"
@@ -89,7 +90,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
             aria-controls={panel}
             onClick={() => (open.value = !open.value)}
           >
-            {(isNarrow || memories.looking.value !== null) && <MemoryNow session={session} />}
+            {(isTight || memories.looking.value !== null) && <MemoryNow session={session} />}
             <Figures session={session} identity={identity} />
           </button>
         )}
@@ -100,15 +101,15 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
         <figures.Part
           {...{ id: panel, session, preferences }}
           rest={
-            isNarrow
+            isTight
               ? {
                   choice,
-                  actions: (
+                  actions: isNarrow ? (
                     <>
                       <StripModel session={session} />
                       {actions}
                     </>
-                  ),
+                  ) : null,
                 }
               : null
           }

@@ -1,0 +1,140 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { outOfReach } from './in-reach.js';
+import { showTheme } from './well-made.js';
+
+type Size = readonly [width: number, height: number];
+/** With a finger: two phones, one of them on its side, and a tablet. */
+const BY_TOUCH: readonly Size[] = [
+  [360, 740],
+  [390, 844],
+  [844, 390],
+  [820, 1180],
+];
+/** With a mouse: three laptops, and the first of them at 200 and 400 per cent. */
+const BY_MOUSE: readonly Size[] = [
+  [1280, 800],
+  [1366, 650],
+  [1440, 900],
+  [640, 400],
+  [320, 256],
+];
+
+/** What may lie over the page. */
+const OVER = 'dialog[open], .row-panel, .edit-sheet:popover-open';
+
+const faults: string[] = [];
+
+async function look(app: AppPage, sizes: readonly Size[], state: string): Promise<void> {
+  for (const [width, height] of sizes) {
+    await app.page.setViewportSize({ width, height });
+    await app.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    for (const fault of await app.page.evaluate(outOfReach, OVER))
+      faults.push(`${state}, ${width}x${height}: ${fault}`);
+  }
+  const [first] = sizes;
+  if (first) await app.page.setViewportSize({ width: first[0], height: first[1] });
+}
+
+test.each([
+  ['a finger', BY_TOUCH, { hasTouch: true, isMobile: true }],
+  ['a mouse', BY_MOUSE, {}],
+] as const)(
+  'all that is there can be read and pressed with %s, in each view and each size',
+  async (_, sizes, options) => {
+    faults.length = 0;
+    const [first] = sizes;
+    const [width, height] = first as Size;
+    const app = await AppPage.open({ bench: {}, reducedMotion: 'reduce', viewport: { width, height }, ...options });
+    // The largest letters.
+    await showTheme(app, 'sun');
+    const { page } = app;
+    const dialog = page.getByRole('dialog');
+    const see = (state: string): Promise<void> => look(app, sizes, state);
+    const shut = async (): Promise<void> => {
+      await page.keyboard.press('Escape');
+      await dialog.waitFor({ state: 'hidden' });
+    };
+    await app.button('Connect').first().waitFor();
+    await see('start');
+    await app.button('New program…').click();
+    await dialog.waitFor();
+    await see('new program');
+    await shut();
+    await app.bench((bench) => bench.dismissChooser());
+    await app.button('Connect').click();
+    await app.says('No port was chosen.');
+    await see('no port');
+    await app.bench((bench) => bench.chooseAdapter());
+    await app.connect();
+    await see('program');
+    await app.type('Motor stop time', '39.95');
+    await app.type('Function 1 time', '1:30.25');
+    await app.type('DT time', '10:00');
+    for (const servo of ['S1', 'S2', 'S3']) await app.type(`Function 2, ${servo}`, '130');
+    await app.type('Idle throttle', 'x');
+    await see('program with edits and errors');
+    await app.type('Idle throttle', '30');
+    await app.button('Tools for Function 4').click();
+    await see('tools of a row');
+    await page.keyboard.press('Escape');
+    await app.showFigures();
+    await see('large figures');
+    await app.button('Close the large figures').click();
+    await page.keyboard.press('Control+k');
+    await dialog.waitFor();
+    await see('commands');
+    await shut();
+    await app.review();
+    await see('difference');
+    for (const box of await app.dialog.getByRole('checkbox').all()) await box.check();
+    await app.dialog.getByRole('button', { name: /^Write/ }).click();
+    await app.result('Verified.');
+    await see('verdict');
+    await app.close();
+    for (const view of ['Memories', 'Bench', 'Library', 'Line', 'Settings'] as const) {
+      await app.goTo(view);
+      await see(view);
+    }
+    await app.text('About this timer').click();
+    await app.text('Serial settings').click();
+    await see('settings, all open');
+    await app.button(/^Delete/).click();
+    await dialog.waitFor();
+    await see('delete');
+    await dialog.getByRole('button', { name: 'Cancel' }).click();
+    await app.goTo('Bench');
+    await page.getByRole('checkbox', { name: /^The propeller/ }).check();
+    await app.button('Function 2').click();
+    await app.text('Servos at function 2').first().waitFor();
+    await page.getByRole('switch').click();
+    await app.button('Step down Function 2, S1').click();
+    await app.text('1 tried in the timer').first().waitFor({ state: 'attached' });
+    await see('bench, following');
+    await page.getByRole('switch').first().click();
+    await app.button('Keep it').first().waitFor();
+    await see('bench, tried');
+    await app.button('Keep it').first().click();
+    await app.goTo('Memories');
+    await app.button('Read and keep all…').click();
+    await dialog.waitFor();
+    await see('read all');
+    await dialog.getByRole('button', { name: 'Read and keep' }).click();
+    await dialog.getByText('were read and kept').waitFor();
+    await see('all read');
+    await dialog.getByRole('button', { name: 'Close' }).click();
+    await app.button('Copy to…: M2').click();
+    await see('memories, read');
+    await app.button('Compare with M1: M3').click();
+    await see('memories compared');
+    await app.button('Copy M1 to M3…').click();
+    await dialog.getByRole('checkbox').first().waitFor();
+    await see('copy');
+    await shut();
+    await app.goTo('Program');
+    await app.bench((bench) => bench.adapter.unplug());
+    await app.says('The adapter is unplugged.');
+    await see('unplugged');
+    expect(faults).toEqual([]);
+  },
+);

@@ -1,0 +1,103 @@
+/**
+ * What a pilot could not read or press in the window as it is: text that is cut off or lies on other text, and controls
+ * that stand over the edge or are covered wherever the page is scrolled to. Runs in the page.
+ * @param scope what lies over the page, where something does: what it covers is not to be pressed then.
+ */
+export function outOfReach(scope: string): string[] {
+  const found: string[] = [];
+  const root = document.documentElement;
+  const over = document.querySelector(scope);
+  const all = <E extends Element>(selector: string): E[] => [...(over ?? document).querySelectorAll<E>(selector)];
+  const name = (element: Element): string =>
+    `${element.tagName.toLowerCase()}.${element.getAttribute('class') ?? ''} “${(element.getAttribute('aria-label') ?? element.textContent ?? '').trim().slice(0, 40)}”`;
+  const isSeen = (element: Element): boolean =>
+    element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
+    element.getBoundingClientRect().width > 1 &&
+    !element.closest('.visually-hidden, [inert]');
+  const ancestors = function* (element: Element | null): Generator<Element> {
+    for (let each = element; each; each = each.parentElement) yield each;
+  };
+  const scrolls = (element: Element, axis: 'X' | 'Y'): boolean =>
+    /auto|scroll/.test(getComputedStyle(element)[`overflow${axis}`]);
+  /** What is shut away for the eye alone. */
+  const isForEars = (element: Element): boolean => getComputedStyle(element).clipPath !== 'none';
+
+  if (root.scrollWidth > root.clientWidth)
+    found.push(`the page goes ${root.scrollWidth - root.clientWidth} px sideways`);
+
+  interface Line {
+    readonly box: DOMRect;
+    readonly text: string;
+    readonly of: Element;
+    /** What it is scrolled with. */
+    readonly layer: Element | undefined;
+  }
+  const lines: Line[] = [];
+  const walker = document.createTreeWalker(over ?? document.body, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+    const { parentElement: of } = node;
+    const text = node.textContent?.trim() ?? '';
+    if (!of || text === '' || of.closest('svg, script, noscript, option') || !isSeen(of)) continue;
+    if ([...ancestors(of)].some(isForEars)) continue;
+    const range = document.createRange();
+    range.selectNodeContents(node);
+    const layer = [...ancestors(of)].find(
+      (each) =>
+        /sticky|fixed|absolute/.test(getComputedStyle(each).position) || scrolls(each, 'X') || scrolls(each, 'Y'),
+    );
+    for (const box of range.getClientRects()) {
+      if (box.width < 1) continue;
+      lines.push({ box, text, of, layer });
+      for (const each of ancestors(of)) {
+        const { overflowX, textOverflow } = getComputedStyle(each);
+        if (overflowX === 'visible' || each === root || each === document.body) continue;
+        if (scrolls(each, 'X')) break;
+        const edge = each.getBoundingClientRect();
+        if (box.right > edge.right + 1 || box.left < edge.left - 1)
+          found.push(`“${text.slice(0, 40)}” is cut off by ${name(each)} ${textOverflow}`);
+      }
+    }
+  }
+  for (const [at, one] of lines.entries()) {
+    for (const other of lines.slice(at + 1)) {
+      if (one.layer !== other.layer || one.of === other.of) continue;
+      const wide = Math.min(one.box.right, other.box.right) - Math.max(one.box.left, other.box.left);
+      const high = Math.min(one.box.bottom, other.box.bottom) - Math.max(one.box.top, other.box.top);
+      // The boxes of lines are higher than their letters.
+      if (wide > 1 && high > 0.4 * Math.min(one.box.height, other.box.height))
+        found.push(`“${one.text.slice(0, 30)}” lies on “${other.text.slice(0, 30)}”`);
+    }
+  }
+
+  const places: (() => void)[] = [];
+  const control = 'button, a[href], input, select, textarea, summary, [role=switch], [role=option]';
+  for (const element of all<HTMLElement>(control)) {
+    const target = element.closest('label') ?? element;
+    if (!isSeen(target) || element.closest('svg') || isForEars(target)) continue;
+    if (element.scrollWidth > element.clientWidth + 1 && element.matches('button, a, input, summary'))
+      found.push(`${name(element)} is too narrow for what it says`);
+    const inTable = [...ancestors(target)].some((each) => each !== root && scrolls(each, 'X'));
+    const { left, right } = target.getBoundingClientRect();
+    if (!inTable && (left < -0.5 || right > root.clientWidth + 0.5))
+      found.push(`${name(element)} stands over the edge`);
+    const isHit = (): boolean => {
+      const box = target.getBoundingClientRect();
+      const there = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+      return there !== null && target.contains(there);
+    };
+    if (isHit()) continue;
+    // Wherever it can be scrolled to.
+    for (const each of ancestors(target)) {
+      const { scrollTop, scrollLeft } = each;
+      places.push(() => each.scrollTo(scrollLeft, scrollTop));
+    }
+    target.scrollIntoView({ block: 'center', inline: 'center' });
+    if (!isHit()) {
+      const box = target.getBoundingClientRect();
+      const there = document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2);
+      found.push(`${name(element)} is covered by ${there ? name(there) : 'nothing'}`);
+    }
+    for (const back of places.splice(0)) back();
+  }
+  return [...new Set(found)];
+}
