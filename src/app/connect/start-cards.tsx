@@ -8,6 +8,39 @@ import type { Draft } from '../storage/index.js';
 import { NewProgramDialog } from './new-program-dialog.js';
 import './start-cards.css';
 
+/** So many models are named; the others are in the library. */
+const NAMED = 4;
+
+/** The pilot's models, and the way to the library. */
+export function KeptModels({ session: { library } }: { readonly session: Session }) {
+  const { models: words } = messages.value.start;
+  const shown = library.models.list.value.filter(({ model }) => !model.archived);
+  const counts = new Map<string | null, number>();
+  for (const { setting } of library.settings.list.value) {
+    if (!setting.archived) counts.set(setting.model, (counts.get(setting.model) ?? 0) + 1);
+  }
+  return (
+    <section class="start-card" aria-labelledby="models-title">
+      <h2 id="models-title">{words.title}</h2>
+      {shown.length === 0 && <p>{words.none}</p>}
+      {shown.length > 0 && (
+        <ul>
+          {shown.slice(0, NAMED).map(({ key, model }) => (
+            <li key={key}>
+              <a class="kept-model" href={`#library/${key}`}>
+                <strong>{model.name}</strong> <span>{words.settings(counts.get(key) ?? 0)}</span>
+              </a>
+            </li>
+          ))}
+        </ul>
+      )}
+      <p class="to-library">
+        <a href="#library">{shown.length > NAMED ? words.all(shown.length) : words.library}</a>
+      </p>
+    </section>
+  );
+}
+
 /** What the pilot has made or changed, that no timer has. */
 export function KeptPrograms({ session }: { readonly session: Session }) {
   const { programs: words } = messages.value.start;
@@ -44,8 +77,9 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
   const { programs: words } = messages.value.start;
   const asked = useSignal(false);
   const { working, madeAt, savedAt } = draft;
-  const what = nameOf(draft);
-  const when = madeAt === undefined ? words.changedAt(clockText(savedAt)) : words.madeAt(clockText(madeAt));
+  const setting = draft.of && session.library.settings.get(draft.of.id)?.setting.name;
+  const what = setting === undefined ? nameOf(draft) : words.changesOf(setting);
+  const when = madeAt === undefined || draft.of ? words.changedAt(clockText(savedAt)) : words.madeAt(clockText(madeAt));
   const [dt] = keyFigures(working);
   if (asked.value) {
     return (

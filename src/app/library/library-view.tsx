@@ -56,7 +56,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
     );
   }
   const one = columns === 1;
-  const browsed = (
+  return (
     <div class={`library columns-${columns}`}>
       {shows(0) && <ModelList {...{ session, browse, places, onGo }} chosen={place.model} setting={place.setting} />}
       {shows(1) && (columns < 3 || place.model !== null) && (
@@ -89,18 +89,6 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
         </section>
       )}
     </div>
-  );
-  return (
-    <>
-      {!library.kept.value && (
-        <div class="notice bad library-unkept" role="alert">
-          <p>
-            <strong>{words.unkept.title}</strong> {words.unkept.advice}
-          </p>
-        </div>
-      )}
-      {browsed}
-    </>
   );
 }
 

@@ -98,7 +98,7 @@ function Models({ session, browse, chosen }: Pick<ModelListProps, 'session' | 'b
           record={record}
           count={browse.byModel.value.get(record.key)?.length ?? 0}
           isChosen={chosen === record.key}
-          isKept={!session.library.models.unsaved.value.has(record.key)}
+          isKept={!session.library.models.refused.value.has(record.key)}
         />
       )}
     </Arrange>

@@ -38,7 +38,9 @@ export class SaveSetting {
     const { shown, unsaved, savable } = this.#session.opened;
     const setting = shown.peek()?.setting;
     if (!setting || !savable.peek()) return this.open();
-    if (unsaved.peek()?.elsewhere) this.#current.value = { step: 'elsewhere', theirs: setting };
+    await this.#session.library.settings.look(setting.id);
+    if (unsaved.peek()?.elsewhere)
+      this.#current.value = { step: 'elsewhere', theirs: shown.peek()?.setting ?? setting };
     else await this.#session.opened.save();
   }
 

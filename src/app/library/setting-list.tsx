@@ -26,7 +26,7 @@ export function SettingList({ session, browse, records, chosen, withModel, arran
   const { settings, models } = session.library;
   const room = browse.room.value;
   const open = session.openSetting.value?.setting?.id ?? null;
-  const unsaved = settings.unsaved.value;
+  const refused = settings.refused.value;
   return (
     <>
       <Arrange
@@ -43,7 +43,7 @@ export function SettingList({ session, browse, records, chosen, withModel, arran
             model={withModel ? (models.get(record.setting.model)?.model.name ?? '') : ''}
             isChosen={chosen === record.key}
             isOpen={open === record.key}
-            isKept={!unsaved.has(record.key)}
+            isKept={!refused.has(record.key)}
           />
         )}
       </Arrange>

@@ -161,8 +161,6 @@ export const library = {
     make: 'Make the setting',
   },
   unkept: {
-    title: 'This browser does not keep the library.',
-    advice: 'What you see lasts only while this page is open. Export it to a file before you close the page.',
     mark: 'not kept by this browser',
   },
   nameNeeded: 'A name is needed: the one before is kept.',

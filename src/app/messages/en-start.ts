@@ -25,6 +25,13 @@ export const start = {
     notKept: 'no backup is kept here yet',
     kept: (time: string) => `kept ${time}`,
   },
+  models: {
+    title: 'My models',
+    none: 'Keep programs under the model that they are for, with notes.',
+    settings: (count: number) => plural(count, 'setting', 'settings'),
+    library: 'Open the library',
+    all: (count: number) => `All ${count} models`,
+  },
   programs: {
     title: 'My programs',
     none: 'Make one without a timer, and write it later.',

@@ -14,6 +14,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   readonly #failed = signal(false);
   readonly #removed = signal<readonly T[]>([]);
   readonly #unsaved = signal<ReadonlySet<string>>(new Set());
+  readonly #refused = signal<ReadonlySet<string>>(new Set());
   /** In their order, without those that were taken out. */
   readonly list: ReadonlySignal<readonly T[]> = this.#list;
   /** Whether the storage has been asked, and has answered in one way or another. */
@@ -22,8 +23,10 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   readonly failed: ReadonlySignal<boolean> = this.#failed;
   /** Taken out of the list, and not deleted yet. */
   readonly removed: ReadonlySignal<readonly T[]> = this.#removed;
-  /** What this page has and the storage has not, by key. */
+  /** What this page has and the storage has not, or not yet, by key. */
   readonly unsaved: ReadonlySignal<ReadonlySet<string>> = this.#unsaved;
+  /** Those of them that the storage did not take. */
+  readonly refused: ReadonlySignal<ReadonlySet<string>> = this.#refused;
   readonly #keeper: Keeper<T>;
   readonly #inOrder: (a: T, b: T) => number;
   readonly #onChange: () => void;
@@ -81,6 +84,14 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     return kept !== null;
   }
 
+  /** Reads one record again: another tab may have changed it a moment ago. */
+  async look(key: string): Promise<void> {
+    const before = this.get(key);
+    const now = await this.#keeper.load(key).catch(() => undefined);
+    // What was changed here meanwhile, or is not kept, is newer.
+    if (now && this.get(key) === before && !this.#unsaved.peek().has(key)) this.#show([...this.#list.peek(), now]);
+  }
+
   /**
    * Keeps records; they are in the list at once.
    * @returns whether the storage has all of them.
@@ -103,6 +114,8 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
       records.filter((record, at) => saved[at] && present.has(record)),
       true,
     );
+    const refused = records.filter((_, at) => !saved[at]).map(({ key }) => key);
+    if (refused.length > 0) this.#refused.value = new Set([...this.#refused.peek(), ...refused]);
     if (saved.includes(true)) this.#onChange();
     return saved.every(Boolean);
   }
@@ -155,5 +168,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
       else unsaved.add(key);
     }
     this.#unsaved.value = unsaved;
+    const refused = [...this.#refused.peek()].filter((key) => unsaved.has(key));
+    if (refused.length < this.#refused.peek().size) this.#refused.value = new Set(refused);
   }
 }

@@ -24,19 +24,37 @@ const schema = v.array(
 
 type Said = readonly ServoUse[] | null;
 
-/** What the servos of the model move, by the pilot's word. Kept for each kind of timer. */
+/** What is said of the servos of one model. */
+export interface ServosOfModel {
+  /** Empty where nothing is. */
+  readonly servos: readonly ServoUse[];
+  say(servos: readonly ServoUse[]): void;
+}
+
+/**
+ * What the servos of the model move, by the pilot's word. Where it is known which model is at hand it is kept with that
+ * model; else for each kind of timer.
+ */
 export class ServoUses {
   /** For each servo; null where nobody has said anything: whoever draws something has to guess. */
   readonly named: ReadonlySignal<Said>;
   readonly #atHand: ReadonlySignal<ServosAtHand | null>;
+  readonly #ofModel: ReadonlySignal<ServosOfModel | null>;
   /** What was said since the page was opened, by kind: all there is where the browser keeps nothing. */
   readonly #said = signal<ReadonlyMap<string, Said>>(new Map());
 
-  constructor(atHand: ReadonlySignal<ServosAtHand | null>) {
+  /** @param ofModel null while it is not known which model is at hand. */
+  constructor(
+    atHand: ReadonlySignal<ServosAtHand | null>,
+    ofModel: ReadonlySignal<ServosOfModel | null> = signal(null),
+  ) {
     this.#atHand = atHand;
+    this.#ofModel = ofModel;
     this.named = computed(() => {
       const { value } = this.#atHand;
       if (!value) return null;
+      const own = this.#ofModel.value?.servos;
+      if (own?.length === value.servos) return own;
       const said = this.#said.value.get(value.kind);
       const uses = said === undefined ? loadSetting(settingOf(value), v.nullable(schema)) : said;
       return uses?.length === value.servos ? uses : null;
@@ -47,6 +65,10 @@ export class ServoUses {
   say(uses: Said): void {
     const atHand = this.#atHand.peek();
     if (!atHand) return;
+    const model = this.#ofModel.peek();
+    model?.say(uses ?? []);
+    // What was said before the model was known is taken back with it.
+    if (model && uses) return;
     this.#said.value = new Map(this.#said.peek()).set(atHand.kind, uses);
     saveSetting(settingOf(atHand), uses);
   }

@@ -181,6 +181,10 @@ export class Session {
         const shown = editor.identity.value;
         return shown && { kind: kindKey(shown, reader.simulated.value), servos: shown.servos };
       }),
+      computed(() => {
+        const model = this.modelAtHand.value;
+        return model ? { servos: model.servos, say: (servos) => void this.#keepServos(model.id, servos) } : null;
+      }),
     );
   }
 
@@ -311,6 +315,11 @@ export class Session {
    */
   async showSetting(setting: Setting): Promise<boolean> {
     return await this.opened.show(setting);
+  }
+
+  async #keepServos(id: string, servos: Model['servos']): Promise<void> {
+    const model = this.library.models.get(id)?.model;
+    if (model) await this.library.keepModel({ ...model, servos });
   }
 
   /** Under what the work on a program of the timer on the screen is kept. */

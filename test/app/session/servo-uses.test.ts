@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { type ServosAtHand, ServoUses } from '../../../src/app/session/servo-uses.js';
 import type { ServoUse } from '../../../src/program/index.js';
@@ -37,6 +37,28 @@ describe('what the servos move', () => {
     uses.say([FLAP, FLAP]);
     atHand.value = { kind: 'timer/Q', servos: 2 };
     expect(uses.named.value, 'without a timer nothing can be said').toEqual([TAILPLANE, FLAP]);
+  });
+
+  it('belongs to the model where that is known, and only there', () => {
+    const atHand = signal<ServosAtHand | null>({ kind: 'timer/Q', servos: 2 });
+    const servos = signal<readonly ServoUse[] | null>(null);
+    const ofModel = computed(
+      () => servos.value && { servos: servos.value, say: (said: readonly ServoUse[]) => void (servos.value = said) },
+    );
+    const uses = new ServoUses(atHand, ofModel);
+    uses.say([TAILPLANE, FLAP]);
+    servos.value = [];
+    expect(uses.named.value, 'as near as one can come').toEqual([TAILPLANE, FLAP]);
+    uses.say([FLAP, FLAP]);
+    expect([servos.value, uses.named.value]).toEqual([
+      [FLAP, FLAP],
+      [FLAP, FLAP],
+    ]);
+    expect(opened().uses.named.value, 'of its kind').toEqual([TAILPLANE, FLAP]);
+    servos.value = [FLAP];
+    expect(uses.named.value, 'it has another number of them').toEqual([TAILPLANE, FLAP]);
+    uses.say(null);
+    expect([servos.value, uses.named.value]).toEqual([[], null]);
   });
 
   it('can be taken back, to be guessed again', () => {

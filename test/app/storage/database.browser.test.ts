@@ -3,6 +3,7 @@ import { describe, expect, it, onTestFinished } from 'vitest';
 import { openStorage, Shelf } from '../../../src/app/storage/database.js';
 import { browserStorage, StorageError } from '../../../src/app/storage/index.js';
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
+import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
 describe('the storage of the browser', () => {
   function name(): string {
@@ -162,4 +163,58 @@ describe('what version 3 has stored', () => {
     expect(await backups.all()).toEqual([{ ...backup, program: is(7) }]);
     expect(await aside.all()).toEqual([]);
   });
+});
+
+describe('what each older version has stored', () => {
+  const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 3, memories: 4, servos: 1 };
+  const was = (times: 'timers' | 'times') => ({
+    identity: IDENTITY,
+    memory: 0,
+    [times]: [1000, 0, 500, 18000],
+    positions: [[1, 2, 3, 4]],
+    idleThrottle: null,
+  });
+  const is = was('times');
+
+  it.each([
+    [1, ['drafts'], 'timers'],
+    [2, ['drafts', 'unfinished', 'backups', 'ports'], 'timers'],
+    [3, ['drafts', 'unfinished', 'backups', 'ports', 'aside'], 'timers'],
+    [4, ['drafts', 'unfinished', 'backups', 'ports', 'aside'], 'times'],
+  ] as const)(
+    'version %i: drafts, writes and backups stay where they are, and a library finds its shelves',
+    async (version, shelves, times) => {
+      const own = `test ${Math.random()}`;
+      onTestFinished(() => void indexedDB.deleteDatabase(own));
+      const old = await openDB(own, version, {
+        upgrade(database) {
+          for (const shelf of shelves) database.createObjectStore(shelf, { keyPath: 'key' });
+        },
+      });
+      const draft = { key: 'd', baseline: was(times), working: was(times), texts: { 'time:3': '2,3' }, savedAt: 5 };
+      const backup = { key: 'b', savedAt: 1, reason: 'write', program: was(times), simulated: false };
+      const write = { key: 'w', kind: 'write', startedAt: 1, before: was(times), goal: was(times) };
+      await old.put('drafts', { ...draft, simulated: false });
+      const isFirst = version === 1;
+      if (!isFirst) await old.put('backups', backup);
+      if (!isFirst) await old.put('unfinished', write);
+      old.close();
+
+      const storage = browserStorage(own);
+      expect(await storage.drafts.all()).toMatchObject([{ key: 'd', baseline: is, working: is, texts: draft.texts }]);
+      expect(await storage.backups.all()).toMatchObject(isFirst ? [] : [{ key: 'b', program: is }]);
+      expect(await storage.unfinished.all()).toMatchObject(isFirst ? [] : [{ key: 'w', before: is, goal: is }]);
+      expect(await storage.aside.all()).toEqual([]);
+      const record = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
+      const setting = { key: SETTING.id, setting: SETTING, order: 1, changedAt: 5 };
+      const flight = { key: FLIGHT.id, flight: FLIGHT, changedAt: 5 };
+      await Promise.all([storage.models.save(record), storage.settings.save(setting), storage.flights.save(flight)]);
+      const next = browserStorage(own);
+      expect([await next.models.all(), await next.settings.all(), await next.flights.all()]).toEqual([
+        [record],
+        [setting],
+        [flight],
+      ]);
+    },
+  );
 });

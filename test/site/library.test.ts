@@ -1,0 +1,155 @@
+import { expect, it } from 'vitest';
+import { AppPage } from './app-page.js';
+import { PHONE } from './page.js';
+
+const open = async (app: AppPage, address: string): Promise<void> => {
+  await app.page.evaluate((hash) => location.assign(hash), address);
+};
+
+async function makeModel(app: AppPage, name: string): Promise<void> {
+  await app.button('New model…').click();
+  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill(name);
+  await app.button('Make the model').click();
+  await app.page.getByRole('heading', { name, level: 2 }).first().waitFor();
+}
+
+async function makeSetting(app: AppPage, name: string): Promise<void> {
+  await app.button('New setting…').click();
+  await app.page.getByRole('dialog').getByRole('textbox', { name: 'Name of the setting' }).fill(name);
+  await app.button('Make the setting').click();
+  await app.page.getByRole('article', { name }).waitFor();
+}
+
+it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, deletes it and has it back', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await open(app, '#library');
+  await makeModel(app, 'Lancer 07');
+  await makeSetting(app, 'fly-off, calm');
+  await app.button('Open').click();
+  await app.table.waitFor();
+  await app.type('DT time', '2:30');
+  await app.kept();
+  await app.reload();
+  await app.says('Your program is back.');
+  expect(await app.valueOf('DT time')).toBe('2:30');
+  await app.button('Save').click();
+  await app.button('Save').waitFor({ state: 'hidden' });
+  await app.page.keyboard.press('Control+k');
+  await app.page.getByRole('combobox', { name: 'Type what you want to do' }).fill('save as');
+  await app.page.keyboard.press('Enter');
+  await app.page.getByRole('textbox', { name: 'Name of the setting' }).fill('trimming');
+  await app.page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
+  await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await app.reload();
+  await open(app, '#library');
+  await app.page.getByRole('searchbox').fill('LANCER calm');
+  const found = app.page.getByRole('link', { name: /fly-off, calm/ });
+  await expect.poll(() => found.count()).toBe(1);
+  expect(await found.innerText()).toContain('DT 2:30 min');
+  await found.click();
+  const page = app.page.getByRole('article', { name: 'fly-off, calm' });
+  await page.getByRole('textbox', { name: 'Note' }).fill('opens well');
+  await page.getByRole('button', { name: 'Archive' }).click();
+  await app.page.getByRole('searchbox').fill('');
+  await app.button('Archive (1)').click();
+  await app.page.getByRole('link', { name: /fly-off, calm.*archived/ }).waitFor();
+  await page.getByRole('button', { name: 'Delete' }).click();
+  await page.waitFor({ state: 'hidden' });
+  await app.says('1 setting deleted.');
+  await app.page.getByRole('banner').getByRole('button', { name: 'Undo' }).click();
+  await app.page.getByRole('link', { name: /fly-off, calm/ }).click();
+  await app.reload();
+  await page.waitFor();
+  expect(await page.getByRole('textbox', { name: 'Note' }).inputValue()).toBe('opens well');
+});
+
+it('all of it goes by the keyboard alone, also another order', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await open(app, '#library');
+  const keys = app.page.keyboard;
+  const go = async (name: string | RegExp, role: 'button' | 'link' = 'button'): Promise<void> => {
+    const goal = app.page.getByRole(role, { name, exact: typeof name === 'string' });
+    await goal.waitFor();
+    for (let at = 0; at < 80; at++) {
+      if (await goal.evaluate((element) => element === document.activeElement)) return keys.press('Enter');
+      await keys.press('Tab');
+    }
+    throw new Error(`Tab does not come to ${name}`);
+  };
+  for (const name of ['First', 'Second']) {
+    await go('New model…');
+    await app.page.getByRole('dialog').waitFor();
+    await keys.type(name);
+    await keys.press('Enter');
+    await app.page.getByRole('heading', { name, level: 2 }).first().waitFor();
+    await app.page.evaluate(() => document.querySelector<HTMLElement>('main')?.focus());
+    await open(app, '#library');
+  }
+  await go('Arrange');
+  await go('Move Second up');
+  await go('Done');
+  await expect
+    .poll(() => app.page.locator('.library-models .library-item b').allInnerTexts())
+    .toEqual(['Second', 'First']);
+  await app.reload();
+  await expect
+    .poll(() => app.page.locator('.library-models .library-item b').allInnerTexts())
+    .toEqual(['Second', 'First']);
+});
+
+it('two tabs stay in step, and neither loses what was typed in the other', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await open(app, '#library');
+  await makeModel(app, 'Lancer 07');
+  await makeSetting(app, 'calm');
+  const other = await app.sibling();
+  await other.page.getByRole('article', { name: 'calm' }).waitFor();
+  const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
+  await noteOf(app).fill('from the first');
+  await noteOf(app).blur();
+  await expect.poll(() => noteOf(other).inputValue()).toBe('from the first');
+
+  // Both edit the program.
+  for (const each of [app, other]) {
+    await each.button('Open').click();
+    await each.table.waitFor();
+  }
+  await app.type('Function 2, S1', '70');
+  await app.button('Save').click();
+  // Who has typed nothing follows.
+  await expect.poll(() => other.valueOf('Function 2, S1')).toBe('70');
+  await other.type('DT time', '2:00');
+  await app.type('Function 2, S1', '71');
+  await app.button('Save').click();
+  await app.button('Save').waitFor({ state: 'hidden' });
+  await other.button('Save').click();
+  await other.page.getByRole('dialog', { name: /^Another tab has saved this setting/ }).waitFor();
+  expect(await other.valueOf('DT time')).toBe('2:00');
+  await other.button('Save mine as new…').click();
+  await other.page.getByRole('textbox', { name: 'Name of the setting' }).fill('mine');
+  await other.page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();
+  await app.goTo('Library');
+  for (const [name, dt] of [
+    ['calm', '3:00'],
+    ['mine', '2:00'],
+  ] as const) {
+    await app.page.getByRole('searchbox').fill(name);
+    const found = app.page.getByRole('link', { name: new RegExp(`^${name}`) });
+    await expect.poll(() => found.innerText().catch(() => '')).toContain(`DT ${dt} min`);
+  }
+});
+
+it('on a phone it is one page at a time, with the way back, and nothing is wider than the screen', async () => {
+  const app = await AppPage.open(PHONE);
+  await open(app, '#library');
+  await makeModel(app, 'Lancer 07');
+  await app.expectNoSidewaysScrolling();
+  await makeSetting(app, 'calm');
+  await app.expectNoSidewaysScrolling();
+  await app.page.getByRole('link', { name: '‹ Lancer 07' }).click();
+  await app.page.getByRole('link', { name: /^calm/ }).waitFor();
+  await app.page.getByRole('link', { name: '‹ All models' }).click();
+  await app.page.getByRole('link', { name: /^Lancer 07/ }).waitFor();
+  await app.page.goBack();
+  await app.page.getByRole('link', { name: /^calm/ }).waitFor();
+});

@@ -1,0 +1,22 @@
+import { expect, it } from 'vitest';
+import { manyRecords } from '../app/library/many.js';
+import { AppPage } from './app-page.js';
+import { fillLibrary } from './library.js';
+
+it('a library of 2,000 settings and 10,000 flights draws what is near, and more of it on the way down', async () => {
+  const app = await AppPage.open();
+  await fillLibrary(app, manyRecords({ models: 40, settings: 2000, flights: 10_000 }));
+  await app.page.evaluate(() => location.assign('#library'));
+  await app.reload();
+  const rows = app.page.locator('.library-settings > li');
+  await app.page.getByRole('searchbox').fill('fly-off séries');
+  await app.text(/^\d+ settings$/).waitFor();
+  const found = Number((await app.text(/^\d+ settings$/).innerText()).split(' ')[0]);
+  expect([found > 400, await rows.count()]).toEqual([true, 60]);
+  await rows.last().scrollIntoViewIfNeeded();
+  await expect.poll(() => rows.count()).toBe(260);
+  await rows.nth(200).scrollIntoViewIfNeeded();
+  await rows.nth(200).getByRole('link').click();
+  await app.page.locator('.setting-page').waitFor();
+  expect(await app.page.getByRole('searchbox').inputValue(), 'the search stays').toBe('fly-off séries');
+});
