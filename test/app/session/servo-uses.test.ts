@@ -42,9 +42,10 @@ describe('what the servos move', () => {
   it('belongs to the model where that is known, and only there', () => {
     const atHand = signal<ServosAtHand | null>({ kind: 'timer/Q', servos: 2 });
     const servos = signal<readonly ServoUse[] | null>(null);
-    const ofModel = computed(
-      () => servos.value && { servos: servos.value, say: (said: readonly ServoUse[]) => void (servos.value = said) },
-    );
+    const say = (said: readonly ServoUse[]): void => {
+      servos.value = said;
+    };
+    const ofModel = computed(() => servos.value && { servos: servos.value, say });
     const uses = new ServoUses(atHand, ofModel);
     uses.say([TAILPLANE, FLAP]);
     servos.value = [];
