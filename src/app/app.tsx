@@ -16,8 +16,7 @@ import './app.css';
 
 /** The whole page: hands to each of its parts the models that this part needs. */
 export function App({ models }: { readonly models: AppModels }) {
-  const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform, files } =
-    models;
+  const { session, views, write, finishWrite, memories, leaving, bench, follow, erase, theme, platform } = models;
   const { preferences, density, programPicture, saveSetting, keeping, aside, update, portHolder, line, installation } =
     models;
   const { help } = models;
@@ -81,8 +80,15 @@ export function App({ models }: { readonly models: AppModels }) {
   return (
     <>
       <Header
-        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform, files }}
+        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }}
         installation={installation}
+        fileNotice={<parts.fileNotice.Part models={models} />}
+        onExport={() =>
+          void parts
+            .fetchFiles()
+            .then(({ filesOf }) => filesOf(models).exportAll())
+            .catch(() => {})
+        }
         staged={isStart && hasStage(session)}
       />
       {!isStart && <ViewLinks views={views} />}

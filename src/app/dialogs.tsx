@@ -7,6 +7,7 @@ import { ImportDialog } from './library/files/import-dialog.js';
 import { addressPath } from './library/place.js';
 import { SaveDialog } from './library/save-dialog.js';
 import { SharingDialog } from './library/share/sharing-dialog.js';
+import { filesOf } from './library-files.js';
 import { GoOn, LeaveDialog } from './memories/leave-dialog.js';
 import { MemoriesDialog } from './memories/memories-dialog.js';
 import type { AppModels } from './models.js';
@@ -34,8 +35,8 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <LeaveDialog session={session} leaving={leaving} />
       <ModelDialog recognition={session.recognition} />
       <SaveDialog session={session} saveSetting={saveSetting} />
-      <ImportDialog files={models.files} onTaken={() => models.views.show('library')} />
-      <FileDrop files={models.files} />
+      <ImportDialog files={filesOf(models)} onTaken={() => models.views.show('library')} />
+      <FileDrop files={filesOf(models)} />
       <SharingDialog
         session={session}
         sharing={sharing}

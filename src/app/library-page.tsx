@@ -8,6 +8,7 @@ import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
 import { sharedOf } from './library/share/link.js';
 import { ReadCodeButton, ShareButton } from './library/share/share-buttons.js';
+import { filesOf } from './library-files.js';
 import { flightMessages } from './messages/flights.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
@@ -29,7 +30,8 @@ export function LibraryPage({ models }: { readonly models: AppModels }) {
 
 /** One entry for each thing that can be done with the library, a model or a setting beyond looking at it. */
 function placesOf(models: AppModels): Places {
-  const { session, views, flights, sharing, files, printOrder, compare, follow } = models;
+  const { session, views, flights, sharing, printOrder, compare, follow } = models;
+  const files = filesOf(models);
   const toFlights = (): void => views.show('library', FLIGHTS);
   const flightsOf = { session, log: flights, onAll: toFlights };
   const print = (keys: readonly string[]): void => {

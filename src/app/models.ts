@@ -9,14 +9,12 @@ import { Installation } from './connect/installation.js';
 import { FlightLog } from './flights/flight-log.js';
 import { Help } from './help/help.js';
 import { Browse } from './library/browse.js';
-import { LibraryFiles } from './library/files/library-files.js';
 import { SaveSetting } from './library/save-setting.js';
 import { Sharing } from './library/share/sharing.js';
 import { FrameForm } from './line/frame-form.js';
 import { LineView } from './line/line-view.js';
 import { Leaving } from './memories/leaving.js';
 import { Memories } from './memories/memories.js';
-import { fetchFileWork } from './parts.js';
 import { PrintOrder } from './print/print-order.js';
 import { ProgramPicture } from './program/program-picture.js';
 import { Keeping } from './session/keeping.js';
@@ -55,8 +53,6 @@ export interface AppModels {
   /** How the library is looked at, and how something comes into it. */
   readonly browse: Browse;
   readonly saveSetting: SaveSetting;
-  /** Export and import. */
-  readonly files: LibraryFiles;
   /** What is logged with one tap, and how the log is looked at: it outlasts its view. */
   readonly flights: FlightLog;
   /** Settings that go to another device by link or QR code, and come from one. */
@@ -128,7 +124,6 @@ export function createModels({
     printOrder: new PrintOrder(),
     browse: new Browse(session.library),
     saveSetting: new SaveSetting(session),
-    files: new LibraryFiles({ library: session.library, storage: keeping.storage, fetchWork: fetchFileWork }),
     compare: new Compare(session),
     theme,
     flights: new FlightLog(session, write),

@@ -1,5 +1,4 @@
 import { modelLine } from './shell/header.js';
-import { fileNotice } from './shell/notice-bar.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
@@ -17,13 +16,14 @@ export const help = onDemand(async () => (await import('./shell/help-view.js')).
 export const firstSteps = onDemand(async () => (await import('./help/first-steps-card.js')).FirstStepsCard, {
   silent: true,
 });
+export const fileNotice = onDemand(async () => (await fetchFiles()).LibraryFileNotice, { silent: true });
 export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, { silent: true });
 
 /** What the simulated timers are made of. */
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** What reads and writes the files of the library. */
-export const fetchFileWork = () => import('./library/files/import-work.js');
+export const fetchFiles = () => import('./library-files.js');
 
 /** What reads a QR code where the browser does not. */
 const fetchCodeReader = () => import('qr/decode.js');
@@ -51,5 +51,5 @@ export async function fetchParts(): Promise<void> {
   ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
-  await Promise.all([fetchSimulated(), fetchFileWork(), fetchCodeReader()]).catch(() => {});
+  await Promise.all([fetchSimulated(), fetchCodeReader()]).catch(() => {});
 }

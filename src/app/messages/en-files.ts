@@ -87,7 +87,7 @@ export const files = {
       'no-text': 'The file is no text.',
       gone: 'The file could not be read. Is it still there?',
       several: 'Import one file at a time.',
-      unloaded: 'This page is old, and a part of it is missing. Load it again, then import the file.',
+      failed: 'The file could not be read. Load the page again and try once more.',
     },
     /** Of a file that cannot be read, by what is wrong with it. */
     kinds: {

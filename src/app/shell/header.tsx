@@ -1,9 +1,9 @@
+import type { ComponentChildren } from 'preact';
 import { useRef } from 'preact/hooks';
 import type { Follow } from '../bench/follow.js';
 import type { Platform } from '../browser/platform.js';
 import type { Installation } from '../connect/installation.js';
 import { LinkNotice } from '../connect/link-notice.js';
-import type { LibraryFiles } from '../library/files/library-files.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { NextFlight } from '../memories/next-flight-line.js';
@@ -40,7 +40,8 @@ interface HeaderProps {
   readonly portHolder: PortHolder;
   readonly platform: Platform;
   readonly installation: Installation;
-  readonly files: LibraryFiles;
+  readonly fileNotice: ComponentChildren;
+  readonly onExport: () => void;
   /** The way to a timer is told large, in the place of the program. */
   readonly staged: boolean;
 }

@@ -1,9 +1,9 @@
+import type { ComponentChildren } from 'preact';
 import type { Platform } from '../browser/platform.js';
 import { ConnectionHelp, connectionSaid } from '../connect/connection-help-view.js';
 import { InstallHint } from '../connect/install-hint.js';
 import type { Installation } from '../connect/installation.js';
 import { OtherTabNotice } from '../connect/other-tab-notice.js';
-import type { LibraryFiles } from '../library/files/library-files.js';
 import { hexOf } from '../messages/frame-text.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { Keeping } from '../session/keeping.js';
@@ -12,7 +12,6 @@ import type { PortHolder } from '../session/port-holder.js';
 import type { Session } from '../session/session.js';
 import type { SetAside } from '../session/set-aside.js';
 import { NoticeText } from '../ui/notice-text.js';
-import { onDemand } from '../ui/on-demand.js';
 import { AsideNotice, KeepingNotice, LibraryRemovedNotice, RemovedNotice } from './keeping-notice.js';
 import { UpdateNotice } from './update-notice.js';
 import type { UpdateOffer } from './update-offer.js';
@@ -37,18 +36,16 @@ interface NoticeBarProps {
   readonly update: UpdateOffer;
   readonly portHolder: PortHolder;
   readonly platform: Platform;
-  readonly files: LibraryFiles;
+  /** What was done with files. */
+  readonly fileNotice: ComponentChildren;
+  /** All of the library is to go into a file. */
+  readonly onExport: () => void;
   readonly installation: Installation;
 }
 
-/** What was done with files. */
-export const fileNotice = onDemand(async () => (await import('../library/files/file-notice.js')).FileNotice, {
-  silent: true,
-});
-
 /** What the pilot should know now: said once, until it is dismissed or something else is to say. */
 export function NoticeBar({ session, keeping, aside, update, portHolder, platform, ...rest }: NoticeBarProps) {
-  const { files, installation } = rest;
+  const { fileNotice, onExport, installation } = rest;
   const { dismiss, link } = messages.value;
   const notice = session.notices.current.value;
   const holder = portHolder.tab.value;
@@ -57,8 +54,8 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
   return (
     <div class="notices" role="status">
       <UpdateNotice update={update} busy={session.runner.busy.value} />
-      <KeepingNotice keeping={keeping} library={session.library} onExport={() => void files.exportAll()} />
-      {files.said.value && <fileNotice.Part files={files} />}
+      <KeepingNotice keeping={keeping} library={session.library} onExport={onExport} />
+      {fileNotice}
       <AsideNotice aside={aside} />
       {isCalm && <InstallHint installation={installation} />}
       <RemovedNotice backups={session.backups} />

@@ -3,9 +3,6 @@ import { parseLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { type Counts, type Group, groupsOf, isSame, type Records } from './import-plan.js';
 
-export { recordsOf } from './import-plan.js';
-export { partOf, textOf } from './library-text.js';
-
 /** What a file is found to hold. */
 interface Found {
   readonly writtenAt: number;

@@ -6,8 +6,9 @@ import { version } from '../../browser/version.js';
 import { type Library, newId } from '../../session/library.js';
 import type { StorageErrorCode } from '../../storage/index.js';
 import { ExportMarks } from './export-marks.js';
-import type { Counts, Group, Records, Way } from './import-plan.js';
-import type { Made, Part } from './library-text.js';
+import { type Counts, type Group, type Records, recordsOf, type Way } from './import-plan.js';
+import { lookInto, undoOf } from './import-work.js';
+import { type Made, type Part, partOf, textOf } from './library-text.js';
 
 /** What is imported just now. */
 export type ImportStep =
@@ -20,7 +21,7 @@ export type ImportStep =
       readonly groups: ReadonlySignal<readonly Group[]>;
       readonly ways: ReadonlySignal<Ways>;
     });
-export type Refusal = UnreadableFile | 'several' | 'unloaded' | CodecError;
+export type Refusal = UnreadableFile | 'several' | 'failed' | CodecError;
 
 /** What becomes of what differs: for all, and for some models by themselves. */
 export interface Ways {
@@ -51,11 +52,9 @@ export interface LibraryFilesParts {
   readonly library: Library;
   /** Why the browser does not give out what it keeps; null while all is well. */
   readonly storage: ReadonlySignal<StorageErrorCode | null>;
-  /** Fetches what reads and writes files. */
-  readonly fetchWork: () => Promise<typeof import('./import-work.js')>;
 }
 
-/** Takes the library out into files, and takes files into it. What is needed for that is fetched when it is. */
+/** Takes the library out into files, and takes files into it. */
 export class LibraryFiles {
   readonly #current = signal<ImportStep | null>(null, { name: 'import' });
   readonly #said = signal<FileWord | null>(null, { name: 'fileWord' });
@@ -127,14 +126,14 @@ export class LibraryFiles {
     const read = await textOfFile(file);
     if ('unreadable' in read) return show({ step: 'refused', name, why: read.unreadable });
     try {
-      const work = await this.#parts.fetchWork();
       await this.#load();
-      const found = work.lookInto(read.text, () => this.#records());
+      const found = lookInto(read.text, () => this.#records());
       if ('refused' in found) return show({ step: 'refused', name, why: found.refused });
       this.#ways.value = { all: 'newer', of: new Map() };
       show({ step: 'plan', name, ...found, ways: this.#ways });
     } catch {
-      show({ step: 'refused', name, why: 'unloaded' });
+      // A fault of ours; no reason to leave the pilot before a dialog that says that the file is read.
+      show({ step: 'refused', name, why: 'failed' });
     }
   }
 
@@ -154,8 +153,6 @@ export class LibraryFiles {
   async take(): Promise<void> {
     const step = this.#current.peek();
     if (step?.step !== 'plan' || this.shut) return;
-    const { recordsOf } = await this.#parts.fetchWork();
-    if (this.#current.peek() !== step) return;
     const { all, of } = this.#ways.peek();
     const before = this.#records();
     const put = recordsOf(step.groups.peek(), ({ id }) => of.get(id) ?? all, before, newId);
@@ -174,7 +171,6 @@ export class LibraryFiles {
     const done = this.#done;
     if (!done) return;
     this.#done = null;
-    const { undoOf } = await this.#parts.fetchWork();
     const now = this.#records();
     const { put, before } = done;
     const models = undoOf(put.models, before.models, now.models);
@@ -224,9 +220,8 @@ export class LibraryFiles {
 
   async #textOf(part: Part, now: number): Promise<Made | 'failed'> {
     try {
-      const work = await this.#parts.fetchWork();
       await this.#load();
-      return work.textOf(work.partOf(this.#records(), part), part.kind === 'all', version, now);
+      return textOf(partOf(this.#records(), part), part.kind === 'all', version, now);
     } catch {
       return 'failed';
     }

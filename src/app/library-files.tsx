@@ -1,0 +1,18 @@
+import { FileNotice } from './library/files/file-notice.js';
+import { LibraryFiles } from './library/files/library-files.js';
+import type { AppModels } from './models.js';
+
+const made = new WeakMap<AppModels, LibraryFiles>();
+
+/** Export and import. Built when it is first asked for: the page works before this part of it has come. */
+export function filesOf(models: AppModels): LibraryFiles {
+  const { session, keeping } = models;
+  const files = made.get(models) ?? new LibraryFiles({ library: session.library, storage: keeping.storage });
+  made.set(models, files);
+  return files;
+}
+
+/** What was done with files last. */
+export function LibraryFileNotice({ models }: { readonly models: AppModels }) {
+  return <FileNotice files={filesOf(models)} />;
+}
