@@ -76,7 +76,7 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   const { editor, nextFlight, connection, simulated } = session;
   const held = editor.baseline.value;
   const standing = session.standing.value;
-  if (!held || editor.madeAt.value !== null) return <p class="known-now hint">{known.nothing}</p>;
+  if (!held) return <p class="known-now hint">{known.nothing}</p>;
   const memory = held.memory === null ? known.memory : memoryName(held.memory);
   if (standing.sure === 'not') {
     return (

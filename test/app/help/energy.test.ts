@@ -24,7 +24,7 @@ describe('the energy that the rules of F1Q leave', () => {
     [flyOff, 480, 165, 960, 'weight', 580, 'energy'],
     [flyOff, 480, 40, 960, 'weight', 2000, 'time'],
     // As a sum of fractions it is a hair too little.
-    [rounds, 333.3, 99.99, 999, 'weight', 1000, 'energy'],
+    [rounds, 103, 20.6, 309, 'weight', 1500, 'energy'],
   ];
   it.each(rows)('%o: %f g at %f W may have %i J (by %s), and run for %i hundredths (ended by %s)', (...row) => {
     const [rule, weight, power, energy, energyBy, run, runBy] = row;

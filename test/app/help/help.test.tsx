@@ -138,10 +138,15 @@ describe('what the checklist says of the timer', () => {
   });
 
   it('is never that of a program which no timer has', async () => {
-    const { models } = await opened();
+    const bench = await opened();
     await press('New program…');
     await press('Make the program');
+    await look(bench.models, 'checklist');
+    expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
+    cleanup();
+    const { models, editor } = await drawn(await reloaded(bench));
     await look(models, 'checklist');
+    expect(editor.madeAt.value).not.toBeNull();
     expect(known()).toBe('No timer has been read. Connect to see its memory and DT here.');
   });
 
