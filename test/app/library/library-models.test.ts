@@ -1,0 +1,216 @@
+import { describe, expect, it } from 'vitest';
+import type { TabChannel } from '../../../src/app/browser/other-tabs.js';
+import { Browse } from '../../../src/app/library/browse.js';
+import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js';
+import { asTags } from '../../../src/app/library/tags.js';
+import { Library } from '../../../src/app/session/library.js';
+import { addressAt } from '../../../src/app/shell/views.js';
+import { LIMITS } from '../../../src/program/index.js';
+import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
+import { type Counts, manyRecords } from './many.js';
+
+/** A storage with a library in it. */
+function stored(counts: Counts): MemoryStore {
+  const store = new MemoryStore();
+  const records = manyRecords(counts);
+  for (const each of records.models) store.models.records.set(each.key, each);
+  for (const each of records.settings) store.settings.records.set(each.key, each);
+  return store;
+}
+
+async function opened(counts: Counts = { models: 3, settings: 6, flights: 0 }) {
+  const bench = await appBench({ store: stored(counts) });
+  await run(bench.session.library.load());
+  return bench;
+}
+
+const keys = (records: readonly { readonly key: string }[]): string[] => records.map(({ key }) => key);
+
+describe('the search', () => {
+  it('finds every word in name, note, tags or model, whatever its case and marks', async () => {
+    const { browse, session } = await opened({ models: 8, settings: 64, flights: 0 });
+    const { list } = session.library.settings;
+    const named = (text: string): number => {
+      browse.search(text);
+      return browse.found.value?.length ?? -1;
+    };
+    expect([named(''), named('  '), named('no such word')]).toEqual([-1, -1, 0]);
+    expect(named('FLY-OFF')).toBe(
+      list.value.filter(({ setting }) => JSON.stringify(setting).includes('fly-off')).length,
+    );
+    expect(named('muller'), 'the model is Müller').toBe(
+      list.value.filter(({ setting }) => setting.model === 'model-7').length,
+    );
+    expect(named('series Tailplane')).toBeLessThan(named('series'));
+  });
+
+  it('follows what is renamed, deleted and brought back', async () => {
+    const { browse, session } = await opened();
+    browse.search('pelican');
+    expect(keys(browse.found.value ?? [])).toEqual(['setting-1', 'setting-4']);
+    const pelican = session.library.models.get('model-1');
+    if (!pelican) throw new Error('it is gone');
+    void session.library.keepModel({ ...pelican.model, name: 'Osprey' });
+    expect(browse.found.value).toEqual([]);
+    browse.search('osprey');
+    session.library.settings.remove('setting-1');
+    expect(keys(browse.found.value ?? [])).toEqual(['setting-4']);
+    session.library.undoRemove();
+    expect(keys(browse.found.value ?? [])).toEqual(['setting-1', 'setting-4']);
+  });
+});
+
+describe('the order', () => {
+  it('is kept, among some alone, and also where two had the same place', async () => {
+    const { session, store } = await opened();
+    const { library } = session;
+    await run(library.arrange(library.settings, ['setting-4', 'setting-1']));
+    const order = ['setting-0', 'setting-4', 'setting-2', 'setting-3', 'setting-1', 'setting-5'];
+    expect(keys(library.settings.list.value)).toEqual(order);
+    const next = new Library(store);
+    await run(next.load());
+    expect(keys(next.settings.list.value)).toEqual(order);
+    for (const record of library.models.list.value) await run(library.keepModel(record.model, { order: 7 }));
+    await run(library.arrange(library.models, ['model-2', 'model-0', 'model-1']));
+    expect(keys(library.models.list.value)).toEqual(['model-2', 'model-0', 'model-1']);
+  });
+});
+
+describe('a model that is deleted', () => {
+  it('takes its settings with it, and undo brings all back', async () => {
+    const { session, store, browse } = await opened();
+    session.library.removeModel('model-1');
+    expect([keys(session.library.models.list.value), session.library.settings.list.value.length]).toEqual([
+      ['model-0', 'model-2'],
+      4,
+    ]);
+    await idle(9000);
+    session.library.undoRemove();
+    await idle();
+    expect([store.models.records.size, store.settings.records.size]).toEqual([3, 6]);
+    session.library.removeModel('model-1');
+    await idle();
+    expect([store.models.records.size, store.settings.records.size]).toEqual([2, 4]);
+    expect(browse.byModel.value.get(null)).toBeUndefined();
+  });
+
+  it('leaves a setting that came to it from another tab without a model, and in sight', async () => {
+    const { session, store, browse } = await opened();
+    store.models.records.delete('model-1');
+    await run(session.library.refresh());
+    expect(keys(browse.byModel.value.get(null) ?? [])).toEqual(['setting-1', 'setting-4']);
+  });
+});
+
+/** Two tabs of one browser. */
+function twoTabs(store: MemoryStore): [Library, Library] {
+  const listeners: ((event: { data: unknown }) => void)[][] = [[], []];
+  const channel = (own: number): TabChannel =>
+    ({
+      addEventListener: (_: string, listener: (event: { data: unknown }) => void) => listeners[own]?.push(listener),
+      postMessage: (data: unknown) => {
+        for (const listener of listeners[1 - own] ?? []) listener({ data });
+      },
+    }) as unknown as TabChannel;
+  return [new Library(store, channel(0)), new Library(store, channel(1))];
+}
+
+describe('two tabs', () => {
+  const COUNTS = { models: 1, settings: 2, flights: 0 };
+
+  it('see what the other has kept and deleted', async () => {
+    await appBench();
+    const [one, other] = twoTabs(stored(COUNTS));
+    await Promise.all([one.load(), other.load()]);
+    const record = one.settings.list.value[0];
+    if (!record) throw new Error('it is gone');
+    await run(one.keepSetting({ ...record.setting, name: 'new name' }));
+    await idle();
+    expect(other.settings.get(record.key)?.setting.name).toBe('new name');
+    one.settings.remove(record.key);
+    await idle();
+    expect(keys(other.settings.list.value)).toEqual(['setting-1']);
+  });
+
+  it('do not delete what the other has changed meanwhile', async () => {
+    await appBench();
+    const store = stored(COUNTS);
+    const [one, other] = twoTabs(store);
+    await Promise.all([one.load(), other.load()]);
+    one.settings.remove('setting-0');
+    const record = other.settings.get('setting-0');
+    if (!record) throw new Error('it is gone');
+    await run(other.keepSetting({ ...record.setting, note: 'typed in the other tab' }));
+    await idle();
+    expect([one.settings.get('setting-0')?.setting.note, store.settings.records.size]).toEqual([
+      'typed in the other tab',
+      2,
+    ]);
+  });
+
+  it('do not lose what is saved while the list is being read', async () => {
+    await appBench();
+    const store = stored(COUNTS);
+    const [one] = twoTabs(store);
+    await one.load();
+    const before = [...store.settings.records.values()];
+    let give = (): void => {};
+    store.settings.all = () => new Promise((resolve) => (give = () => resolve(before)));
+    const reading = one.refresh();
+    const [record] = before;
+    if (!record) throw new Error('it is gone');
+    await run(one.keepSetting({ ...record.setting, name: 'saved meanwhile' }));
+    one.settings.remove('setting-1');
+    one.settings.flush();
+    give();
+    await run(reading);
+    expect(one.settings.list.value.map(({ setting }) => setting.name)).toEqual(['saved meanwhile']);
+  });
+});
+
+it('a storage that did not answer at first is asked again when it does', async () => {
+  await appBench();
+  const store = stored({ models: 2, settings: 3, flights: 0 });
+  store.broken = true;
+  const library = new Library(store);
+  await run(library.load());
+  expect([library.models.loaded.value, library.settings.list.value]).toEqual([true, []]);
+  store.broken = false;
+  await run(library.keepAgain());
+  expect([library.models.list.value.length, library.settings.list.value.length]).toEqual([2, 3]);
+});
+
+it('has an address for every place', () => {
+  for (const [model, setting] of [
+    ['a', null],
+    ['a', 'b'],
+    [null, 'b'],
+    [null, null],
+  ] as const) {
+    const address = addressAt(addressOf(model, setting));
+    expect(address?.view).toBe('library');
+    expect(placeOf(address?.path ?? '')).toEqual({ model: model ?? NO_MODEL, setting });
+  }
+  expect(addressAt('#library')).toEqual({ view: 'library', path: '' });
+  expect([addressAt('#library/<b>'), addressAt(`#library/${'x'.repeat(400)}`), addressAt('#nothing/a')]).toEqual([
+    null,
+    null,
+    null,
+  ]);
+});
+
+it('takes tags as they are typed, each once, and no more than are kept', () => {
+  expect(asTags(' calm , fly-off,, calm,')).toEqual(['calm', 'fly-off']);
+  expect(asTags(Array.from({ length: 50 }, (_, at) => `tag ${at}`).join(','))).toHaveLength(LIMITS.tags);
+  expect(asTags('x'.repeat(99))[0]).toHaveLength(LIMITS.tag);
+});
+
+it('draws the rows of a long list in parts', () => {
+  const store = new MemoryStore();
+  const browse = new Browse(new Library(store));
+  const first = browse.room.value;
+  browse.showMore();
+  expect(browse.room.value).toBeGreaterThan(first);
+  browse.search('calm');
+  expect(browse.room.value).toBe(first);
+});
