@@ -161,6 +161,39 @@ test('every tool can be used by everyone', async () => {
   await isWellMade(app, 'memories side by side');
 });
 
+test('every dialog can be used by everyone', async () => {
+  const app = await AppPage.open({ bench: { granted: true } });
+  const dialog = app.page.getByRole('dialog');
+  const looked = async (what: string, out: string): Promise<void> => {
+    await dialog.waitFor();
+    await isWellMade(app, what);
+    await dialog.getByRole('button', { name: out }).click();
+    await dialog.waitFor({ state: 'hidden' });
+  };
+  await app.button('New program…').click();
+  await looked('a new program', 'Cancel');
+  await app.button('Connect').first().click();
+  await app.hasRead();
+  await app.page.keyboard.press('Control+k');
+  await dialog.waitFor();
+  await isWellMade(app, 'the list of commands');
+  await app.page.keyboard.press('Escape');
+  await app.showFigures();
+  await isWellMade(app, 'the large figures');
+  await app.button('Close the large figures').click();
+  await app.goTo('Memories');
+  await app.button('Read and keep all…').click();
+  await looked('before all is read', 'Cancel');
+  await app.goTo('Settings');
+  await app.button(/^Delete/).click();
+  await looked('before all is deleted', 'Cancel');
+  await app.goTo('Program');
+  await app.fly('M3');
+  await app.button('Disconnect').click();
+  await dialog.waitFor();
+  await isWellMade(app, 'before another memory is left to fly next');
+});
+
 describe('what cannot be done looks so', () => {
   for (const colours of ['Light', 'Dark', 'Sun']) {
     test(`in ${colours}`, async () => {

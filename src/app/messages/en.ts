@@ -173,6 +173,8 @@ export const en = {
       title: 'This device could not keep a backup of what the timer holds now.',
       advice: 'Nothing was written yet. Write without it?',
     },
+    /** What a table of values is called: by what its columns are of. */
+    sideBySide: (names: readonly string[]) => `Values: ${names.join(', ')}`,
     withoutCopy: 'Write without a backup',
     notWithout: 'Do not write',
     safety: 'The propeller is off or the model is held, and the timer is not armed.',

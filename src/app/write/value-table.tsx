@@ -25,6 +25,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
   const last = names.length - 1;
   return (
     <table class="difference">
+      <caption class="visually-hidden">{write.sideBySide(names)}</caption>
       <thead>
         <tr>
           {[write.field, ...names].map((name) => (
