@@ -6,13 +6,13 @@ import { FlightsSection } from './flights/flights-section.js';
 import { ExportButton, LibraryFileButtons } from './library/files/file-buttons.js';
 import { LibraryView } from './library/library-view.js';
 import type { Places } from './library/places.js';
-import { sharedOf } from './library/share/link.js';
 import { ReadCodeButton, ShareButton } from './library/share/share-buttons.js';
 import { filesOf } from './library-files.js';
 import { flightMessages } from './messages/flights.js';
 import type { AppModels } from './models.js';
 import { PrintButton } from './print/print-button.js';
 import { ModelBackups } from './recognition/model-backups.js';
+import { sharedOf } from './session/setting-link.js';
 
 /** The library, with what other features put into it. */
 export function LibraryPage({ models }: { readonly models: AppModels }) {

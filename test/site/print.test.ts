@@ -107,3 +107,20 @@ test('the print view is well made, on a phone too, and prints what the browser o
     expect(await app.page.locator('body[data-printed]').count()).toBe(1);
   }
 });
+
+test('the QR code on a sheet is read back, and brings the setting', async () => {
+  // About as fine as a printer.
+  const app = await AppPage.open({ deviceScaleFactor: 3 });
+  await app.trySimulated('F1Q');
+  await app.type('DT time', '4:10');
+  await app.page.evaluate(() => location.assign('#print'));
+  await app.page.getByRole('checkbox', { name: 'QR code' }).check();
+  const buffer = await app.page.locator('.print-page .leaf-code .qr-code').screenshot();
+  const reader = await app.sibling();
+  await reader.goTo('Library');
+  await reader.button('Read a QR code…').click();
+  const picture = { name: 'sheet.png', mimeType: 'image/png', buffer };
+  await reader.page.getByLabel('Picture with a QR code').setInputFiles(picture);
+  const shown = reader.page.getByRole('dialog', { name: 'A setting came by link' });
+  expect(await shown.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:10');
+});

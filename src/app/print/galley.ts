@@ -3,13 +3,14 @@ import type { Leaf } from './paper.js';
 import { type Sheet, servoGroups } from './sheet.js';
 
 /** What the pilot wants on the sheet beside the table. */
-export const SHEET_PARTS = ['timeline', 'notes', 'lines'] as const;
+export const SHEET_PARTS = ['timeline', 'notes', 'lines', 'code'] as const;
 export type SheetPart = (typeof SHEET_PARTS)[number];
 
 /** A part of a sheet that is set by itself. */
 export type Section =
   | { readonly kind: 'head' }
   | { readonly kind: 'table' | 'timeline'; readonly group: readonly number[] }
+  | { readonly kind: 'code'; readonly link: string }
   | { readonly kind: 'warnings'; readonly lines: readonly string[] }
   | { readonly kind: 'notes'; readonly lines: readonly string[] };
 
@@ -25,6 +26,7 @@ export function sectionsOf(sheet: Sheet, { servos }: Leaf, parts: ReadonlySet<Sh
       ...(parts.has('timeline') && group.length > 0 ? [{ kind: 'timeline' as const, group }] : []),
     ]),
     ...(hasNotes ? [{ kind: 'notes' as const, lines: sheet.note }] : []),
+    ...(parts.has('code') && sheet.link !== null ? [{ kind: 'code' as const, link: sheet.link }] : []),
   ];
 }
 

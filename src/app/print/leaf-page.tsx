@@ -7,7 +7,7 @@ import { type Copy, type Piece, type SetLeaf, setSheet } from './galley.js';
 import { LeafFlights } from './leaf-flights.js';
 import type { Leaf } from './paper.js';
 import type { Sheet } from './sheet.js';
-import { SheetHead, SheetLines, SheetTable } from './sheet-parts.js';
+import { SheetCode, SheetHead, SheetLines, SheetTable } from './sheet-parts.js';
 import { SheetTimeline } from './sheet-timeline.js';
 import './sheet.css';
 import './leaf.css';
@@ -56,6 +56,8 @@ function SheetPiece({ sheet, leaf, section, from, until }: SheetPieceProps) {
             <TimelineNotes program={sheet.program} />
           </>
         );
+      case 'code':
+        return <SheetCode link={section.link} />;
       case 'warnings':
       case 'notes':
         return <SheetLines title={print[section.kind]} lines={section.lines.slice(from, until)} />;

@@ -21,7 +21,7 @@ export interface PrintViewProps {
 
 /** Setting sheets as they will come out of the printer. */
 export function PrintView({ session, order, onPrint }: PrintViewProps) {
-  const print = useMemo(() => new Print(session, order), [session, order]);
+  const print = useMemo(() => new Print(session, order, location.href), [session, order]);
   const { leaves, galley } = useLeaves(print.copies.value);
   const printed = useMemo(() => dateText(Date.now()), [leaves]);
   const failed = useSignal(false);

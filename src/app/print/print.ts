@@ -1,14 +1,20 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
+import type { SharedSetting } from '../../program/index.js';
+import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { print as words } from '../messages/en-print.js';
-import { dateText } from '../messages/index.js';
+import { dateText, timerName } from '../messages/index.js';
 import type { Session } from '../session/session.js';
+import { qrLinkOf, sharedOf } from '../session/setting-link.js';
 import type { SettingRecord } from '../storage/index.js';
 import { type Copy, SHEET_PARTS, type SheetPart, sectionsOf } from './galley.js';
 import { leafOf, PAPERS, type Paper } from './paper.js';
 import { ON_SCREEN, type PrintOrder } from './print-order.js';
 import { type SheetSource, sheetOf } from './sheet.js';
+
+/** A code takes room that most would rather write on. */
+const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
 
 /** More are not set at once: each takes a moment, and a pilot who wants them all prints them in turn. */
 const MOST_SHEETS = 100;
@@ -16,9 +22,10 @@ const MOST_SHEETS = 100;
 /** What is printed, and on what. */
 export class Print {
   readonly #session: Session;
+  readonly #page: string;
   readonly #paper = signal<Paper>(loadSetting('print/paper', v.picklist(PAPERS)) ?? 'a5');
   readonly #parts = signal<ReadonlySet<SheetPart>>(
-    new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? SHEET_PARTS),
+    new Set(loadSetting('print/parts', v.array(v.picklist(SHEET_PARTS))) ?? USUAL_PARTS),
   );
   readonly #search = signal('');
 
@@ -37,8 +44,10 @@ export class Print {
   readonly found: ReadonlySignal<readonly SettingRecord[]>;
   readonly hasProgram: ReadonlySignal<boolean>;
 
-  constructor(session: Session, order: PrintOrder) {
+  /** @param page its address, for the codes. */
+  constructor(session: Session, order: PrintOrder, page: string) {
     this.#session = session;
+    this.#page = page;
     this.order = order;
     const { library, editor } = session;
     this.hasProgram = computed(() => editor.working.value !== null);
@@ -102,14 +111,16 @@ export class Print {
     const setting = library.settings.get(key)?.setting;
     if (!setting) return null;
     const { program, name, note, from, at } = setting;
+    const model = library.models.get(setting.model)?.model ?? null;
     return {
       key,
       program,
-      model: library.models.get(setting.model)?.model ?? null,
+      model,
       name,
       note,
       origin: words.origins[from](dateText(at)),
       simulated: from === 'simulated',
+      link: this.#linkOf(sharedOf(setting, model)),
     };
   }
 
@@ -131,7 +142,20 @@ export class Print {
       note: setting?.note ?? '',
       origin: this.#standing(),
       simulated: simulated.value,
+      link: this.#linkOf({
+        name: setting?.name ?? timerName(program.identity),
+        at: Date.now(),
+        tags: [],
+        program,
+        modelName: atHand?.name ?? '',
+      }),
     };
+  }
+
+  /** Without the note, which would make a code of many small squares. */
+  #linkOf(shared: Omit<SharedSetting, 'note'>): string | null {
+    if (!this.#parts.value.has('code')) return null;
+    return tried(() => qrLinkOf({ ...shared, note: '' }, this.#page)?.link);
   }
 
   /** How the program on the screen stands to the timer, on paper: nothing of it changes any more. */

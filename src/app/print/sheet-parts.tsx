@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { print } from '../messages/en-print.js';
 import { messages } from '../messages/index.js';
+import { QrCode } from '../ui/qr-code.js';
 import type { Sheet, SheetRow } from './sheet.js';
 
 /** A name that is longer than this would take half of the page. */
@@ -134,6 +135,16 @@ export function SheetLines(props: { readonly title: string; readonly lines: read
       {props.lines.map((line, at) => (
         <p key={at}>{line || '\u00a0'}</p>
       ))}
+    </div>
+  );
+}
+
+/** The way back from paper: a phone reads it, and shows the setting. */
+export function SheetCode({ link }: { readonly link: string }) {
+  return (
+    <div class="leaf-code">
+      <QrCode text={link} label={print.code} />
+      <p>{print.codeHint}</p>
     </div>
   );
 }

@@ -16,6 +16,8 @@ export interface SheetSource {
   /** Where the values come from and when: “Kept 12 Nov 2026, 14:32”. */
   readonly origin: string;
   readonly simulated: boolean;
+  /** All of it but the note as a link, for a QR code; null where none is wanted, or it cannot be one. */
+  readonly link: string | null;
 }
 
 /** A row of the table: a slot, or the motor stop, which stands where it comes in the order of time. */
@@ -44,6 +46,7 @@ export interface Sheet {
   readonly memory: string;
   readonly origin: string;
   readonly simulated: boolean;
+  readonly link: string | null;
   readonly figures: readonly (KeyFigure & { readonly isShort: boolean })[];
   /** What stands beside the table: the idle throttle, where the timer has said it; a time that means nothing. */
   readonly others: readonly { readonly label: string; readonly text: string }[];
@@ -74,6 +77,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     memory: memory === null ? '' : memoryText(memory, model?.memoryNames[memory] ?? ''),
     origin: source.origin,
     simulated: source.simulated,
+    link: source.link,
     figures: keyFigures(program).map((figure) => ({
       ...figure,
       isShort: isShort && figure.field.kind === 'time' && figure.field.slot === identity.functions,

@@ -75,6 +75,9 @@ describe('the print view', () => {
     for (const part of [/^Notes/, /^Timeline/, /^Lines to write on/]) choose(part);
     expect(said()).not.toMatch(/Turns left|Flights/);
     expect(screen.queryByRole('img', { name: /S1 Tailplane/ })).toBeNull();
+    choose(/^QR code/);
+    expect(screen.getAllByRole('img', { name: 'QR code of this setting' })).toHaveLength(3);
+    choose(/^QR code/);
     await goTo('library');
     await goTo('print');
     expect(pages()).toHaveLength(2);

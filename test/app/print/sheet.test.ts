@@ -12,6 +12,7 @@ const sourceOf = (program: TimerProgram, changes: Partial<SheetSource> = {}): Sh
   note: SETTING.note,
   origin: 'Typed',
   simulated: false,
+  link: null,
   ...changes,
 });
 const linesOf = (program: TimerProgram): string[] =>

@@ -3,9 +3,9 @@ import { useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
 import { canSend, send } from '../../browser/share-sheet.js';
 import { share } from '../../messages/en-share.js';
+import { linkOf, qrLinkOf } from '../../session/setting-link.js';
 import { CopyButton } from '../../ui/copy-button.js';
-import { linkOf, qrLinkOf } from './link.js';
-import { QrCode } from './qr-code.js';
+import { QrCode } from '../../ui/qr-code.js';
 import type { Sharing } from './sharing.js';
 import './offer.css';
 

@@ -1,6 +1,6 @@
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { linkOf, sharedOf } from '../../../../src/app/library/share/link.js';
+import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
 import { idle } from '../../bench/bench.js';
 import { opened, press } from '../../screen.js';

@@ -1,6 +1,6 @@
 import { act, screen, within } from '@testing-library/preact';
 import { describe, expect, it, vi } from 'vitest';
-import { linkOf, sharedOf } from '../../../../src/app/library/share/link.js';
+import { linkOf, sharedOf } from '../../../../src/app/session/setting-link.js';
 import type { SharedSetting } from '../../../../src/program/index.js';
 import { MODEL, SETTING } from '../../../program/library-examples.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';

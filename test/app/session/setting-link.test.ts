@@ -1,11 +1,11 @@
 import fc from 'fast-check';
 import { decodeQR } from 'qr/decode.js';
 import { describe, expect, it } from 'vitest';
-import { linkOf, qrLinkOf, sharedOf } from '../../../../src/app/library/share/link.js';
-import { qrPath } from '../../../../src/app/library/share/qr-code.js';
-import { decodeLink, type SharedSetting } from '../../../../src/program/index.js';
-import { MODEL, SETTING } from '../../../program/library-examples.js';
-import { programOf } from '../../programs.js';
+import { linkOf, qrLinkOf, sharedOf } from '../../../src/app/session/setting-link.js';
+import { qrPath } from '../../../src/app/ui/qr-code.js';
+import { decodeLink, type SharedSetting } from '../../../src/program/index.js';
+import { MODEL, SETTING } from '../../program/library-examples.js';
+import { programOf } from '../programs.js';
 
 const PAGE = 'https://pilot.example/timer/?x=1#library/none';
 const SHARED = sharedOf(SETTING, MODEL);

@@ -1,4 +1,4 @@
-import { encodeLink, LINK_MARK, type Model, type Setting, type SharedSetting } from '../../../program/index.js';
+import { encodeLink, LINK_MARK, type Model, type Setting, type SharedSetting } from '../../program/index.js';
 
 /** What a link says of a setting of the library. */
 export function sharedOf({ name, note, tags, at, program }: Setting, model: Pick<Model, 'name'> | null): SharedSetting {
