@@ -42,7 +42,7 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.program.Part
           {...{ session, write, memories, bench, follow, preferences, programPicture, saveSetting }}
           sharing={models.sharing}
-          onExplain={() => help.explain(true)}
+          onExplain={help.explainNow}
           onPrint={print}
         />
       ) : (

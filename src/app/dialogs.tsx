@@ -40,17 +40,13 @@ export function Dialogs({ models }: { readonly models: AppModels }) {
       <SharingDialog
         session={session}
         sharing={sharing}
-        busy={write.current.value !== null}
+        asked={write.current}
         page={location.href}
         onProgram={() => views.show('program')}
         onLibrary={(model, key) => views.show('library', addressPath(model, key))}
       />
       <EraseDialog session={session} erase={erase} />
-      <WordsDialog
-        help={help}
-        hasMotor={session.editor.identity.value?.timerClass === 'Q'}
-        onMore={() => views.show('help', 'words')}
-      />
+      <WordsDialog session={session} help={help} onMore={() => views.show('help', 'words')} />
       <HelpKey views={views} />
       <NewsDialog update={update} />
       <Palette commands={() => commandsOf(models)} />

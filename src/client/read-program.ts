@@ -62,7 +62,7 @@ export async function readContent(job: ClientJob, stage: Progress['stage'], how:
     await exchange.requireIdentity(signal);
     const isBelieved = strict ? seenNow().strays === 0 : content.agreed || !exchange.damaged;
     if (isSameMemory && isBelieved) {
-      return { identity: { ...identity }, memory: current.memory, ...content.content };
+      return { identity, memory: current.memory, ...content.content };
     }
     previous = strict || !isSameMemory ? known : content.content;
   }

@@ -86,8 +86,7 @@ export class TimerClient {
 
   /** What the timer said of itself; null before {@link identify}. */
   get identity(): Identity | null {
-    const { identity } = this.#exchange;
-    return identity && { ...identity };
+    return this.#exchange.identity;
   }
 
   /** What this timer was found to do differently, with the facts of the first time. */
@@ -353,7 +352,7 @@ export class TimerClient {
     const { identity } = await this.#exchange.identify(signal, policy);
     // What was found of another timer says nothing of this one.
     if (before && !sameKind(before, identity)) this.#quirks.reset();
-    return { ...identity };
+    return identity;
   }
 
   /** @param part all that the job will need; nothing for one that says so itself. */

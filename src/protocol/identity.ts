@@ -82,5 +82,6 @@ export function decodeIdentity(data: Uint8Array): Identity {
   if (space1 !== SPACE || space2 !== SPACE) {
     throw new CodecError('bad-identity', 'identity', 'the two separators of a version must be 20', { bytes: data });
   }
-  return identity;
+  // It is handed out as it is, and the layout of every message rests on it.
+  return Object.freeze(identity);
 }

@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks';
 import { words } from '../messages/en-guide.js';
+import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import type { Help } from './help.js';
 import './field-words.css';
@@ -33,18 +34,20 @@ export function WordsPage() {
 
 interface WordsDialogProps {
   readonly help: Help;
-  /** Whether the timer has one. */
-  readonly hasMotor: boolean;
+  readonly session: Session;
   /** All of it is to be shown. */
   readonly onMore: () => void;
 }
 
 /** The same in short, over the table that it is about. */
-export function WordsDialog({ help, hasMotor, onMore }: WordsDialogProps) {
+export function WordsDialog({ help, session, onMore }: WordsDialogProps) {
   const titleId = useId();
+  const isOpen = help.explaining.value;
+  // While it is shut, another program does not draw it.
+  const hasMotor = isOpen && session.editor.identity.value?.timerClass === 'Q';
   const close = (): void => help.explain(false);
   return (
-    <Modal open={help.explaining.value} title={words.title} titleId={titleId} held={false} onEscape={close}>
+    <Modal open={isOpen} title={words.title} titleId={titleId} held={false} onEscape={close}>
       <dl class="field-words">
         {FIELDS.filter((field) => hasMotor || !MOTOR.has(field)).map((field) => (
           <div key={field}>

@@ -31,4 +31,7 @@ export class Help {
   explain(open: boolean): void {
     this.#explaining.value = open;
   }
+
+  /** Always the same function: a table that is given it is not drawn anew. */
+  readonly explainNow = (): void => this.explain(true);
 }

@@ -1,4 +1,4 @@
-import { useComputed } from '@preact/signals';
+import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { share } from '../../messages/en-share.js';
 import type { Session } from '../../session/session.js';
 import { Modal } from '../../ui/modal.js';
@@ -11,7 +11,7 @@ interface SharingDialogProps {
   readonly session: Session;
   readonly sharing: Sharing;
   /** Something else is asked just now: what came by link waits. */
-  readonly busy: boolean;
+  readonly asked: ReadonlySignal<unknown>;
   /** The address of this page. */
   readonly page: string;
   /** What was opened is to be seen. */
@@ -21,10 +21,10 @@ interface SharingDialogProps {
 }
 
 /** A setting on its way to another device, or from one. */
-export function SharingDialog({ session, sharing, busy, page, onProgram, onLibrary }: SharingDialogProps) {
+export function SharingDialog({ session, sharing, asked, page, onProgram, onLibrary }: SharingDialogProps) {
   const { offer, received, read } = share;
   // It is asked in the middle of nothing: not while bytes move, and not over another question.
-  const isFree = useComputed(() => !session.runner.busy.value).value && !busy;
+  const isFree = useComputed(() => !session.runner.busy.value && asked.value === null);
   const current = sharing.current.value;
   const title =
     current?.step === 'offer'
@@ -34,7 +34,7 @@ export function SharingDialog({ session, sharing, busy, page, onProgram, onLibra
         : received.title;
   return (
     <Modal
-      open={current !== null && isFree}
+      open={current !== null && isFree.value}
       key={current?.step}
       title={title}
       titleId="sharing-title"
