@@ -49,17 +49,18 @@ function Form({ id, session, log }: FormProps) {
     const opened = list[at];
     return opened ? new FlightForm(log, opened.flight, list[at + 1]?.flight ?? null) : null;
   }, [id, log, flights]);
-  const box = useRef<HTMLDivElement>(null);
+  const box = useRef<HTMLFormElement>(null);
   if (!form) return null;
   const flight = form.flight.value;
-  const done = (): void => {
+  const done = (event: Event): void => {
+    event.preventDefault();
     // What is typed and cannot be read is shown once more; Escape leaves it.
     const wrong = box.current?.querySelector<HTMLElement>('[aria-invalid="true"]');
     if (wrong) wrong.focus();
     else log.close();
   };
   return (
-    <div class="flight-form" ref={box}>
+    <form class="flight-form" ref={box} noValidate onSubmit={done}>
       <p class="flight-of">
         <strong>{[flight.modelName || row.noModel, flight.settingName].filter(Boolean).join(' · ')}</strong>
         <span>{heldText(flight.program)}</span>
@@ -97,11 +98,11 @@ function Form({ id, session, log }: FormProps) {
             {words.undo}
           </button>
         )}
-        <button type="button" class="primary" onClick={done}>
+        <button type="submit" class="primary">
           {words.done}
         </button>
       </div>
-    </div>
+    </form>
   );
 }
 

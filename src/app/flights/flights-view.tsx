@@ -1,4 +1,4 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useLayoutEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/flights.js';
 import type { Session } from '../session/session.js';
 import { CsvExport } from './csv-export.js';
@@ -21,6 +21,10 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   const words = flightMessages.value;
   const { library } = session;
   const { list, loaded, failed } = library.flights;
+  useLayoutEffect(() => {
+    // From further down in the library; where one was in the log, the view knows itself.
+    document.documentElement.scrollTop = 0;
+  }, []);
   useEffect(() => {
     void library.flights.load();
     void library.load();
