@@ -1,4 +1,4 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import { useQuery } from '../ui/use-query.js';
@@ -45,6 +45,8 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
   const columns = isWide ? 3 : isMiddle ? 2 : 1;
   const shows = (level: 0 | 1 | 2): boolean =>
     columns === 3 || (columns === 2 ? (depth === 0 ? level !== 1 : level !== 0) : level === depth);
+  const one = columns === 1;
+  usePlaces(path, one && isLoaded);
   if (!isLoaded) {
     return (
       <section class="library-coming" aria-busy="true">
@@ -55,7 +57,6 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
       </section>
     );
   }
-  const one = columns === 1;
   return (
     <div class={`library columns-${columns}`}>
       {shows(0) && <ModelList {...{ session, browse, places, onGo }} chosen={place.model} setting={place.setting} />}
@@ -67,7 +68,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
           chosen={place.setting}
           back={columns < 3}
         >
-          {one && model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />}
+          {one && model && <ModelPage {...{ session, places }} record={model} below onGone={() => onGo('')} />}
         </ModelColumn>
       )}
       {shows(2) && !one && depth < 2 && (
@@ -90,6 +91,27 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
       )}
     </div>
   );
+}
+
+/**
+ * Whoever comes to another place finds the keyboard there, unless it is somewhere in sight. On a phone each place
+ * begins at its top, and is scrolled as it was for who comes back.
+ */
+function usePlaces(path: string, scrolls: boolean): void {
+  const places = useRef(new Map<string, number>());
+  const before = useRef(path);
+  useLayoutEffect(() => {
+    if (before.current !== path && (document.activeElement ?? document.body) === document.body) {
+      document.querySelector('main')?.focus({ preventScroll: true });
+    }
+    before.current = path;
+    if (!scrolls) return;
+    const page = document.documentElement;
+    page.scrollTop = places.current.get(path) ?? 0;
+    const note = (): void => void places.current.set(path, page.scrollTop);
+    addEventListener('scroll', note, { passive: true });
+    return () => removeEventListener('scroll', note);
+  }, [path, scrolls]);
 }
 
 function isEmpty({ library }: Session): boolean {

@@ -34,6 +34,9 @@ export const knowledge = {
   readAt: (time: string) => `As in the timer, read ${time}`,
   lastReadAt: (time: string) => `As last read ${time}`,
   asLastRead: 'As last read',
+  /** Of a setting of the library, by its model and its name. */
+  ofSetting: (name: string, changes: number) =>
+    changes === 0 ? `${name}: saved` : `${name}: ${plural(changes, 'change', 'changes')} not saved`,
   /** Of a program that was made here. */
   made: 'New program, in no timer yet',
   unknown: (memory: string) => `Not known what ${memory} holds`,

@@ -49,6 +49,8 @@ export const library = {
     timerClass: 'Class',
     noClass: 'Not said',
     note: 'Note',
+    /** Where its name stands above its settings. */
+    facts: 'About this model',
     noSettings: 'No setting yet. Open a program and save it here, or make a new one.',
     makeSetting: 'New setting…',
     memories: 'Names of its memories',

@@ -30,6 +30,8 @@ export const strip = {
   asInTimer: '✓',
   notCertain: 'not certain',
   asRead: 'last read',
+  /** Of a setting of the library. */
+  ofSetting: (changes: number) => (changes === 0 ? 'saved' : `${changes} not saved`),
   /** Of a program that was made here, and is in no timer. */
   made: 'new',
 };

@@ -14,12 +14,20 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   const standing = session.standing.value;
   const time = standing.at === null ? null : clockText(standing.at);
+  // Of no timer, but of the library.
+  const kept = useComputed(() => {
+    const opened = editor.madeAt.value === null ? null : session.openSetting.value;
+    if (!opened?.setting) return null;
+    const { model, setting } = opened;
+    return { model: model?.name, setting: setting.name, changes: session.opened.unsaved.value?.changes ?? 0 };
+  }).value;
   const said = (): string => {
     // What was tried is in the timer only as far as it is certain what that holds.
     if (tried > 0 && standing.sure !== 'not') return bench.triedAndWaiting(tried, count);
     if (count > 0) return program.changes(count);
     if (standing.sure === 'not') return words.unknown(memory === null ? words.thisMemory : memoryName(memory));
     if (unfinished > 0) return words.unfinished(unfinished);
+    if (kept) return words.ofSetting([kept.model, kept.setting].filter(Boolean).join(', '), kept.changes);
     if (editor.madeAt.value !== null) return words.made;
     if (time === null) return words.asLastRead;
     if (standing.sure === 'once') return words.lastReadAt(time);
@@ -33,7 +41,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
     open: strip.notCertain,
     differs: strip.shortChanges(tried + count + unfinished),
     known: strip.asInTimer,
-    once: editor.madeAt.value === null ? strip.asRead : strip.made,
+    once: kept ? strip.ofSetting(kept.changes) : editor.madeAt.value === null ? strip.asRead : strip.made,
   }[state];
   return (
     <p class={`changes ${state}`} role="status">

@@ -1,0 +1,120 @@
+import { fireEvent, screen, within } from '@testing-library/preact';
+import { expect, it } from 'vitest';
+import { idle, MemoryStore, run } from '../bench/bench.js';
+import { button, goTo, opened, press, type } from '../screen.js';
+import { manyRecords } from './many.js';
+
+/** The page with a small library, at a place in it. */
+async function at(path: string) {
+  const store = new MemoryStore();
+  const records = manyRecords({ models: 2, settings: 4, flights: 0 });
+  for (const each of records.models) store.models.records.set(each.key, each);
+  for (const each of records.settings) store.settings.records.set(each.key, each);
+  const app = await opened({ store });
+  app.models.views.show('library', path);
+  await idle();
+  return app;
+}
+
+function input(name: string): HTMLInputElement {
+  return screen.getByRole<HTMLInputElement>('textbox', { name });
+}
+
+async function write(name: string, text: string): Promise<void> {
+  fireEvent.input(input(name), { target: { value: text } });
+  await idle(0);
+}
+
+it('is empty at first, and says what a model is for', async () => {
+  await opened();
+  await goTo('library');
+  await idle();
+  expect(screen.getByRole('button', { name: 'New model…' })).toBeTruthy();
+  expect(screen.queryByRole('link', { name: /setting/ })).toBeNull();
+});
+
+it('a note is kept a moment after the last key, without leaving its field', async () => {
+  const app = await at('model-0/setting-0');
+  await write('Note', 'opens well');
+  expect(app.store.settings.records.get('setting-0')?.setting.note).not.toBe('opens well');
+  await idle();
+  expect(app.store.settings.records.get('setting-0')?.setting.note).toBe('opens well');
+});
+
+it('a note that is being typed is kept when its page is left', async () => {
+  const app = await at('model-0/setting-0');
+  await write('Note', 'opens well');
+  app.models.views.show('program');
+  await idle();
+  expect(app.store.settings.records.get('setting-0')?.setting.note).toBe('opens well');
+});
+
+it('a name cannot become empty', async () => {
+  const app = await at('model-0/setting-0');
+  const before = input('Name').value;
+  await write('Name', '  ');
+  expect(screen.getByText('A name is needed: the one before is kept.')).toBeTruthy();
+  fireEvent.blur(input('Name'));
+  await idle();
+  expect([input('Name').value, app.store.settings.records.get('setting-0')?.setting.name]).toEqual([before, before]);
+});
+
+it('what another tab has saved in the same field is told and can be taken; other fields follow', async () => {
+  const app = await at('model-0/setting-0');
+  const record = app.store.settings.records.get('setting-0');
+  if (!record) throw new Error('it is gone');
+  await write('Note', 'mine');
+  const setting = { ...record.setting, note: 'theirs', tags: ['new tag'] };
+  app.store.settings.records.set('setting-0', { ...record, setting, changedAt: Date.now() });
+  await run(app.session.library.refresh());
+  await idle();
+  expect([input('Note').value, input('Tags').value]).toEqual(['mine', 'new tag']);
+  expect(screen.getByText(/Another tab has saved here meanwhile: “theirs”/)).toBeTruthy();
+  fireEvent.blur(input('Note'));
+  await press('Take that');
+  expect([input('Note').value, app.store.settings.records.get('setting-0')?.setting.note]).toEqual([
+    'theirs',
+    'theirs',
+  ]);
+});
+
+it('the strip says which setting is open and what of it is not saved', async () => {
+  await at('model-0/setting-0');
+  await press('Open');
+  expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
+  await type('DT time', '2:00');
+  expect(screen.getByText('Lancer 01, fly-off 0: 1 change not saved')).toBeTruthy();
+  await press('Save');
+  expect(screen.getByText('Lancer 01, fly-off 0: saved')).toBeTruthy();
+});
+
+it('a program is saved under a model that is made with it', async () => {
+  const app = await at('model-0/setting-0');
+  await press('Open');
+  await press('Save as new…');
+  const dialog = within(screen.getByRole('dialog'));
+  fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: 'new' } });
+  await idle(0);
+  fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the setting' }), { target: { value: ' calm ' } });
+  fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the model' }), { target: { value: 'Lancer 09' } });
+  fireEvent.click(dialog.getByRole('button', { name: 'Save' }));
+  await idle();
+  const [model] = [...app.store.models.records.values()].filter(({ model: each }) => each.name === 'Lancer 09');
+  const [made] = [...app.store.settings.records.values()].filter(({ setting }) => setting.name === 'calm');
+  expect([model?.model.timerClass, made?.setting.model]).toEqual(['Q', model?.key]);
+});
+
+it('what the browser did not take is marked, and only that', async () => {
+  const app = await at('');
+  app.store.broken = true;
+  await press('New model…');
+  fireEvent.input(within(screen.getByRole('dialog')).getByRole('textbox', { name: 'Name' }), {
+    target: { value: 'Lancer 09' },
+  });
+  await press('Make the model');
+  app.models.views.show('library');
+  await idle();
+  expect(screen.getByRole('link', { name: /Lancer 09.*not kept by this browser/ })).toBeTruthy();
+  expect(screen.queryByRole('link', { name: /Lancer 01.*not kept/ })).toBeNull();
+  expect(button('New model…').disabled).toBe(false);
+});
