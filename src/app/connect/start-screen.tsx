@@ -80,7 +80,8 @@ function BrowserWays({ platform, address }: Pick<StartScreenProps, 'platform'> &
 /** Whether the page works without a network, how it is installed, and the way to its settings. */
 function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) {
   const { start } = messages.value;
-  const install = installation.install.value;
+  // While the hint is there, that has the button.
+  const install = installation.hint.value === null ? installation.install.value : null;
   return (
     <p class="on-device">
       {installation.ready.value && (
