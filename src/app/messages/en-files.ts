@@ -68,6 +68,7 @@ export const files = {
     cancel: 'Cancel',
     close: 'Close',
     shut: 'This browser does not give out the library just now. An import could put older settings over newer ones.',
+    importing: (name: string, done: number, of: number) => `Importing ${name}: ${done} of ${of}`,
     done: (what: string, name: string) => `Imported from ${name}: ${what}.`,
     unkept: 'This browser has not kept all of it: what is on the screen lasts until the page is closed.',
     undo: 'Undo the import',

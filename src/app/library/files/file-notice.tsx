@@ -17,7 +17,7 @@ export function FileNotice({ files }: { readonly files: LibraryFiles }) {
           {words.undo}
         </button>
       )}
-      {said.kind !== 'saving' && (
+      {said.kind !== 'saving' && said.kind !== 'importing' && (
         <button type="button" class="quiet" onClick={() => files.dismissWord()}>
           {words.dismiss}
         </button>
@@ -31,6 +31,8 @@ function wordText(said: FileWord): string {
   switch (said.kind) {
     case 'saving':
       return out.saving(said.name);
+    case 'importing':
+      return into.importing(said.name, said.done, said.of);
     case 'saved':
       return out.saved(said.name, counted(said.holds));
     case 'downloaded':

@@ -3,6 +3,7 @@ import type { CodecError } from '../../../protocol/index.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
 import { type ChosenFile, chooseFile, saveFile, writeFile } from '../../browser/save-file.js';
 import { version } from '../../browser/version.js';
+import type { Collection } from '../../session/collection.js';
 import { type Library, newId } from '../../session/library.js';
 import type { StorageErrorCode } from '../../storage/index.js';
 import { ExportMarks } from './export-marks.js';
@@ -32,6 +33,7 @@ export interface Ways {
 /** What was done last. */
 export type FileWord =
   | { readonly kind: 'saving'; readonly name: string }
+  | { readonly kind: 'importing'; readonly name: string; readonly done: number; readonly of: number }
   | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: Counts }
   | { readonly kind: 'too-large' | 'nothing' | 'failed' | 'undone' | 'partly-undone' }
   | { readonly kind: 'imported'; readonly name: string; readonly holds: Counts; readonly kept: boolean };
@@ -40,6 +42,8 @@ export type FileWord =
 export const ALL_NAME = 'Sidus library';
 /** The kind of a library file, and its endings. */
 const TYPE = { 'application/json': ['.sidus.json', '.sidus'] };
+/** So many records are kept at once. */
+const AT_A_TIME = 200;
 const ENDING = '.sidus.json';
 
 /** What stands in the library, and was there before the import. */
@@ -153,16 +157,19 @@ export class LibraryFiles {
   async take(): Promise<void> {
     const step = this.#current.peek();
     if (step?.step !== 'plan' || this.shut) return;
-    const { all, of } = this.#ways.peek();
+    const { all: way, of } = this.#ways.peek();
     const before = this.#records();
-    const put = recordsOf(step.groups.peek(), ({ id }) => of.get(id) ?? all, before, newId);
+    const put = recordsOf(step.groups.peek(), ({ id }) => of.get(id) ?? way, before, newId);
     this.dismiss();
     this.#done = { put, before };
     // On a device that had nothing, the file is what an export of it would be.
     if (before.models.length + before.settings.length + before.flights.length === 0)
       this.marks.exported(step.writtenAt);
     const holds = { models: put.models.length, settings: put.settings.length, flights: put.flights.length };
-    this.#say({ kind: 'imported', name: step.name, holds, kept: await this.#save(put) });
+    const { name } = step;
+    const all = put.models.length + put.settings.length + put.flights.length;
+    const kept = await this.#save(put, (done) => this.#say({ kind: 'importing', name, done, of: all }));
+    this.#say({ kind: 'imported', name, holds, kept });
   }
 
   /** Puts back what was there before the import. What was changed since then stays as it is. */
@@ -196,15 +203,32 @@ export class LibraryFiles {
     this.#say(null);
   }
 
-  /** @returns whether the browser has kept all of it. */
-  async #save({ models, settings, flights }: Records): Promise<boolean> {
+  /**
+   * Some at a time: each of them has only so long to be kept, however many there are.
+   * @param tell called with how many are done.
+   * @returns whether the browser has kept all of it.
+   */
+  async #save({ models, settings, flights }: Records, tell: (done: number) => void = () => {}): Promise<boolean> {
     const { library } = this.#parts;
-    const saved = [
-      library.models.save(...models),
-      library.settings.save(...settings),
-      library.flights.save(...flights),
-    ];
-    return (await Promise.all(saved)).every(Boolean);
+    let done = 0;
+    const save = async <R extends { readonly key: string; readonly changedAt: number }>(
+      list: Collection<R>,
+      records: readonly R[],
+    ): Promise<boolean> => {
+      for (let at = 0; at < records.length; at += AT_A_TIME) {
+        const some = records.slice(at, at + AT_A_TIME);
+        if (!(await list.save(...some))) {
+          // Nobody waits for the rest part by part where the browser keeps nothing.
+          await list.save(...records.slice(at + AT_A_TIME));
+          return false;
+        }
+        done += some.length;
+        tell(done);
+      }
+      return true;
+    };
+    const kept = [await save(library.models, models), await save(library.settings, settings)];
+    return [...kept, await save(library.flights, flights)].every(Boolean);
   }
 
   #say(word: FileWord | null): void {

@@ -144,6 +144,26 @@ describe('an import', () => {
     expect(parseLibraryFile(await (saved[0]?.text() ?? '')).library).toEqual(ALL);
   });
 
+  it('of thousands is kept part by part: each record has only so long', async () => {
+    const app = await library({});
+    const { settings } = app.store;
+    const { save } = settings;
+    let under = 0;
+    let most = 0;
+    settings.save = async (record) => {
+      most = Math.max(most, ++under);
+      await new Promise((resolve) => setTimeout(resolve, 10));
+      under--;
+      return save.call(settings, record);
+    };
+    const many = Array.from({ length: 1000 }, (_, at) => ({ ...SETTING, id: `s${at}` }));
+    await drop(file(text({ ...ALL, settings: many })));
+    await press('Import 1002');
+    notice(/^Imported from/);
+    expect(kept(app).settings).toHaveLength(1000);
+    expect(most).toBeLessThanOrEqual(200);
+  });
+
   it('does not write over a library that the browser does not give out', async () => {
     const store = new MemoryStore();
     store.models.all = () => new Promise(() => {});
