@@ -19,7 +19,7 @@ export const print = {
   back: 'Back',
   preview: 'Preview',
   page: (page: number, pages: number) => `Page ${page} of ${pages}`,
-  nothing: 'Nothing is chosen. Choose settings below, or open a program.',
+  nothing: 'Nothing is chosen. Choose settings of the library, or open a program.',
   missing: (count: number) =>
     count === 1
       ? 'One of these settings is not in the library of this device.'

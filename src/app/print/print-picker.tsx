@@ -1,4 +1,4 @@
-import { useEffect } from 'preact/hooks';
+import { useEffect, useMemo } from 'preact/hooks';
 import { print as words } from '../messages/en-print.js';
 import type { Print } from './print.js';
 import { ON_SCREEN } from './print-order.js';
@@ -16,11 +16,16 @@ export function PrintPicker({ print }: PrintPickerProps) {
   const { value: chosen } = order.keys;
   const { value: found } = print.found;
   useEffect(() => void print.load(), [print]);
+  // Where there is nothing to print, this is the next step.
+  const isFirst = useMemo(
+    () => !print.hasProgram.peek() && order.keys.peek().every((key) => key === ON_SCREEN),
+    [print, order],
+  );
   // What is chosen stands first, whatever is searched for.
   const first = found.filter(({ key }) => chosen.includes(key));
   const listed = [...first, ...found.filter(({ key }) => !chosen.includes(key))].slice(0, Math.max(MOST, first.length));
   return (
-    <details class="print-picker">
+    <details class="print-picker" open={isFirst}>
       <summary>{words.choose(print.copies.value.length)}</summary>
       <input
         type="search"

@@ -31,12 +31,20 @@ describe('the print view', () => {
     await type('DT time', '2:30');
     await goTo('print');
     const [sheet] = sheets();
+    expect(document.querySelector<HTMLDetailsElement>('.print-picker')?.open).toBe(false);
     expect(sheets()).toHaveLength(1);
     const rows = rowsOf(sheet as HTMLElement);
     expect(rows).toHaveLength(13);
     expect(rows.at(-1)).toMatch(/^DT 2:30/);
     expect(sheet?.textContent).toMatch(/As in the timer, read .*1 value is not in the timer yet/);
     expect(sheet?.textContent, 'a line to write the name on').toMatch(/^Model/);
+  });
+
+  it('begins with the choice of settings where there is nothing to print', async () => {
+    await opened();
+    await goTo('print');
+    const isOpen = () => document.querySelector<HTMLDetailsElement>('.print-picker')?.open;
+    expect([isOpen(), screen.getByText(/Nothing is chosen/).textContent]).toEqual([true, expect.any(String)]);
   });
 
   it('prints settings of several models, as many as are chosen', async () => {
