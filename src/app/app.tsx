@@ -63,7 +63,7 @@ export function App({ models }: { readonly models: AppModels }) {
         <parts.flights.Part session={session} log={models.flights} />
       ) : views.path.value === COMPARE ? (
         <parts.compare.Part
-          {...{ session, compare: models.compare }}
+          {...{ session, pair: models.comparedPair }}
           following={follow.on.value}
           onBack={() => views.show('library')}
         />

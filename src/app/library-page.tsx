@@ -1,5 +1,5 @@
 import { COMPARE } from './compare/address.js';
-import { backupKey, SCREEN, settingKey } from './compare/compare.js';
+import { backupKey, SCREEN, settingKey } from './compare/choice.js';
 import { CompareButton } from './compare/compare-button.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import { FlightsSection } from './flights/flights-section.js';
@@ -30,7 +30,7 @@ export function LibraryPage({ models }: { readonly models: AppModels }) {
 
 /** One entry for each thing that can be done with the library, a model or a setting beyond looking at it. */
 function placesOf(models: AppModels): Places {
-  const { session, views, flights, sharing, printOrder, compare, follow } = models;
+  const { session, views, flights, sharing, printOrder, comparedPair, follow } = models;
   const files = filesOf(models);
   const toFlights = (): void => views.show('library', FLIGHTS);
   const flightsOf = { session, log: flights, onAll: toFlights };
@@ -39,7 +39,7 @@ function placesOf(models: AppModels): Places {
     views.show('print');
   };
   const sideBySide = (first: string, second?: string): void => {
-    compare.show(first, second);
+    comparedPair.show(first, second);
     views.show('library', COMPARE);
   };
   return {

@@ -4,7 +4,7 @@ import { Follow } from './bench/follow.js';
 import type { Lack } from './browser/doors.js';
 import type { TabChannel } from './browser/other-tabs.js';
 import type { Platform } from './browser/platform.js';
-import { Compare } from './compare/compare.js';
+import { ComparedPair } from './compare/choice.js';
 import { Installation } from './connect/installation.js';
 import { FlightLog } from './flights/flight-log.js';
 import { Help } from './help/help.js';
@@ -58,7 +58,7 @@ export interface AppModels {
   /** Settings that go to another device by link or QR code, and come from one. */
   readonly sharing: Sharing;
   /** Any two programs side by side. */
-  readonly compare: Compare;
+  readonly comparedPair: ComparedPair;
   readonly theme: Theme;
   readonly density: Density;
   readonly preferences: Preferences;
@@ -124,7 +124,7 @@ export function createModels({
     printOrder: new PrintOrder(),
     browse: new Browse(session.library),
     saveSetting: new SaveSetting(session),
-    compare: new Compare(session),
+    comparedPair: new ComparedPair(),
     theme,
     flights: new FlightLog(session, write),
     sharing: new Sharing(),

@@ -1,3 +1,4 @@
+import { fetchRule } from './session/recognition.js';
 import { modelLine } from './shell/header.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
@@ -51,5 +52,5 @@ export async function fetchParts(): Promise<void> {
   ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
-  await Promise.all([fetchSimulated(), fetchCodeReader()]).catch(() => {});
+  await Promise.all([fetchSimulated(), fetchRule(), fetchCodeReader()]).catch(() => {});
 }

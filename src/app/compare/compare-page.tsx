@@ -1,23 +1,25 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { type Change, fieldKey, type ProgramField } from '../../program/index.js';
 import { comparingMessages } from '../messages/comparing.js';
 import { dayText, fieldLabel, figureText, messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
-import { type Compare, SCREEN, type Side } from './compare.js';
+import { type ComparedPair, SCREEN } from './choice.js';
+import { Compare, type Side } from './compare.js';
 import './compare-page.css';
 
 export interface ComparePageProps {
   readonly session: Session;
-  readonly compare: Compare;
+  readonly pair: ComparedPair;
   /** The servos follow what is edited: they would move with each value. */
   readonly following: boolean;
   readonly onBack: () => void;
 }
 
 /** Two programs side by side, and single values of one into the other where that is on the screen. */
-export function ComparePage({ session, compare, following, onBack }: ComparePageProps) {
+export function ComparePage({ session, pair, following, onBack }: ComparePageProps) {
+  const compare = useMemo(() => new Compare(session, pair), [session, pair]);
   const { compare: words } = comparingMessages.value;
   const heading = useRef<HTMLHeadingElement>(null);
   useEffect(() => {
@@ -69,7 +71,8 @@ export function ComparePage({ session, compare, following, onBack }: ComparePage
   );
 }
 
-interface PairProps extends Omit<ComparePageProps, 'onBack'> {
+interface PairProps extends Pick<ComparePageProps, 'session' | 'following'> {
+  readonly compare: Compare;
   readonly first: Side;
   readonly second: Side;
 }

@@ -1,8 +1,9 @@
-import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { computed, type ReadonlySignal } from '@preact/signals';
 import { fieldKey, type ProgramField, sameLayout, type TimerProgram, valueAt } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Session } from '../session/session.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
+import { backupKey, type ComparedPair, SCREEN, settingKey } from './choice.js';
 
 /** A program that is at hand. */
 export type Side =
@@ -12,11 +13,6 @@ export type Side =
   | { readonly kind: 'timer'; readonly key: string; readonly memory: number; readonly program: TimerProgram }
   | { readonly kind: 'setting'; readonly key: string; readonly record: SettingRecord; readonly program: TimerProgram }
   | { readonly kind: 'backup'; readonly key: string; readonly backup: Backup; readonly program: TimerProgram };
-
-/** Under what a side is chosen. */
-export const SCREEN = 'screen';
-export const settingKey = (id: string): string => `setting/${id}`;
-export const backupKey = (key: string): string => `backup/${key}`;
 
 /** Any two of the programs that are at hand side by side: on the screen, in the timer, settings, backups. */
 export class Compare {
@@ -29,40 +25,32 @@ export class Compare {
   /** Null where there is nothing to compare with. */
   readonly second: ReadonlySignal<Side | null>;
   readonly #session: Session;
-  readonly #first = signal<string | null>(null, { name: 'firstSide' });
-  readonly #second = signal<string | null>(null, { name: 'secondSide' });
+  readonly #pair: ComparedPair;
 
-  constructor(session: Session) {
+  constructor(session: Session, pair: ComparedPair) {
     this.#session = session;
+    this.#pair = pair;
     this.sides = computed(() => sidesOf(session));
     // What is gone gives way to what is there.
-    this.first = computed(() => chosen(this.sides.value, this.#first.value));
+    this.first = computed(() => chosen(this.sides.value, this.#pair.first.value));
     this.others = computed(() => {
       const first = this.first.value;
       return first ? this.sides.value.filter((side) => side.key !== first.key && isComparable(side, first)) : [];
     });
-    this.second = computed(() => chosen(this.others.value, this.#second.value));
-  }
-
-  /** Puts two side by side, by their keys; null: what is nearest. */
-  show(first: string | null, second: string | null = null): void {
-    batch(() => {
-      this.#first.value = first;
-      this.#second.value = second;
-    });
+    this.second = computed(() => chosen(this.others.value, this.#pair.second.value));
   }
 
   chooseFirst(key: string): void {
     // What was first becomes the other one where it is chosen there.
-    this.show(key, key === this.second.peek()?.key ? (this.first.peek()?.key ?? null) : this.#second.peek());
+    this.#pair.show(key, key === this.second.peek()?.key ? (this.first.peek()?.key ?? null) : this.#pair.second.peek());
   }
 
   chooseSecond(key: string): void {
-    this.show(this.first.peek()?.key ?? null, key);
+    this.#pair.show(this.first.peek()?.key ?? null, key);
   }
 
   swap(): void {
-    this.show(this.second.peek()?.key ?? null, this.first.peek()?.key ?? null);
+    this.#pair.show(this.second.peek()?.key ?? null, this.first.peek()?.key ?? null);
   }
 
   /** A value of the other one goes into the program on the screen, as a step of its own. */
@@ -77,7 +65,7 @@ export class Compare {
   /** Opens the setting that is compared, so that values can be taken into it. */
   async open({ record: { setting }, key }: Extract<Side, { kind: 'setting' }>): Promise<void> {
     const other = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== key);
-    if (await this.#session.showSetting(setting)) this.show(SCREEN, other?.key ?? null);
+    if (await this.#session.showSetting(setting)) this.#pair.show(SCREEN, other?.key ?? null);
   }
 }
 

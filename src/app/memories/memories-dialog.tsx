@@ -6,6 +6,7 @@ import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { NoticeText } from '../ui/notice-text.js';
+import { CrossingCheck } from '../write/crossing-check.js';
 import { ClosingButtons, JobStep } from '../write/dialog-steps.js';
 import { Difference } from '../write/difference.js';
 import { MoveServosCheck } from '../write/move-servos-check.js';
@@ -52,10 +53,8 @@ interface ReviewProps {
   readonly current: StepOf<'review'>;
 }
 
-function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
+function Review({ session, jobs, current: { plan, changes, crossing } }: ReviewProps) {
   const { memories: words, write } = messages.value;
-  // Reading changes nothing: only a write asks whether the model is held.
-  const ready = plan.kind === 'back-up' || session.safety.confirmed.value;
   const movesServos = changes.some(({ changes: all }) => all.some(({ field }) => field.kind === 'position'));
   return (
     <>
@@ -63,13 +62,18 @@ function Review({ session, jobs, current: { plan, changes } }: ReviewProps) {
       {changes.map((change) => (
         <MemoryDifference key={change.memory} session={session} change={change} folded={changes.length > 1} />
       ))}
+      <CrossingCheck
+        crossing={crossing}
+        acknowledged={jobs.crossed.value}
+        onAcknowledge={(wanted) => jobs.cross(wanted)}
+      />
       {movesServos && <MoveServosCheck servoMoves={session.servoMoves} />}
       {plan.kind !== 'back-up' && <SafetyCheck safety={session.safety} />}
       <div class="buttons">
         <button type="button" class="quiet" onClick={() => jobs.dismiss()}>
           {write.cancel}
         </button>
-        <button type="button" class="primary" disabled={!ready} onClick={() => void jobs.start()}>
+        <button type="button" class="primary" disabled={!jobs.ready.value} onClick={() => void jobs.start()}>
           {words.start[plan.kind]}
         </button>
       </div>

@@ -1,5 +1,7 @@
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
+import { type Crossing, crossingOf, sameCrossing } from '../session/crossing.js';
 import { type JobOptions, stoppedBy, type Work } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from '../write/job-dialog.js';
@@ -24,6 +26,8 @@ export type MemoriesStep =
       /** On this connection, or not at all. */
       readonly connection: TimerConnection;
       readonly changes: readonly MemoryChange[];
+      /** The backups that are restored are of another model. */
+      readonly crossing: Crossing | null;
     }
   /**
    * Where the browser does not keep a copy of what a memory holds, the job asks the pilot before anything is written
@@ -57,6 +61,16 @@ interface Done {
  * it.
  */
 export class MemoryJobs extends JobDialog<MemoriesStep> {
+  readonly #crossed = signal(false, { name: 'crossedMemories' });
+  /** The pilot wants backups of one model in the timer of another. */
+  readonly crossed: ReadonlySignal<boolean> = this.#crossed;
+  /** Whether what is shown may begin: reading changes nothing, only a write asks whether the model is held. */
+  readonly ready: ReadonlySignal<boolean> = computed(() => {
+    const step = this.current.value;
+    if (step?.step !== 'review') return false;
+    const isSafe = step.plan.kind === 'back-up' || this.#session.safety.confirmed.value;
+    return isSafe && (step.crossing === null || this.crossed.value);
+  });
   readonly #session: Session;
   readonly #roundTrip: MemoryRoundTrip;
   /** Whether the browser has kept every copy of this job. */
@@ -74,7 +88,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     if (!connection.value || runner.busy.value) return;
     servoMoves.ask();
     if (plan.kind === 'back-up') {
-      this.show({ step: 'review', plan, connection: connection.value, changes: [] });
+      this.show({ step: 'review', plan, connection: connection.value, changes: [], crossing: null });
       return;
     }
     const end = await this.#run(plan, (on, options) => this.#compare(plan, on, options));
@@ -92,10 +106,21 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     await this.#session.readIfOpen();
   }
 
+  /** The pilot wants backups of one model in the timer of another, or takes that back. */
+  cross(wanted: boolean): void {
+    this.#crossed.value = wanted;
+  }
+
   /** Does what was shown, on the connection where it was shown. */
   async start(): Promise<void> {
     const { value: shown } = this.current;
-    if (shown?.step !== 'review') return;
+    if (shown?.step !== 'review' || !this.ready.value) return;
+    // The names have changed, or another model was found meanwhile: asked anew.
+    const crossing = this.#crossingOf(shown.plan);
+    if (!sameCrossing(crossing, shown.crossing)) {
+      this.#crossed.value = false;
+      return this.show({ ...shown, crossing });
+    }
     const { knowledge, nextFlight } = this.#session;
     const { plan, changes } = shown;
     this.#kept = true;
@@ -145,7 +170,8 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     const programs = await this.#roundTrip.read(connection, { ...options, memories: memoriesOf(plan) });
     const changes = changesBy(plan, programs);
     if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
-    return { step: 'review', plan, connection, changes };
+    this.#crossed.value = false;
+    return { step: 'review', plan, connection, changes, crossing: this.#crossingOf(plan) };
   }
 
   /** @returns how many memories were read and kept. */
@@ -212,6 +238,13 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     if (stopped) throw stopped;
     const reports = memories.map(({ report }) => report);
     done.notHeld = servoMoves.wanted(moveServos, reports);
+  }
+
+  #crossingOf(plan: Plan): Crossing | null {
+    if (plan.kind !== 'restore') return null;
+    const { library, recognition } = this.#session;
+    const owner = plan.backups.find(({ model }) => model !== undefined)?.model ?? null;
+    return crossingOf(library.models.get(owner)?.model ?? null, recognition.found.value);
   }
 
   #nothingWritten(): void {

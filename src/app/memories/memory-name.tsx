@@ -2,13 +2,15 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { modelMessages } from '../messages/which-model.js';
 import { givenName, nameMemory } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import './memory-name.css';
 
 /** What the pilot calls a memory of his model; a press lets him change it. Nothing where the model is not known. */
 export function MemoryName({ session, memory }: { readonly session: Session; readonly memory: number }) {
-  const { memoryNames: words, memoryName } = messages.value;
+  const { memoryNames: words } = modelMessages.value;
+  const { memoryName } = messages.value;
   const editing = useSignal(false);
   const box = useRef<HTMLSpanElement>(null);
   const was = useRef(false);

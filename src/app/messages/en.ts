@@ -10,7 +10,7 @@ import { about as aboutTimer, link, ports } from './en-link.js';
 import { look, memories, nextFlight, overview } from './en-memories.js';
 import { connection, notes, timer } from './en-notices.js';
 import { preview } from './en-preview.js';
-import { crossing, memoryNames, recognition } from './en-recognition.js';
+import { memoryNames, recognition } from './en-recognition.js';
 import { backups, recovery } from './en-recovery.js';
 import { density, settings, theme } from './en-settings.js';
 import { shortDt } from './en-short-dt.js';
@@ -251,7 +251,6 @@ export const en = {
   knowledge,
   recognition,
   memoryNames,
-  crossing,
   recovery,
   memories,
   nextFlight,

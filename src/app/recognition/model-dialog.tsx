@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
 import { dayText, messages } from '../messages/index.js';
+import { modelMessages } from '../messages/which-model.js';
 import type { Found, PossibleModel, Recognition } from '../session/recognition.js';
 import { Modal } from '../ui/modal.js';
 import './model-dialog.css';
@@ -11,7 +12,7 @@ const SEARCHED = 8;
 
 /** The pilot says which model it is: one of the list, or a new one. */
 export function ModelDialog({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = messages.value.recognition;
+  const { dialog } = modelMessages.value.recognition;
   const isAsked = recognition.tells.value && recognition.found.value?.kind !== 'same';
   return (
     <Modal
@@ -26,7 +27,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
       <div class="buttons">
         {isAsked ? (
           <button type="button" class="quiet" onClick={() => recognition.notNow()}>
-            {messages.value.recognition.notNow}
+            {modelMessages.value.recognition.notNow}
           </button>
         ) : (
           <button type="button" class="quiet" onClick={() => recognition.leave()}>
@@ -39,7 +40,7 @@ export function ModelDialog({ recognition }: { readonly recognition: Recognition
 }
 
 function Choice({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = messages.value.recognition;
+  const { dialog } = modelMessages.value.recognition;
   const searched = useSignal('');
   const found = recognition.found.value;
   const possible = possibleOf(found);
@@ -96,7 +97,7 @@ interface RowProps {
 }
 
 function Row({ model, near, chosen, onChoose }: RowProps) {
-  const { dialog } = messages.value.recognition;
+  const { dialog } = modelMessages.value.recognition;
   return (
     <li>
       <button type="button" aria-pressed={chosen} onClick={onChoose}>
@@ -112,7 +113,7 @@ function Row({ model, near, chosen, onChoose }: RowProps) {
 }
 
 function NewModel({ recognition }: { readonly recognition: Recognition }) {
-  const { dialog } = messages.value.recognition;
+  const { dialog } = modelMessages.value.recognition;
   const name = useSignal('');
   const note = useId();
   const wanted = name.value.trim();

@@ -1,4 +1,5 @@
-import { dayText, messages } from '../messages/index.js';
+import { dayText } from '../messages/index.js';
+import { modelMessages } from '../messages/which-model.js';
 import type { Found, PossibleModel, Recognition } from '../session/recognition.js';
 import './model-line.css';
 
@@ -7,7 +8,7 @@ const BUTTONS = 3;
 
 /** Whose timer this is, as far as it holds something that tells it; and the question where the pilot has to say it. */
 export function ModelLine({ recognition }: { readonly recognition: Recognition }) {
-  const { recognition: words } = messages.value;
+  const { recognition: words } = modelMessages.value;
   const found = recognition.found.value;
   if (!found || found.kind === 'said' || !recognition.tells.value) return null;
   const picks = picksOf(found);
@@ -37,7 +38,7 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
 
 /** What there is to say, in words. */
 function saidOf(found: Exclude<Found, { kind: 'said' }>): string {
-  const { recognition: words } = messages.value;
+  const { recognition: words } = modelMessages.value;
   if (found.kind === 'same') return words.same(found.model.name, dayText(found.of.at));
   if (found.kind === 'like') return words.like(found.model.name, found.of.differs);
   return found.kind === 'several' ? words.several(found.candidates.map(({ model }) => model.name)) : words.unknown;

@@ -6,7 +6,7 @@ import { CLASSES, newProgram } from '../editing/new-program.js';
 import type { ModelRecord } from '../storage/index.js';
 import type { FreshReading, Knowledge } from './knowledge.js';
 import { type Library, newId } from './library.js';
-import { type HeldOnce, type Recognised, recognise } from './recognition-rule.js';
+import type { HeldOnce, Recognised } from './recognition-rule.js';
 import { kindKey } from './record-keys.js';
 
 /** A model that the timer may belong to, and in how many values it differs from what that was last seen to hold. */
@@ -67,6 +67,8 @@ export class Recognition {
   readonly #said = signal<string | null>(null, { name: 'saidModel' });
   readonly #notNow = signal(false, { name: 'notNow' });
   readonly #timer = signal(0, { name: 'timer' });
+  /** Fetched when the first timer comes. */
+  readonly #rule = signal<typeof import('./recognition-rule.js') | null>(null, { name: 'rule' });
   readonly #choosing = signal(false, { name: 'choosing' });
 
   constructor(parts: RecognitionParts) {
@@ -75,7 +77,8 @@ export class Recognition {
     const { library, connection, simulated, knowledge } = parts;
     const recognised = computed((): Recognised | null => {
       const read = this.#evidence.value;
-      if (!connection.value || read.length === 0 || !library.models.loaded.value) return null;
+      const rule = this.#rule.value;
+      if (!rule || !connection.value || read.length === 0 || !library.models.loaded.value) return null;
       const isSimulated = simulated.value;
       const models = library.models.list.value.map((record) => ({
         key: record.key,
@@ -83,7 +86,7 @@ export class Recognition {
           (held) => (held.simulated ?? false) === isSimulated,
         ),
       }));
-      return recognise(read, models, templatesFor(connection.value.identity));
+      return rule.recognise(read, models, templatesFor(connection.value.identity));
     });
     this.found = computed(() => {
       const result = recognised.value;
@@ -125,6 +128,12 @@ export class Recognition {
   timerCame(): void {
     this.#forget([]);
     void this.#parts.library.models.load();
+    // Without it the pilot can still say which model it is.
+    if (!this.#rule.peek())
+      void fetchRule().then(
+        (rule) => (this.#rule.value = rule),
+        () => {},
+      );
   }
 
   /** The timer is of this model, by the pilot's word. */
@@ -221,6 +230,9 @@ export class Recognition {
     await library.keepModel(record.model, { verified });
   }
 }
+
+/** By which rule a timer is recognised: nothing of it is needed before one is connected. */
+export const fetchRule = () => import('./recognition-rule.js');
 
 /** What is known of the memories, with what they hold now; the same list where that is nothing new. */
 function withHeld(

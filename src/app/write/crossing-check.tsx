@@ -1,4 +1,4 @@
-import { messages } from '../messages/index.js';
+import { modelMessages } from '../messages/which-model.js';
 import type { Crossing } from '../session/crossing.js';
 import { NoticeText } from '../ui/notice-text.js';
 
@@ -10,7 +10,7 @@ interface CrossingCheckProps {
 
 /** Values of one model are about to go into the timer of another: asked by both names. */
 export function CrossingCheck({ crossing, acknowledged, onAcknowledge }: CrossingCheckProps) {
-  const { crossing: words } = messages.value;
+  const { crossing: words } = modelMessages.value;
   if (!crossing) return null;
   const to = crossing.to.map(({ name }) => name);
   return (

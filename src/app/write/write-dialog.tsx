@@ -5,6 +5,7 @@ import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { clockText, fieldLabel, figureText, findingText, messages } from '../messages/index.js';
 import { keyFields, keyName } from '../messages/key-figures.js';
+import { modelMessages } from '../messages/which-model.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
@@ -248,9 +249,9 @@ function Verdict({ session, done: { at, shown }, held }: VerdictProps) {
 
 /** “M1 “calm” of Lancer 07”, as far as that is known. */
 function whereText(session: Session, memory: number | null, model: Model | null): string {
-  const { write: words, crossing } = messages.value;
+  const { write: words } = messages.value;
   const name = memory === null ? words.thisMemory : memoryText(session, memory);
-  return model ? crossing.memoryOf(name, model.name) : name;
+  return model ? modelMessages.value.crossing.memoryOf(name, model.name) : name;
 }
 
 interface RefusedProps {

@@ -17,6 +17,8 @@ import {
   type Storage,
   type Unfinished,
 } from '../../../src/app/storage/index.js';
+// Here before it is asked for: time stands still in these tests.
+import '../../../src/app/session/recognition-rule.js';
 import { MockSerial } from '../../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../../serial/bench.js';
 

@@ -45,7 +45,7 @@ async function page(connect: boolean, ...settings: readonly SettingRecord[]): Pr
 }
 
 async function compare(bench: AppBench, first: string | null, second: string | null = null): Promise<void> {
-  bench.models.compare.show(first, second);
+  bench.models.comparedPair.show(first, second);
   bench.models.views.show('library', 'compare');
   await idle(0);
 }
@@ -102,10 +102,10 @@ describe('two programs side by side', () => {
     await compare(bench, 'setting/calm', 'setting/trimmed');
     await press('Swap');
     expect([chosen('Compare'), chosen('with')]).toEqual(['Lancer · trimmed', 'Lancer · calm']);
-    bench.models.compare.chooseFirst('setting/calm');
+    fireEvent.change(screen.getByRole('combobox', { name: 'Compare' }), { target: { value: 'setting/calm' } });
     await idle(0);
-    const { first, second } = bench.models.compare;
-    expect([first.value?.key, second.value?.key]).toEqual(['setting/calm', 'setting/trimmed']);
+    const { first, second } = bench.models.comparedPair;
+    expect([first.value, second.value]).toEqual(['setting/calm', 'setting/trimmed']);
   });
 });
 

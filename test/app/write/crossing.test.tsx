@@ -192,4 +192,19 @@ describe('a write into the timer of another model', () => {
     await run(bench.write.open());
     expect(shown(bench).from).toBeUndefined();
   });
+
+  it('is asked for where several backups of another model are restored', async () => {
+    const bench = await lancer();
+    const backups = [{ ...BACKUP, reason: 'memories' as const }];
+    await run(bench.memories.jobs.open({ kind: 'restore', backups }));
+    bench.session.safety.confirm();
+    const { jobs } = bench.memories;
+    expect(jobs.current.value).toMatchObject({ crossing: { from: { name: 'Magpie' }, to: [{ name: 'Lancer' }] } });
+    expect(jobs.ready.value).toBe(false);
+    await run(jobs.start());
+    expect(sets(bench)).toBe(0);
+    jobs.cross(true);
+    await run(jobs.start());
+    expect(jobs.current.value).toMatchObject({ step: 'done', outcome: { ends: [{ state: 'verified' }] } });
+  });
 });

@@ -1,0 +1,59 @@
+import { plural } from './plural.js';
+
+const either = (names: readonly string[]): string =>
+  names.length < 2 ? (names[0] ?? '') : `${names.slice(0, -1).join(', ')} or ${names.at(-1)}`;
+
+/** Whose timer is connected: by what it holds, or by the pilot's word. */
+const recognition = {
+  /** @param when a day, or a time of today. */
+  same: (model: string, when: string) => `This is ${model}, as seen ${when}.`,
+  like: (model: string, count: number) =>
+    `This is like ${model}, ${plural(count, 'value differs', 'values differ')}. Is it ${model}?`,
+  several: (models: readonly string[]) => `This may be ${either(models)}. Which model is it?`,
+  unknown: 'This timer is not known here. Which model is it?',
+  yes: (model: string) => `Yes, ${model}`,
+  another: 'Another…',
+  choose: 'Choose…',
+  notNow: 'Not now',
+  ok: 'OK',
+  dialog: {
+    title: 'Which model is it?',
+    lead: 'Nothing in a timer names its model. This device compares what it holds with what it last saw in each model.',
+    said: (model: string) => `You have said that it is ${model}.`,
+    moreMemories: 'Read the other memories, too: they may tell the models apart.',
+    list: 'Models',
+    search: 'Search',
+    nothing: 'No model is called that.',
+    none: 'This device keeps no other model of this class yet.',
+    /** Under a name in the list. */
+    holds: (when: string) => `the same as ${when}`,
+    differs: (count: number, when: string) => `${plural(count, 'value differs', 'values differ')} from ${when}`,
+    newModel: 'A new model',
+    name: 'Name',
+    keep: 'Keep as a new model',
+    taken: 'A model of this name is in the list already.',
+  },
+};
+
+/** The names of the memories, where they are given. */
+const memoryNames = {
+  label: (memory: string) => `Name of ${memory}`,
+  give: 'Name it',
+  /** A button of a card, for who does not see the card. */
+  of: (button: string, memory: string) => `${button}: ${memory}`,
+  /** A button that shows the name. */
+  change: (memory: string, name: string) => `${name}, the name of ${memory}: change it`,
+};
+
+/** Values of one model that are about to be written into the timer of another. */
+const crossing = {
+  /** @param to the models that the timer may be of. */
+  title: (from: string, to: readonly string[]) =>
+    `These are values of ${from}, and this timer looks like that of ${either(to)}.`,
+  advice: 'Values of another model can cost this one. Look at the model in front of you.',
+  confirm: (from: string, to: readonly string[]) => `Write values of ${from} into the timer of ${either(to)}.`,
+  /** @param memory with its name. */
+  memoryOf: (memory: string, model: string) => `${memory} of ${model}`,
+};
+
+export const whichModel = { recognition, memoryNames, crossing };

@@ -1,0 +1,92 @@
+import { expect, test } from 'vitest';
+import { exampleMemories } from '../../src/simulator/index.js';
+import { AppPage } from './app-page.js';
+
+const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
+const THEN = new Date(2025, 10, 12, 14, 32).getTime();
+
+/** What the four memories of a model hold; that of number 0 what a simulated timer holds. */
+function memoriesOf(model: number) {
+  return exampleMemories('Q').map(({ times, positions }, memory) => ({
+    program: {
+      identity: IDENTITY,
+      memory,
+      times: times.map((time, slot) => time + (slot > 0 && slot < 10 ? (model % 7) * 5 : 0)),
+      positions: positions.map((row, servo) =>
+        row.map((position, slot) =>
+          Math.max(0, Math.min(130, position + (model === 0 ? 0 : 1 + ((model * (slot + 3) + servo * model) % 31)))),
+        ),
+      ),
+      idleThrottle: 30,
+    },
+    at: THEN,
+  }));
+}
+
+function record(key: string, name: string, model: number, simulated = true) {
+  const verified = memoriesOf(model).map((held) => (simulated ? { ...held, simulated } : held));
+  const about = { timerClass: 'Q', note: '', servos: [], memoryNames: ['calm'], photo: null, archived: false };
+  return { key, order: model, changedAt: THEN, verified, model: { id: key, name, ...about } };
+}
+
+/** 300 models of simulated timers, and one of a real timer that holds the very same as the one that is looked for. */
+const MODELS = [
+  record('twin', 'Real twin', 0, false),
+  ...Array.from({ length: 299 }, (_, at) => record(`m${at + 1}`, `Model ${at + 1}`, at + 1)),
+  record('lancer', 'Lancer 07', 0),
+];
+
+/** Puts them where the page keeps its models. */
+async function keep(app: AppPage, models: readonly object[]): Promise<void> {
+  await app.page.evaluate(async (records) => {
+    const opened = await new Promise<IDBDatabase>((resolve, reject) => {
+      const asked = indexedDB.open('sidus-timer');
+      asked.onsuccess = () => resolve(asked.result);
+      asked.onerror = () => reject(asked.error);
+    });
+    const change = opened.transaction('models', 'readwrite');
+    for (const each of records) change.objectStore('models').put(each);
+    await new Promise((resolve) => change.addEventListener('complete', resolve));
+    opened.close();
+  }, models);
+  await app.page.reload();
+}
+
+test('the right one of 300 models is found by what its timer holds, and its backup lies with it', async () => {
+  const app = await AppPage.open();
+  await app.button('Try a simulated F1Q timer').waitFor();
+  await keep(app, MODELS);
+  await app.trySimulated('F1Q');
+  await app.text('This is Lancer 07, as seen 12 Nov 2025.').waitFor();
+  await app.button('OK').click();
+  await app.button('Model Lancer 07: say which model it is').waitFor();
+
+  await app.type('DT time', '5:00');
+  await app.review();
+  await app.text('This is what changes in M1 “calm” of Lancer 07. Everything else stays as it is.').waitFor();
+  await app.tickSafety();
+  await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
+  await app.result('Verified.');
+  await app.close();
+  await app.page.evaluate(() => location.assign('#library/lancer'));
+  await app.text('Of simulated timers (1)').click();
+  await app.text('1 value differs from what it holds now').waitFor();
+});
+
+test('two programs stand side by side, and a value goes across', async () => {
+  const app = await AppPage.open();
+  await app.trySimulated('F1Q');
+  await app.type('Function 4, S2', '77');
+  await app.page.evaluate(() => location.assign('#library/compare'));
+  const choice = (name: string) => app.page.getByRole('combobox', { name, exact: true });
+  await choice('Compare').waitFor();
+  expect(await choice('with').locator('option:checked').textContent()).toBe('Timer, M1');
+  await app.text('1 value differs.').waitFor();
+  await app.button('Swap').click();
+  expect(await choice('Compare').locator('option:checked').textContent()).toBe('Timer, M1');
+  expect(await choice('with').locator('option:checked').textContent()).toBe('On the screen');
+  await app.button('Take 52 for Function 4, S2').click();
+  await app.text('They hold the same.').waitFor();
+  await app.goTo('Program');
+  expect(await app.valueOf('Function 4, S2')).toBe('52');
+});
