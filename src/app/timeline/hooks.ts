@@ -10,7 +10,7 @@ export interface Size {
 /** Before anything has been measured, in pixels. */
 const USUAL: Size = { width: 640, height: 320 };
 
-/** The size of an element in pixels, as it is and as it changes. */
+/** The size of an element in pixels, as it is and, a frame late, as it changes. */
 export function useSize(element: RefObject<HTMLElement | null>): Size {
   const size = useSignal(USUAL);
   useLayoutEffect(() => {
@@ -22,9 +22,17 @@ export function useSize(element: RefObject<HTMLElement | null>): Size {
       if (width > 0 && (width !== before.width || height !== before.height)) size.value = { width, height };
     };
     measure();
-    const observer = new ResizeObserver(measure);
+    let frame = 0;
+    // A note in the table may take some of the room: what was typed is seen before all is drawn for the rest of it.
+    const observer = new ResizeObserver(() => {
+      cancelAnimationFrame(frame);
+      frame = requestAnimationFrame(measure);
+    });
     observer.observe(current);
-    return () => observer.disconnect();
+    return () => {
+      observer.disconnect();
+      cancelAnimationFrame(frame);
+    };
   }, []);
   return size.value;
 }
