@@ -47,6 +47,13 @@ export class AppPage {
     return app;
   }
 
+  /** Until the parts of the page are there, such as the list of commands: the simulated timers come last. */
+  async hasParts(): Promise<void> {
+    await this.page.waitForFunction(() =>
+      performance.getEntriesByType('resource').some(({ name }) => name.includes('/simulated-timer-')),
+    );
+  }
+
   /** Until the page has taken the place of its picture: it has said how high rows are. */
   async #works(): Promise<void> {
     await this.page.locator('html[data-density]').waitFor();

@@ -44,6 +44,8 @@ describe('the start stands in the page as it comes:', () => {
   ] as const)('on %s nothing moves when the page takes its place', async ([, options]) => {
     const page = await newPage({ ...options, reducedMotion: 'reduce' });
     // What this browser adds of its own is not meant: that it is ready offline, that it has no serial ports.
+    // Nor is what is told to who comes for the first time.
+    await page.addInitScript(() => localStorage.setItem('sidus-timer/first-steps', 'true'));
     await page.addInitScript(() => Object.defineProperty(navigator, 'serviceWorker', { value: undefined }));
     await page.addInitScript(inject('workbench'));
     const { asked, release } = await heldBack(page);

@@ -42,8 +42,7 @@ test('a view is found as it was left: the focus, how far it was scrolled, and wh
 
 test('every action is found by its name and done by Enter, where it can be done', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
-  // The list of commands is a part that is fetched.
-  await app.page.waitForLoadState('networkidle');
+  await app.hasParts();
   const palette = app.page.getByRole('dialog', { name: 'Commands' });
   const command = async (words: string): Promise<void> => {
     await app.page.keyboard.press('Control+k');
