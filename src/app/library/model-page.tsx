@@ -26,6 +26,7 @@ export function ModelPage({ session, places, record, below = false, onGone }: Mo
   const { library } = session;
   const { model } = record;
   const change = (changed: Partial<Model>): void => {
+    if (library.models.removed.peek().some(({ key }) => key === record.key)) return;
     // Onto what the library holds by now: another tab may have changed another part of it.
     const now = library.models.get(record.key)?.model ?? model;
     void library.keepModel({ ...now, ...changed });

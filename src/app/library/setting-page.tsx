@@ -49,6 +49,7 @@ export function SettingPage(props: SettingPageProps) {
   const model = library.models.get(setting.model) ?? null;
   const { program } = setting;
   const change = (changed: Partial<Setting>): void => {
+    if (library.settings.removed.peek().some(({ key }) => key === record.key)) return;
     // Onto what the library holds by now: another tab may have changed another part of it.
     const now = library.settings.get(record.key)?.setting ?? setting;
     void library.keepSetting({ ...now, ...changed });
@@ -124,7 +125,7 @@ export function SettingPage(props: SettingPageProps) {
           type="button"
           class="quiet"
           onClick={() => {
-            const copy = { ...setting, id: newId(), name: shortened(words.setting.copyName(setting.name)) };
+            const copy = { ...setting, id: newId(), name: copyName(setting.name) };
             void library.keepSetting(copy);
             onGo(addressPath(model?.key ?? null, copy.id));
           }}
@@ -195,6 +196,7 @@ function originText({ identity, memory }: Setting['program']): string {
   return memory === null ? timer : `${timer}, ${messages.value.memoryName(memory)}`;
 }
 
-function shortened(name: string): string {
-  return name.slice(-LIMITS.name);
+function copyName(name: string): string {
+  const { setting } = libraryMessages.value;
+  return setting.copyName(name.slice(0, LIMITS.name - setting.copyName('').length));
 }

@@ -118,3 +118,16 @@ it('what the browser did not take is marked, and only that', async () => {
   expect(screen.queryByRole('link', { name: /Lancer 01.*not kept/ })).toBeNull();
   expect(button('New model…').disabled).toBe(false);
 });
+
+it('a setting that is deleted while its note is typed comes back to its place with undo', async () => {
+  const app = await at('model-0/setting-0');
+  const before = app.store.settings.records.get('setting-0');
+  await write('Note', 'opens well');
+  fireEvent.click(button('Delete'));
+  await idle(2000);
+  expect(app.session.library.settings.get('setting-0')).toBeUndefined();
+  app.session.library.undoRemove();
+  await idle();
+  const { list } = app.session.library.settings;
+  expect([list.value[0], app.store.settings.records.get('setting-0')]).toEqual([before, before]);
+});
