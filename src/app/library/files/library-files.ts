@@ -149,8 +149,10 @@ export class LibraryFiles {
 
   /** An import would not see what the browser keeps, and might put something older over it. */
   get shut(): boolean {
-    const { value } = this.#parts.storage;
-    return value !== null && value !== 'missing' && value !== 'full';
+    const { library, storage } = this.#parts;
+    const unseen = [library.models, library.settings, library.flights].some(({ failed }) => failed.value);
+    // Where there is no storage nothing is hidden in it.
+    return storage.value !== 'missing' && (unseen || (storage.value !== null && storage.value !== 'full'));
   }
 
   /** Takes in what the plan shows. */

@@ -1,21 +1,29 @@
+import { signal } from '@preact/signals';
 import { act, fireEvent, screen, within } from '@testing-library/preact';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { formatLibraryFile, type Library, parseLibraryFile, type Setting } from '../../../../src/program/index.js';
+import { LibraryFiles } from '../../../../src/app/library/files/library-files.js';
+import { Library } from '../../../../src/app/session/library.js';
+import {
+  formatLibraryFile,
+  type Library as Kept,
+  parseLibraryFile,
+  type Setting,
+} from '../../../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../../../program/library-examples.js';
 import { type AppBench, idle, MemoryStore } from '../../bench/bench.js';
 import { button, connected, goTo, opened, press } from '../../screen.js';
 
 beforeEach(() => localStorage.clear());
 
-const ALL: Library = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
+const ALL: Kept = { models: [MODEL], settings: [SETTING], flights: [FLIGHT] };
 const DAY = 86_400_000;
 
-const text = (library: Library = ALL, writtenAt = 1): string =>
+const text = (library: Kept = ALL, writtenAt = 1): string =>
   formatLibraryFile(library, { writtenAt, writtenBy: 'Sidus Timer 1.0.0' });
 const file = (content: BlobPart = text(), name = 'lancer.sidus.json'): File => new File([content], name);
 
 /** The page in the library, with what it holds. */
-async function library(holds: Partial<Library> = ALL, store = new MemoryStore()): Promise<AppBench> {
+async function library(holds: Partial<Kept> = ALL, store = new MemoryStore()): Promise<AppBench> {
   const app = await opened({ store });
   for (const model of holds.models ?? []) await app.session.library.keepModel(model);
   for (const setting of holds.settings ?? []) await app.session.library.keepSetting(setting);
@@ -174,6 +182,19 @@ describe('an import', () => {
     expect(button('Import 3').disabled).toBe(true);
     dialog().getByText(/does not give out the library just now/);
   });
+});
+
+it('is not imported while a list has not been seen, also when the storage has come back since', async () => {
+  const { session } = await library();
+  const storage = signal(null);
+  const files = new LibraryFiles({ library: session.library, storage });
+  expect(files.shut).toBe(false);
+  const store = new MemoryStore();
+  store.models.all = () => Promise.reject(new Error('not now'));
+  const unseen = new Library(store);
+  await unseen.load();
+  expect(new LibraryFiles({ library: unseen, storage }).shut).toBe(true);
+  expect(new LibraryFiles({ library: unseen, storage: signal('missing' as const) }).shut).toBe(false);
 });
 
 describe('what cannot be imported', () => {
