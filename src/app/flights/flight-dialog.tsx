@@ -8,7 +8,7 @@ import { SlotTable } from '../ui/slot-table.js';
 import { FlightForm } from './flight-form.js';
 import { placesOf, ROUND_MAXIMUM, timeOf } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { clockOf, dayText, heldText } from './flight-text.js';
+import { dayText, heldText, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import { MeasureField, MeasureProblem, Stepper } from './stepper.js';
 import './flight-dialog.css';
@@ -127,10 +127,17 @@ function Result({ form }: { readonly form: FlightForm }) {
       </span>
       <MeasureProblem form={form} measure="result" unit={words.resultUnit} note={note} />
       <span class="hint" id={hint}>
-        {result === null ? words.resultHint : words.readAs(clockOf(result), measureText(result))}
+        {result === null ? words.resultHint : understood(result)}
       </span>
     </div>
   );
+}
+
+/** A result as it was read: in minutes, and in seconds where these are not the same. */
+function understood(result: number): string {
+  const { form: words } = flightMessages.value;
+  const text = resultText(result);
+  return result < 60 ? text : words.readAs(text, measureText(result));
 }
 
 function Round({ form }: { readonly form: FlightForm }) {

@@ -1,5 +1,5 @@
 import type { Flight, TimerProgram } from '../../program/index.js';
-import { formatFigure, formatTime } from '../editing/units.js';
+import { formatFigure } from '../editing/units.js';
 import { flightMessages } from '../messages/flights.js';
 import { messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -10,11 +10,6 @@ export function resultText(seconds: number): string {
   const { text, unit } = formatFigure(Math.round(seconds * 100), 100);
   const { figure, units } = messages.value.times;
   return figure(text, units[unit]);
-}
-
-/** The same on a clock, without its unit: “2:58”. */
-export function clockOf(seconds: number): string {
-  return formatTime(Math.round(seconds * 100));
 }
 
 /** Whether a round was flown to its end. */

@@ -63,7 +63,7 @@ export const flights = {
     title: 'Flight',
     result: 'Result',
     resultHint: 'Seconds, or minutes like 2:58.',
-    readAs: (clock: string, seconds: string) => `${clock} min, ${seconds} s`,
+    readAs: (time: string, seconds: string) => `${time}, ${seconds} s`,
     full: 'Full round, 180 s',
     fullShort: '180 s',
     round: 'Round',

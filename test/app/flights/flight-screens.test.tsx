@@ -76,6 +76,8 @@ describe('the log', () => {
   it('opens a flight, fills it in, deletes it and takes that back', async () => {
     const app = await season();
     act(() => void fireEvent.click(document.querySelector('.flight-row') as Element));
+    fill('Result', '19,5');
+    expect(form().getByText('19.5 s')).toBeTruthy();
     fill('Result', '2:58');
     expect(form().getByText('2:58 min, 178 s')).toBeTruthy();
     await press('5');
