@@ -196,6 +196,13 @@ describe('what tells nothing', () => {
     expect(found([differing(A, [DT], 3)], models).kind).toBe('several');
   });
 
+  it('is a program that is about as near to that of another model: up to twice as many values differ', () => {
+    const one = held('one', differing(A, TRIMS.slice(0, 1)));
+    const models = (count: number): ModelHeld[] => [one, held('two', differing(A, TRIMS.slice(10, 10 + count)))];
+    expect(found([A], models(2))).toEqual({ kind: 'several', keys: ['one', 'two'] });
+    expect(found([A], models(3))).toEqual({ kind: 'like', keys: ['one'], differs: 1 });
+  });
+
   it('is decided by another memory that was read', () => {
     const models = [held('one', A, own), held('two', A, differing(own, TRIMS.slice(0, 20)))];
     expect(found([A, own], models)).toEqual({ kind: 'same', keys: ['one'], differs: 0 });
