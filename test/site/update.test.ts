@@ -4,7 +4,8 @@ import { expect, test } from 'vitest';
 import { newsOf } from '../tools/news.js';
 import { root } from '../tools/pack.js';
 import { AppPage } from './app-page.js';
-import { type Host, publish, update, visited } from './host.js';
+import { type Host, openHost, publish, update, visited } from './host.js';
+import { newPage } from './page.js';
 
 const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8')) as { version: string };
 const [newest] = newsOf(readFileSync(join(root, 'CHANGELOG.md'), 'utf8'), version);
@@ -83,4 +84,23 @@ test('all scripts are loaded soon: a page whose version is replaced needs none o
       return names(kept).filter((name) => !now.includes(name));
     })
     .toEqual([]);
+});
+
+test('a page that stays open looks for a new version each hour', async () => {
+  const host = await openHost();
+  let looks = 0;
+  host.lie = (address) => {
+    if (address === 'sw.js') looks++;
+    return undefined;
+  };
+  const page = await newPage();
+  await page.clock.install();
+  await page.goto(host.url);
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  // Its looks at the start are over when one that was asked for later is.
+  await page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.update());
+  const before = looks;
+  await page.clock.fastForward('50:00');
+  await page.clock.fastForward('20:00');
+  await expect.poll(() => looks).toBe(before + 1);
 });

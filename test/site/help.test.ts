@@ -1,0 +1,39 @@
+import { expect, test } from 'vitest';
+import { AppPage } from './app-page.js';
+import { isWellMade } from './well-made.js';
+
+test('each page of the help, and what is told over the table, can be used by everyone', async () => {
+  const app = await AppPage.open();
+  const { page } = app;
+  await app.text('First steps, 1 of 3').waitFor();
+  await isWellMade(app, 'first steps');
+  for (const name of ['checklist', 'trouble', 'words', 'energy', 'steps']) {
+    await page.evaluate((hash) => location.assign(hash), `#help/${name}`);
+    await page.getByRole('heading', { level: 2 }).waitFor();
+    if (name === 'trouble') await app.text('The timer does not answer').click();
+    if (name === 'energy') await page.getByLabel('Weight of the model').fill('4');
+    if (name === 'checklist') {
+      await page.getByLabel('Add an item of your own').fill('The tracker is on, and its signal was heard');
+      await app.button('Add').click();
+      await page.getByRole('checkbox').first().check();
+    }
+    await isWellMade(app, name);
+  }
+  await page.evaluate(() => location.assign('#program'));
+  await app.trySimulated('F1Q');
+  await app.button('What the values are').click();
+  await page.getByRole('dialog', { name: 'What the values are' }).waitFor();
+  await isWellMade(app, 'values over the table');
+});
+
+test('the key ? leads to the help and Back to where the pilot was', async () => {
+  const app = await AppPage.open();
+  const { page } = app;
+  await app.trySimulated('F1B');
+  await page.locator('main').focus();
+  await page.keyboard.press('?');
+  await page.getByRole('heading', { level: 1, name: 'Help' }).waitFor();
+  await page.goBack();
+  await app.table.waitFor();
+  expect(new URL(page.url()).hash.replace('#program', '')).toBe('');
+});
