@@ -2,7 +2,7 @@ import { act, cleanup, fireEvent, screen, within } from '@testing-library/preact
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { type AppBench, idle, reloaded } from '../bench/bench.js';
 import { button, connected, drawn, opened, press, type } from '../screen.js';
-import { PLAIN } from './flights.js';
+import { PLAIN, recordOf } from './flights.js';
 
 beforeEach(() => localStorage.clear());
 
@@ -121,6 +121,16 @@ describe('the log', () => {
     expect(text?.split('\r\n').length).toBe(3);
     expect(text).toContain('2026-11-22,09:00,"Gyula","Vega"');
     expect(localStorage.getItem('sidus-timer/csv-separator')).toBe('","');
+  });
+
+  it('draws of many flights those near the window alone, and counts all', async () => {
+    const app = await opened();
+    const many = Array.from({ length: 300 }, (_, at) => recordOf({ id: `f${at}`, at: PLAIN.at - at * 3_600_000 }));
+    await app.session.library.flights.save(...many);
+    await toLog(app);
+    expect(rows().length).toBe(40);
+    expect(document.querySelector('.flight-totals')?.textContent).toBe('300 flights');
+    expect(document.querySelectorAll('.flight-days > div').length, 'the others keep their place').toBe(8);
   });
 
   it('says that it could not be read, and never that it is empty, where the browser does not give it out', async () => {
