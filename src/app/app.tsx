@@ -80,7 +80,19 @@ export function App({ models }: { readonly models: AppModels }) {
   return (
     <>
       <Header
-        {...{ session, memories, leaving, follow, preferences, keeping, aside, update, portHolder, platform }}
+        {...{
+          session,
+          memories,
+          leaving,
+          follow,
+          preferences,
+          saveSetting,
+          keeping,
+          aside,
+          update,
+          portHolder,
+          platform,
+        }}
         installation={installation}
         fileNotice={<parts.fileNotice.Part models={models} />}
         onExport={() =>

@@ -27,6 +27,7 @@ export function ModelList({ session, browse, chosen, setting, places, onGo }: Mo
   const making = useSignal(false);
   const found = browse.found.value;
   const { library } = session;
+  const isEmpty = library.models.list.value.length + library.settings.list.value.length === 0;
   return (
     <section class="library-models" aria-label={words.models.title}>
       <div class="library-head">
@@ -44,6 +45,7 @@ export function ModelList({ session, browse, chosen, setting, places, onGo }: Mo
       />
       {found === null ? (
         <>
+          {isEmpty && <p class="hint">{words.empty.lead}</p>}
           <Models {...{ session, browse, chosen }} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>

@@ -1,4 +1,6 @@
 import type { ComponentChildren } from 'preact';
+import { SaveButtons } from '../library/save-buttons.js';
+import type { SaveSetting } from '../library/save-setting.js';
 import { messages } from '../messages/index.js';
 import { LargeFigures } from '../program/large-figures.js';
 import { DtPresets } from '../program/presets.js';
@@ -10,6 +12,7 @@ export interface FiguresPanelProps {
   readonly id: string;
   readonly session: Session;
   readonly preferences: Preferences;
+  readonly saveSetting: SaveSetting;
   /**
    * What stands in the strip where there is room: the memories, and on a phone all that is done to the connection; null
    * there.
@@ -19,7 +22,7 @@ export interface FiguresPanelProps {
 }
 
 /** The figures that decide, large enough for a thumb; on a phone with all that has no room in one line. */
-export function FiguresPanel({ id, session, preferences, rest, onClose }: FiguresPanelProps) {
+export function FiguresPanel({ id, session, preferences, saveSetting, rest, onClose }: FiguresPanelProps) {
   const { strip } = messages.value;
   const identity = session.editor.identity.value;
   // What is typed while another memory is asked for would go into the one that is left.
@@ -34,6 +37,7 @@ export function FiguresPanel({ id, session, preferences, rest, onClose }: Figure
           <DtPresets editor={session.editor} preferences={preferences} slot={identity.functions} />
           <div class="buttons">
             <ReadButtons session={session} />
+            <SaveButtons {...{ session, saveSetting }} />
           </div>
           {rest.actions}
         </>

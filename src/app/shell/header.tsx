@@ -4,6 +4,7 @@ import type { Follow } from '../bench/follow.js';
 import type { Platform } from '../browser/platform.js';
 import type { Installation } from '../connect/installation.js';
 import { LinkNotice } from '../connect/link-notice.js';
+import type { SaveSetting } from '../library/save-setting.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { NextFlight } from '../memories/next-flight-line.js';
@@ -34,6 +35,7 @@ interface HeaderProps {
   readonly leaving: Leaving;
   readonly follow: Follow;
   readonly preferences: Preferences;
+  readonly saveSetting: SaveSetting;
   readonly keeping: Keeping;
   readonly aside: SetAside;
   readonly update: UpdateOffer;
@@ -47,12 +49,21 @@ interface HeaderProps {
 }
 
 /** What stays in sight in every view: the status, what is not certain, what goes on, and what there is to say. */
-export function Header({ session, memories, leaving, follow, preferences, staged, ...notices }: HeaderProps) {
+export function Header({
+  session,
+  memories,
+  leaving,
+  follow,
+  preferences,
+  saveSetting,
+  staged,
+  ...notices
+}: HeaderProps) {
   const top = useRef<HTMLElement>(null);
   useHeight(top, '--top');
   return (
     <header class="top" ref={top}>
-      <StatusStrip {...{ session, memories, leaving, follow, preferences }} />
+      <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting }} />
       {session.recognition.tells.value && <modelLine.Part recognition={session.recognition} />}
       <NextFlight session={session} memories={memories} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />

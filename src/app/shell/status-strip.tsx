@@ -4,6 +4,7 @@ import { fieldKey, type ProgramField, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { Follow } from '../bench/follow.js';
 import { ConnectButtons } from '../connect/connect-buttons.js';
+import type { SaveSetting } from '../library/save-setting.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
 import { MemoryChoice } from '../memories/memory-choice.js';
@@ -29,13 +30,14 @@ interface StatusStripProps {
   readonly leaving: Leaving;
   readonly follow: Follow;
   readonly preferences: Preferences;
+  readonly saveSetting: SaveSetting;
 }
 
 /**
  * What is true now, in every view: the timer and its memory, DT and motor stop, and what is known of them. The figures
  * are a button: it opens the large ones with the presets, and on a phone all else that has no room in one line.
  */
-export function StatusStrip({ session, memories, leaving, follow, preferences }: StatusStripProps) {
+export function StatusStrip({ session, memories, leaving, follow, preferences, saveSetting }: StatusStripProps) {
   const { name, header } = messages.value;
   const { status } = session.link.state.value;
   const isNarrow = useQuery(NARROW).value;
@@ -99,7 +101,7 @@ export function StatusStrip({ session, memories, leaving, follow, preferences }:
       </div>
       {isOpen && (
         <figures.Part
-          {...{ id: panel, session, preferences }}
+          {...{ id: panel, session, preferences, saveSetting }}
           rest={
             isTight
               ? {

@@ -1,5 +1,5 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { expect, it } from 'vitest';
+import { expect, it, onTestFinished } from 'vitest';
 import { idle, MemoryStore, run } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { manyRecords } from './many.js';
@@ -130,4 +130,21 @@ it('a setting that is deleted while its note is typed comes back to its place wi
   await idle();
   const { list } = app.session.library.settings;
   expect([list.value[0], app.store.settings.records.get('setting-0')]).toEqual([before, before]);
+});
+
+it('a phone saves a program from the large figures', async () => {
+  const real = window.matchMedia;
+  onTestFinished(() => {
+    window.matchMedia = real;
+  });
+  window.matchMedia = ((query: string) => ({
+    ...real.call(window, query),
+    matches: query.includes('max-width'),
+  })) as typeof real;
+  await at('model-0/setting-0');
+  await press('Open');
+  expect(screen.queryByRole('button', { name: 'Save as new…' }), 'no room in the bar').toBeNull();
+  fireEvent.click(document.querySelector('.strip-figures') as HTMLElement);
+  await idle();
+  expect(screen.getByRole('button', { name: 'Save as new…' })).toBeTruthy();
 });
