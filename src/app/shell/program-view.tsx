@@ -42,7 +42,7 @@ export interface ProgramViewProps {
 export function ProgramView(props: ProgramViewProps) {
   const { session, write, memories, bench, follow, preferences, programPicture, saveSetting, sharing } = props;
   const { onPrint, onExplain } = props;
-  const { program, header, about, views } = messages.value;
+  const { program, header, about } = messages.value;
   const identity = session.editor.identity.value;
   const selected = useSignal<ProgramField | null>(null);
   const pointed = useSignal<ProgramField | null>(null);
@@ -85,19 +85,7 @@ export function ProgramView(props: ProgramViewProps) {
           onPoint={point}
         />
         <ChecksPanel editor={session.editor} />
-        <div class="program-exits">
-          <button
-            type="button"
-            class="quiet"
-            disabled={!session.opened.savable.value}
-            onClick={() => offerScreen(session, sharing)}
-          >
-            {views.share}
-          </button>
-          <button type="button" class="quiet" onClick={onPrint}>
-            {views.print}
-          </button>
-        </div>
+        <ProgramExits {...{ session, sharing, onPrint }} />
       </>
     ) : (
       <MemoryPicture knowledge={session.knowledge} memory={looking} />
@@ -130,6 +118,26 @@ export function ProgramView(props: ProgramViewProps) {
           picture={isNarrow ? { open: picture.value, onToggle: toggle } : null}
         />
       )}
+    </div>
+  );
+}
+
+/** The ways of the program out of the page. What cannot be carried is not shared. */
+function ProgramExits({ session, sharing, onPrint }: Pick<ProgramViewProps, 'session' | 'sharing' | 'onPrint'>) {
+  const { views } = messages.value;
+  return (
+    <div class="program-exits">
+      <button
+        type="button"
+        class="quiet"
+        disabled={!session.opened.savable.value}
+        onClick={() => offerScreen(session, sharing)}
+      >
+        {views.share}
+      </button>
+      <button type="button" class="quiet" onClick={onPrint}>
+        {views.print}
+      </button>
     </div>
   );
 }

@@ -48,6 +48,7 @@ it.each([
       RowMenu: 1,
       RowNotes: 1,
       ChecksPanel: 1,
+      ProgramExits: 1,
       BlockedNote: 1,
       KnownLine: 1,
       WriteButton: 1,
