@@ -10,6 +10,7 @@ describe('finding the timer', () => {
     await app.isReady();
     expect(await app.bench(({ rates }) => rates)).toEqual([9600, 19200]);
     await app.button('Disconnect').click();
+    await app.goTo('Settings');
     await app.text('last at 19200 baud').waitFor();
     await app.goTo('Program');
     await app.connect();

@@ -107,10 +107,10 @@ export function StatusStrip({ session, memories, leaving, follow, preferences, s
               ? {
                   choice,
                   actions: isNarrow ? (
-                    <>
+                    <div class="strip-actions">
                       <StripModel session={session} />
                       {actions}
-                    </>
+                    </div>
                   ) : null,
                 }
               : null
