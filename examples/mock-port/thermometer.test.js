@@ -1,6 +1,6 @@
 import { VirtualClock } from 'sidus-timer/line';
 import { MockSerial } from 'sidus-timer/mock-serial';
-import { expect, it } from 'vitest';
+import { expect, it, onTestFinished, vi } from 'vitest';
 import { temperature } from './thermometer.js';
 
 /** A thermometer at a USB adapter that the user will choose. */
@@ -17,6 +17,16 @@ it('reads a temperature that comes in pieces', async () => {
   expect(new TextDecoder().decode(await device.read())).toBe('T?\n');
   device.write(new TextEncoder().encode('21.5\n'));
   expect(await asked).toBe(21.5);
+});
+
+it('is found by code that asks for navigator.serial itself', async () => {
+  const { serial, device } = thermometer();
+  vi.stubGlobal('navigator', { serial });
+  onTestFinished(() => void vi.unstubAllGlobals());
+  const asked = temperature(navigator.serial);
+  await device.read();
+  device.write(new TextEncoder().encode('19\n'));
+  expect(await asked).toBe(19);
 });
 
 it('fails when the cable is pulled', async () => {

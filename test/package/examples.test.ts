@@ -189,6 +189,6 @@ describe('the tests of a page that uses Web Serial', () => {
     }
     const vitest = join(root, 'node_modules/vitest/vitest.mjs');
     const { said } = consumer.tell(process.execPath, vitest, 'run', '--reporter=json', '--root', consumer.folder);
-    expect(JSON.parse(said)).toMatchObject({ numTotalTests: 3, numPassedTests: 3 });
+    expect(JSON.parse(said)).toMatchObject({ numTotalTests: 4, numPassedTests: 4 });
   });
 });
