@@ -189,12 +189,15 @@ export class AppPage {
 
   /** What the slot of a servo shows, start to DT. */
   async positions(servo: string): Promise<string[]> {
+    await this.table.waitFor();
     const fields = this.table.getByRole('textbox', { name: new RegExp(`, ${servo}$`) });
     return fields.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
   }
 
   /** What stands in each field of the table, by name: times, intervals and positions. */
   async entries(): Promise<Readonly<Record<string, string>>> {
+    // What is said above the program can be there a picture before the table.
+    await this.table.waitFor();
     const fields = this.table.getByRole('textbox');
     const all = await fields.evaluateAll((inputs) =>
       inputs
@@ -207,6 +210,7 @@ export class AppPage {
 
   /** The reasons that are said in the table, for people who see them. */
   async reasons(): Promise<string[]> {
+    await this.table.waitFor();
     return (await this.table.locator('.row-notes p').allInnerTexts()).map((text) => text.trim());
   }
 
