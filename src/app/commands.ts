@@ -10,7 +10,8 @@ import { flightMessages } from './messages/flights.js';
 import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
 import { libraryMessages } from './messages/library.js';
 import type { AppModels } from './models.js';
-import { type Session, SIMULATED_CLASSES } from './session/session.js';
+import type { Session } from './session/session.js';
+import { SIMULATED_CLASSES } from './session/timer-access.js';
 import { THEMES } from './settings/theme.js';
 import type { Command } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
@@ -108,11 +109,11 @@ function timerCommands({ session, memories, leaving }: AppModels): Command[] {
   if (!connection.value) {
     if (engaged.value) return [];
     return [
-      ...(link.unavailable ? [] : [{ name: header.connect, run: () => void session.connect() }]),
-      ...(editor.identity.value ? [{ name: header.putAway, run: () => session.putAway() }] : []),
+      ...(link.unavailable ? [] : [{ name: header.connect, run: () => void session.timer.connect() }]),
+      ...(editor.identity.value ? [{ name: header.putAway, run: () => session.onScreen.putAway() }] : []),
       ...SIMULATED_CLASSES.map((timerClass) => ({
         name: messages.value.start.simulated(messages.value.classNames[timerClass] ?? timerClass),
-        run: () => void session.trySimulated(timerClass),
+        run: () => void session.timer.trySimulated(timerClass),
       })),
     ];
   }
@@ -120,7 +121,7 @@ function timerCommands({ session, memories, leaving }: AppModels): Command[] {
     (memory) => memory !== current,
   );
   return [
-    { name: program.read, run: () => void session.read() },
+    { name: program.read, run: () => void session.reader.read() },
     ...(current === null ? [] : [{ name: overview.readAll, run: () => void memories.jobs.open({ kind: 'back-up' }) }]),
     ...others.flatMap((memory) => [
       { name: look.look(memoryName(memory)), run: () => void memories.look(memory) },

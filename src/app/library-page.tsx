@@ -90,7 +90,7 @@ function placesOf(models: AppModels): Places {
           title={[model?.model.name, setting.name].filter(Boolean).join(' ')}
         />
         <CompareButton
-          onCompare={() => sideBySide(session.openSetting.peek()?.setting?.id === key ? SCREEN : settingKey(key))}
+          onCompare={() => sideBySide(session.opened.shown.peek()?.setting?.id === key ? SCREEN : settingKey(key))}
         />
       </>
     ),

@@ -58,7 +58,7 @@ describe.each(EACH)('where %s %s', (door, fault) => {
     void bench.session.keptWork.start();
     expect(screen.getByRole('button', { name: 'Connect' }), 'before anything has answered').toBeTruthy();
     await idle(200);
-    void bench.session.connect();
+    void bench.session.timer.connect();
     await idle(15_000);
     const restored = bench.editor.textOf(S1) === '7';
     expectNothingLost(bench, store, '8', restored, await typeAndWait(bench, '8'));
@@ -94,7 +94,7 @@ describe('in any order of the answers', () => {
       const [a, b, c, d, e, ...rest] = releases as [number, number, number, number, number];
       void bench.session.keptWork.start();
       await step(a);
-      void bench.session.connect();
+      void bench.session.timer.connect();
       await step(b);
       await step(c);
       await idle();

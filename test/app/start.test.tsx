@@ -57,7 +57,7 @@ describe('a storage that does not answer', () => {
     const store = new MemoryStore();
     hold(store, () => new Promise(() => {}));
     const bench = await drawn({ store });
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.editor.type(S1, '7');
     await idle();
     expect(bench.editor.textOf(S1)).toBe('7');
@@ -70,7 +70,7 @@ describe('a storage that does not answer', () => {
     const bench = await drawn({ store });
     await idle(wait);
     const begun = performance.now();
-    void bench.session.connect();
+    void bench.session.timer.connect();
     while (bench.editor.working.value === null && performance.now() - begun < 60_000) await idle(50);
     // One that is known to hang is asked twice more, for a quarter of a second each.
     expect(performance.now() - begun).toBeLessThanOrEqual(5500);
@@ -101,7 +101,7 @@ describe('a storage that does not answer', () => {
     });
     const release = hold(store, () => answered);
     const bench = await drawn({ store });
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.editor.type(S1, '8');
     await idle();
     release();
@@ -136,7 +136,7 @@ describe('locks that never answer', () => {
   it('are said, and what is typed is kept where no other tab can have it', async () => {
     const store = await left();
     const bench = await drawn({ store, tab: silent() });
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.editor.type(S1, '8');
     await idle();
     expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
@@ -156,7 +156,7 @@ describe('locks that never answer', () => {
     const tab = new TabNumber({ request }, { load: () => 2, save: () => {} });
     const bench = await drawn({ tab });
     expect(screen.getByText(/This page cannot tell its tabs apart/)).toBeTruthy();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.editor.type(S1, '7');
     await idle();
     expect(bench.store.drafts.records.size).toBe(1);
@@ -194,7 +194,7 @@ it('a channel to the other tabs that throws stops nothing', async () => {
   };
   const bench = await drawn({ channel });
   bench.adapter.port.open = () => Promise.reject(new DOMException('taken', 'NetworkError'));
-  await run(bench.session.connect());
+  await run(bench.session.timer.connect());
   await idle();
   expect([bench.session.notices.current.value?.code, bench.portHolder.tab.value]).toEqual(['busy', null]);
 });

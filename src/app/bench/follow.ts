@@ -76,7 +76,7 @@ export class Follow {
     this.#session = session;
     this.#bench = bench;
     this.#edits = new FollowedEdits(editor);
-    this.trials = new Trials(editor.baseline, (program) => session.workKey(program));
+    this.trials = new Trials(editor.baseline, (program) => session.onScreen.workKey(program));
     this.on = this.#on;
     this.going = this.#going;
     this.ended = this.#ended;
@@ -116,7 +116,7 @@ export class Follow {
     // In the meantime the tab may have been hidden, the timer lost, or it was called off.
     const isOff = (): boolean => this.#start.peek() !== start || connection.peek() !== bound;
     try {
-      if (!(await this.#session.read()) || isOff()) return;
+      if (!(await this.#session.reader.read()) || isOff()) return;
       const before = editor.baseline.value;
       if (!before) return;
       const kept = await within(() => backups.add(before, 'write', simulated.value)).then(
@@ -194,7 +194,7 @@ export class Follow {
       this.#edits.begin();
       this.#bound = connection.value;
       this.#isKept = true;
-      this.#followed = this.#session.workKey(before);
+      this.#followed = this.#session.onScreen.workKey(before);
       this.#wanted.value = null;
       this.trials.set({ before, touched: new Set() });
       this.#on.value = true;
@@ -221,7 +221,7 @@ export class Follow {
     if (other && !BESIDE.has(other.kind)) return;
     const bound = this.#bound;
     if (runner.busy.peek()) await runner.ended();
-    if (bound && connection.peek() === bound) await this.#session.read();
+    if (bound && connection.peek() === bound) await this.#session.reader.read();
   }
 
   /** Finds out what to do next, whenever something has changed or a command has come to its end. */
@@ -246,7 +246,7 @@ export class Follow {
     // While another memory is being selected it is open where a position would be stored.
     if (job?.kind === 'select') return 'memory';
     if (job && !BESIDE.has(job.kind)) return 'job';
-    const isSame = working && this.trials.current.value && this.#session.workKey(working) === this.#followed;
+    const isSame = working && this.trials.current.value && this.#session.onScreen.workKey(working) === this.#followed;
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }
 

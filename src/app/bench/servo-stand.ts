@@ -30,7 +30,7 @@ export class ServoStand {
       const last = this.#last.value;
       const held = session.editor.baseline.value;
       if (!last || !held || session.nextFlight.open.value || session.connection.value !== last.connection) return null;
-      const isSame = session.workKey(held) === last.key && String(held.positions) === String(last.positions);
+      const isSame = session.onScreen.workKey(held) === last.key && String(held.positions) === String(last.positions);
       return isSame ? last.slot : null;
     });
   }
@@ -38,7 +38,12 @@ export class ServoStand {
   /** The timer has acknowledged that the servos moved to a slot, as it holds that now. */
   moved(connection: TimerConnection, slot: number): void {
     const held = this.#session.editor.baseline.peek();
-    this.#last.value = held && { connection, key: this.#session.workKey(held), slot, positions: held.positions };
+    this.#last.value = held && {
+      connection,
+      key: this.#session.onScreen.workKey(held),
+      slot,
+      positions: held.positions,
+    };
   }
 
   /** Something may have moved them, and it is not known where to. */

@@ -173,9 +173,9 @@ function Choice({ label, session, sides, chosen, onChoose }: ChoiceProps) {
 function nameOf(session: Session, side: Side): string {
   const { compare: words } = comparingMessages.value;
   const { memoryName, recovery } = messages.value;
-  const { library, openSetting } = session;
+  const { library, opened } = session;
   if (side.kind === 'screen') {
-    const setting = openSetting.value?.setting;
+    const setting = opened.shown.value?.setting;
     return setting ? words.screenOf(setting.name) : words.screen;
   }
   if (side.kind === 'timer') return words.timer(memoryText(session, side.memory));

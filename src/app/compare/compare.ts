@@ -1,6 +1,7 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
-import { fieldKey, type ProgramField, sameLayout, type TimerProgram, valueAt } from '../../program/index.js';
+import { fieldKey, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
+import { isOfOneShape } from '../editing/shape.js';
 import type { Session } from '../session/session.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
 import { backupKey, type ComparedPair, SCREEN, settingKey } from './choice.js';
@@ -35,7 +36,11 @@ export class Compare {
     this.first = computed(() => chosen(this.sides.value, this.#pair.first.value));
     this.others = computed(() => {
       const first = this.first.value;
-      return first ? this.sides.value.filter((side) => side.key !== first.key && isComparable(side, first)) : [];
+      return first
+        ? this.sides.value.filter(
+            (side) => side.key !== first.key && isOfOneShape(side.program.identity, first.program.identity),
+          )
+        : [];
     });
     this.second = computed(() => chosen(this.others.value, this.#pair.second.value));
   }
@@ -65,7 +70,7 @@ export class Compare {
   /** Opens the setting that is compared, so that values can be taken into it. */
   async open({ record: { setting }, key }: Extract<Side, { kind: 'setting' }>): Promise<void> {
     const other = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== key);
-    if (await this.#session.showSetting(setting)) this.#pair.show(SCREEN, other?.key ?? null);
+    if (await this.#session.opened.show(setting)) this.#pair.show(SCREEN, other?.key ?? null);
   }
 }
 
@@ -95,8 +100,4 @@ function sidesOf({ editor, knowledge, library, backups, connection }: Session): 
 
 function chosen(sides: readonly Side[], key: string | null): Side | null {
   return sides.find((side) => side.key === key) ?? sides[0] ?? null;
-}
-
-function isComparable({ program: { identity: a } }: Side, { program: { identity: b } }: Side): boolean {
-  return a.timerClass === b.timerClass && sameLayout(a, b);
 }

@@ -85,7 +85,7 @@ function AtHand({ session, connection }: AtHandProps) {
             type="checkbox"
             checked={client.quirksAssumed[name] === true}
             disabled={busy}
-            onChange={(event) => void session.assume({ [name]: event.currentTarget.checked })}
+            onChange={(event) => void session.timer.assume({ [name]: event.currentTarget.checked })}
           />
           {about.assumptions[name]}
         </label>
@@ -95,7 +95,7 @@ function AtHand({ session, connection }: AtHandProps) {
         <button
           type="button"
           disabled={busy}
-          onClick={() => void session.forgetAssumed({ portKey, kind: kindKey(identity, false) })}
+          onClick={() => void session.timer.forgetAssumed({ portKey, kind: kindKey(identity, false) })}
         >
           {about.forget}
         </button>
@@ -129,7 +129,7 @@ function Remembered({ session, assumed }: { readonly session: Session; readonly 
         class="quiet"
         aria-label={about.forgetOf(kind)}
         disabled={session.runner.busy.value}
-        onClick={() => void session.forgetAssumed(assumed)}
+        onClick={() => void session.timer.forgetAssumed(assumed)}
       >
         {about.forget}
       </button>

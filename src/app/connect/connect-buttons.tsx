@@ -1,5 +1,6 @@
 import { messages } from '../messages/index.js';
-import { type Session, SIMULATED_CLASSES } from '../session/session.js';
+import type { Session } from '../session/session.js';
+import { SIMULATED_CLASSES } from '../session/timer-access.js';
 
 interface ConnectButtonsProps {
   readonly session: Session;
@@ -27,23 +28,23 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
           class={large ? 'primary large' : 'primary'}
           data-lead="connect"
           disabled={session.engaged.value}
-          onClick={() => void session.connect()}
+          onClick={() => void session.timer.connect()}
         >
           {session.connection.value ? program.read : header.connect}
         </button>
       )}
       {part !== 'first' && again && (
-        <button type="button" disabled={session.engaged.value} onClick={() => void session.trySimulated(again)}>
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.trySimulated(again)}>
           {header.simulatedTimer}
         </button>
       )}
       {part !== 'first' && choice && (
-        <button type="button" disabled={session.engaged.value} onClick={() => void session.connect(true)}>
+        <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.connect(true)}>
           {header.choosePort}
         </button>
       )}
       {part !== 'first' && timerClass && !session.connection.value && (
-        <button type="button" class="quiet" disabled={session.engaged.value} onClick={() => session.putAway()}>
+        <button type="button" class="quiet" disabled={session.engaged.value} onClick={() => session.onScreen.putAway()}>
           {header.putAway}
         </button>
       )}

@@ -62,7 +62,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
       <div class="buttons">
         {waiting.step === null && waiting.canChoose && <ChooseAnother session={session} />}
         {state.status !== 'closing' && (
-          <button type="button" onClick={() => void session.disconnect()}>
+          <button type="button" onClick={() => void session.timer.disconnect()}>
             {words.stop}
           </button>
         )}
@@ -92,7 +92,7 @@ function Steps({ session, waiting: { step } }: { readonly session: Session; read
 /** Lets the pilot choose another port, while this one is asked on. */
 export function ChooseAnother({ session }: { readonly session: Session }) {
   return (
-    <button type="button" onClick={() => void session.chooseAnother()}>
+    <button type="button" onClick={() => void session.timer.chooseAnother()}>
       {messages.value.link.chooseAnother}
     </button>
   );

@@ -40,7 +40,7 @@ function PortRow({ session, port, onConnect }: PortListProps & { readonly port: 
         aria-label={words.connectTo(name)}
         disabled={session.engaged.value}
         onClick={() => {
-          void session.connectTo(port.port);
+          void session.timer.connectTo(port.port);
           onConnect();
         }}
       >

@@ -3,7 +3,8 @@ import { useEffect } from 'preact/hooks';
 import { clockText, messages, timerName } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import type { Backups } from '../session/backups.js';
-import { type Session, SIMULATED_CLASSES } from '../session/session.js';
+import type { Session } from '../session/session.js';
+import { SIMULATED_CLASSES } from '../session/timer-access.js';
 import type { Draft } from '../storage/index.js';
 import { NewProgramDialog } from './new-program-dialog.js';
 import './start-cards.css';
@@ -66,7 +67,7 @@ export function KeptPrograms({ session }: { readonly session: Session }) {
       </div>
       <NewProgramDialog
         open={making.value}
-        onMake={(program) => session.make(program)}
+        onMake={(program) => session.onScreen.make(program)}
         onClose={() => (making.value = false)}
       />
     </section>
@@ -96,7 +97,12 @@ function KeptProgram({ session, draft }: { readonly session: Session; readonly d
   }
   return (
     <li class="kept-program">
-      <button type="button" class="quiet open" disabled={session.engaged.value} onClick={() => session.showKept(draft)}>
+      <button
+        type="button"
+        class="quiet open"
+        disabled={session.engaged.value}
+        onClick={() => session.onScreen.showKept(draft)}
+      >
         <span class="visually-hidden">{words.open}</span> <strong>{what}</strong> <span>{when}</span>{' '}
         <span class="figure-of">{dt && `${dt.label} ${dt.text}`}</span>
       </button>
@@ -131,7 +137,7 @@ export function Simulated({ session }: { readonly session: Session }) {
               key={timerClass}
               aria-label={start.simulated(name)}
               disabled={session.engaged.value}
-              onClick={() => void session.trySimulated(timerClass)}
+              onClick={() => void session.timer.trySimulated(timerClass)}
             >
               {name}
             </button>

@@ -148,11 +148,11 @@ export class FlightLog {
   }
 
   #flown(program: TimerProgram): Flown {
-    const { modelAtHand, openSetting, editor } = this.#session;
+    const { modelAtHand, opened, editor } = this.#session;
     // What is on the screen and not in the timer belongs to some setting, too: that one is not flown.
-    const opened = editor.changes.peek().length === 0 ? openSetting.peek() : null;
-    const setting = opened?.setting;
-    const model = modelAtHand.peek() ?? opened?.model;
+    const shown = editor.changes.peek().length === 0 ? opened.shown.peek() : null;
+    const setting = shown?.setting;
+    const model = modelAtHand.peek() ?? shown?.model;
     return {
       model: model?.id ?? null,
       modelName: model?.name ?? '',

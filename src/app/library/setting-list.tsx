@@ -25,7 +25,7 @@ interface SettingListProps {
 export function SettingList({ session, browse, records, chosen, withModel, arranging = false }: SettingListProps) {
   const { settings, models } = session.library;
   const room = browse.room.value;
-  const open = session.openSetting.value?.setting?.id ?? null;
+  const open = session.opened.shown.value?.setting?.id ?? null;
   const refused = settings.refused.value;
   return (
     <>

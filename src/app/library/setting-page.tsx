@@ -154,12 +154,12 @@ function OpenButton({ session, record, onProgram }: SettingPageProps & { readonl
   const words = libraryMessages.value;
   const { opened, connection } = session;
   const failed = useSignal(false);
-  const isOpen = session.openSetting.value?.setting?.id === record.key;
+  const isOpen = session.opened.shown.value?.setting?.id === record.key;
   const obstacle = opened.obstacle(record.setting.program);
   const unsaved = isOpen ? opened.unsaved.value : null;
   const count = (unsaved?.changes ?? 0) + (unsaved?.unreadable ?? 0);
   const show = async (): Promise<void> => {
-    failed.value = !(await session.showSetting(record.setting));
+    failed.value = !(await session.opened.show(record.setting));
     if (!failed.peek()) onProgram();
   };
   if (isOpen) {

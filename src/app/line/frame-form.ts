@@ -132,7 +132,7 @@ export class FrameForm {
       this.#result.value = { reply: await answer };
     });
     // What is on the screen may be out of date, also when no reply came.
-    if (mayStore && connection.value === before) await this.#session.read();
+    if (mayStore && connection.value === before) await this.#session.reader.read();
   }
 }
 

@@ -11,7 +11,7 @@ export function RecordingBar({ session, view }: { readonly session: Session; rea
   const replay = (): void => {
     if (!recording) return;
     view.back();
-    void session.tryRecording(recording.entries);
+    void session.timer.tryRecording(recording.entries);
   };
   return (
     <>

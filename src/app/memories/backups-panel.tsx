@@ -49,7 +49,7 @@ function BackupRow({ session, memories, set, following, onLoad }: BackupRowProps
   const canShow = fits && !following;
   const isSet = first.reason === 'memories';
   const load = (backup: Backup): void => {
-    session.showBackup(backup);
+    session.onScreen.showBackup(backup);
     onLoad();
   };
   const name = memory === null ? recovery.unknownMemory : memoryName(memory);

@@ -49,7 +49,7 @@ export class Leaving {
     // What has selected another memory is given the time to come back: the port would be closed on its way.
     if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
     if (this.#hasToAsk()) this.#question.value = { goingBack: false, failed: false };
-    else await this.#session.disconnect();
+    else await this.#session.timer.disconnect();
   }
 
   /** Makes the memory of the time of connect current again, and disconnects when the timer has said that it is. */
@@ -59,7 +59,7 @@ export class Leaving {
     if (this.#question.value?.goingBack !== false || original.value === null) return;
     this.#question.value = { goingBack: true, failed: false };
     await this.#memories.fly(original.value);
-    if (!this.#hasToAsk()) await this.#session.disconnect();
+    if (!this.#hasToAsk()) await this.#session.timer.disconnect();
     // The connection may have ended meanwhile.
     else if (this.#question.value) {
       this.#question.value = { goingBack: false, failed: nextFlight.word.value !== null };
@@ -68,7 +68,7 @@ export class Leaving {
 
   /** Disconnects: the pilot knows which memory flies next, and with which DT. */
   async disconnectAsItIs(): Promise<void> {
-    if (this.#question.value?.goingBack === false) await this.#session.disconnect();
+    if (this.#question.value?.goingBack === false) await this.#session.timer.disconnect();
   }
 
   /** Puts a short DT back by a write that is shown first; after it the pilot can go on. */

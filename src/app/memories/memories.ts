@@ -64,12 +64,12 @@ export class Memories {
       await this.#roundTrip.read(connection, { ...options, memories: [memory] });
     };
     await this.#session.runner.run('look', work, memory);
-    await this.#session.readIfOpen();
+    await this.#session.reader.readIfOpen();
   }
 
   /** Makes a memory the one that flies next, and shows it. Edits of the one that is left are kept. */
   async fly(memory: number): Promise<boolean> {
-    const good = await this.#session.selectMemory(memory);
+    const good = await this.#session.reader.selectMemory(memory);
     this.#picked.value = null;
     return good;
   }

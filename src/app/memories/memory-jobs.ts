@@ -103,7 +103,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
         kept: true,
       });
     }
-    await this.#session.readIfOpen();
+    await this.#session.reader.readIfOpen();
   }
 
   /** The pilot wants backups of one model in the timer of another, or takes that back. */
@@ -141,7 +141,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     else this.show({ step: 'done', plan, outcome: { saved, ends, stopped, notHeld }, kept: this.#kept });
     // What was written may be what is on the screen.
     if (begun.size > 0) nextFlight.doubt();
-    await this.#session.readIfOpen();
+    await this.#session.reader.readIfOpen();
   }
 
   protected connectionOf(step: MemoriesStep): TimerConnection | null {

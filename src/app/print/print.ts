@@ -125,11 +125,11 @@ export class Print {
   }
 
   #onScreen(): SheetSource | null {
-    const { editor, servoUses, simulated, modelAtHand, openSetting } = this.#session;
+    const { editor, servoUses, simulated, modelAtHand, opened } = this.#session;
     const program = editor.working.value;
     if (!program) return null;
     const atHand = modelAtHand.value;
-    const setting = openSetting.value?.setting;
+    const setting = opened.shown.value?.setting;
     return {
       key: ON_SCREEN,
       program,

@@ -13,7 +13,7 @@ export function ReadButtons({ session }: { readonly session: Session }) {
           type="button"
           aria-disabled={runner.busy.value}
           disabled={status !== 'on'}
-          onClick={() => void session.read()}
+          onClick={() => void session.reader.read()}
         >
           {program.read}
         </button>

@@ -22,7 +22,7 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
   const press = async (): Promise<void> => {
     const cause = isBlocked ? firstInTheWay(editor) : null;
     if (cause) return lookAt(fieldKey(cause.field));
-    if (!isConnected) await session.comeBack();
+    if (!isConnected) await session.timer.comeBack();
     // The timer may have to be waited for: by then the pilot may have something else in mind.
     if (session.runner.ready.value) void write.open();
   };

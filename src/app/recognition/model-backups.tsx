@@ -75,7 +75,7 @@ function Row({ session, record, backup, following, onLoad, onCompare }: ModelBac
   const { program, savedAt } = backup;
   const memory = memoryOf(record.model, program.memory);
   const name = `${memory}, ${dateText(savedAt)}`;
-  const canLoad = !following && session.canLoad(program);
+  const canLoad = !following && session.onScreen.canLoad(program);
   const figures = keyFigures(program).map(({ label, text }) => `${label} ${text}`);
   return (
     <li class="model-backup">
@@ -93,7 +93,7 @@ function Row({ session, record, backup, following, onLoad, onCompare }: ModelBac
           disabled={!canLoad}
           aria-label={words.loadOf(name)}
           onClick={() => {
-            session.showBackup(backup);
+            session.onScreen.showBackup(backup);
             onLoad();
           }}
         >

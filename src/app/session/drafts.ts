@@ -95,7 +95,7 @@ export class Drafts {
    */
   async of(program: TimerProgram, simulated: boolean, inherit = false): Promise<Draft | undefined> {
     await this.#begun;
-    const key = workKey(program, simulated, this.#tab.value);
+    const key = this.keyOf(program, simulated);
     await this.#saving;
     const own = this.#open.get(key) ?? (await this.#load(key).catch(() => undefined));
     if (own) return this.#adopt(own);
@@ -118,6 +118,11 @@ export class Drafts {
       if (draft.tab === this.#tab.value || (await this.#tab.isFree(draft.tab))) free.push(draft);
     }
     return free;
+  }
+
+  /** Under what the work on such a program is kept in this tab. */
+  keyOf(program: TimerProgram, simulated: boolean): string {
+    return workKey(program, simulated, this.#tab.value);
   }
 
   /** What was kept comes to the screen: it is the work of this tab from now on. */

@@ -1,6 +1,5 @@
 import { effect, type ReadonlySignal } from '@preact/signals';
 import { isMoving } from '../editing/history.js';
-import type { Draft } from '../storage/index.js';
 import type { Drafts } from './drafts.js';
 import type { Session } from './session.js';
 
@@ -16,30 +15,27 @@ export class KeptWork {
   readonly kept: ReadonlySignal<boolean>;
   readonly #session: Session;
   readonly #drafts: Drafts;
-  readonly #show: (draft: Draft) => void;
   /** Keeps what is on the screen, where that waits until a handle is let go. */
   #late: (() => void) | null = null;
   #lateTimer: ReturnType<typeof setTimeout> | undefined;
   #looking: Promise<void> | null = null;
   #lookAgain = false;
 
-  /** @param show shows what was kept, where nothing is on the screen. */
-  constructor(session: Session, drafts: Drafts, show: (draft: Draft) => void) {
+  constructor(session: Session, drafts: Drafts) {
     this.#session = session;
     this.#drafts = drafts;
-    this.#show = show;
     this.kept = drafts.kept;
   }
 
   /** Keeps from now on what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
   async start(): Promise<void> {
-    const { editor, standing, simulated, origin } = this.#session;
+    const { editor, standing, onScreen, origin } = this.#session;
     effect(() => {
       const content = editor.snapshot();
       const readAt = standing.value.at;
       const model = origin.key.value;
       const ofModel = model === null ? {} : { model };
-      const isSimulated = simulated.value;
+      const isSimulated = onScreen.simulated.value;
       if (content) this.#late = () => this.#drafts.keep({ ...content, readAt, ...ofModel }, isSimulated);
       if (!content?.history || !isMoving(content.history)) this.#keepLate();
       else this.#lateTimer ??= setTimeout(() => this.#keepLate(), MOVING_WAIT);
@@ -89,14 +85,14 @@ export class KeptWork {
     const { editor, engaged } = this.#session;
     const wanted = (): boolean => editor.working.value === null && !engaged.value;
     const draft = await this.#drafts.latest(wanted);
-    if (draft) this.#show(draft);
+    if (draft) this.#session.onScreen.bringBack(draft);
     else if (wanted()) void this.#bringBackLate(wanted);
   }
 
   async #bringBackLate(wanted: () => boolean): Promise<void> {
     const draft = await this.#drafts.leftBehind(wanted);
     if (!draft) return;
-    this.#show(draft);
+    this.#session.onScreen.bringBack(draft);
     await this.#session.knowledge.refresh();
   }
 }

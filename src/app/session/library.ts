@@ -63,6 +63,12 @@ export class Library {
     return record;
   }
 
+  /** What the servos of a model move. */
+  async sayServos(id: string, servos: Model['servos']): Promise<void> {
+    const model = this.models.get(id)?.model;
+    if (model) await this.keepModel({ ...model, servos });
+  }
+
   /** Takes a model out, and its settings with it; see {@link Collection.remove}. */
   removeModel(id: string): void {
     const settings = this.settings.list.peek().filter(({ setting }) => setting.model === id);

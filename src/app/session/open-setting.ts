@@ -7,11 +7,11 @@ import {
   sameLayout,
   type TimerProgram,
 } from '../../program/index.js';
-import { changesSince, type SettingOf } from '../editing/content.js';
+import { changesSince } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
-import type { Draft } from '../storage/index.js';
+import { isOfOneShape } from '../editing/shape.js';
+import type { Drafts } from './drafts.js';
 import { newId } from './library.js';
-import { fitsOnto } from './reader.js';
 import type { Session } from './session.js';
 
 /** A setting that is open, and the model that it belongs to. */
@@ -41,14 +41,6 @@ export interface Unsaved {
 /** What a new setting is called, and where it goes. */
 export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags' | 'from'>> {}
 
-interface Screen {
-  /** Shows a program of no timer. */
-  show(program: TimerProgram, of: SettingOf): void;
-  showDraft(draft: Draft): void;
-  /** What is kept of unsaved changes of a setting. */
-  kept(id: string): Promise<Draft | undefined>;
-}
-
 /** Which setting of the library the program on the screen belongs to; the way in, and the way back. */
 export class OpenSetting {
   /** Null: the program belongs to none. A setting that was deleted comes back with its undo. */
@@ -58,12 +50,12 @@ export class OpenSetting {
   /** Whether what is on the screen can be kept: no field is without a value, and no value beyond what a timer holds. */
   readonly savable: ReadonlySignal<boolean>;
   readonly #session: Session;
-  readonly #screen: Screen;
+  readonly #drafts: Drafts;
   #following: ReadonlySignal<boolean> | null = null;
 
-  constructor(session: Session, screen: Screen) {
+  constructor(session: Session, drafts: Drafts) {
     this.#session = session;
-    this.#screen = screen;
+    this.#drafts = drafts;
     const { editor, library } = session;
     const record = computed(() => library.settings.get(editor.of.value?.id ?? null));
     this.shown = computed(() => {
@@ -102,7 +94,7 @@ export class OpenSetting {
     if (this.#following?.value) return 'following';
     const held = editor.baseline.value;
     if (!held) return 'busy';
-    if (fitsOnto(program, held)) return null;
+    if (isOfOneShape(program.identity, held.identity)) return null;
     return program.identity.timerClass === held.identity.timerClass ? 'other-layout' : 'other-class';
   }
 
@@ -113,7 +105,7 @@ export class OpenSetting {
    */
   async show(setting: Setting): Promise<boolean> {
     if (this.obstacle(setting.program)) return false;
-    const { editor, connection, notices } = this.#session;
+    const { editor, connection, onScreen } = this.#session;
     const of = { id: setting.id, saved: setting.program };
     if (connection.value) {
       const { working } = editor;
@@ -129,13 +121,12 @@ export class OpenSetting {
       return editor.apply({ ...replaceAll(name, wanted), of }) === null;
     }
     if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
-    const kept = await this.#screen.kept(setting.id);
+    const kept = await this.#drafts.ofSetting(setting.id);
     // A timer may have come meanwhile.
     if (this.obstacle(setting.program) || connection.value) return false;
-    notices.dismiss();
     // It is of no memory: what is known of one says nothing about it.
-    if (kept) this.#screen.showDraft(kept);
-    else this.#screen.show({ ...setting.program, memory: null }, of);
+    if (kept) onScreen.showKept(kept);
+    else onScreen.make({ ...setting.program, memory: null }, of);
     return true;
   }
 
@@ -180,9 +171,9 @@ export class OpenSetting {
 
   /** Where the values on the screen come from. */
   source(): SettingSource {
-    const { editor, simulated } = this.#session;
+    const { editor, onScreen } = this.#session;
     if (editor.baseline.peek() === null || editor.dirty.peek()) return 'typed';
-    return simulated.peek() ? 'simulated' : 'timer';
+    return onScreen.simulated.peek() ? 'simulated' : 'timer';
   }
 
   #program(): TimerProgram | null {
@@ -204,9 +195,12 @@ export class OpenSetting {
     const held = of && library.settings.get(of.id)?.setting.program;
     const working = editor.working.peek();
     if (!of || !held || !working || editor.madeAt.peek() === null || isSame(of.saved, held)) return;
-    const fits =
-      sameLayout(held.identity, working.identity) && held.identity.timerClass === working.identity.timerClass;
-    if (!fits || editor.unreadable.peek().size > 0 || !isSame(of.saved, working)) return;
+    if (
+      !isOfOneShape(held.identity, working.identity) ||
+      editor.unreadable.peek().size > 0 ||
+      !isSame(of.saved, working)
+    )
+      return;
     this.takeSaved();
   }
 }

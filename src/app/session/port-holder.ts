@@ -34,7 +34,7 @@ export class PortHolder {
       },
       onReleaseAsked: async () => {
         if (writing.peek()) return false;
-        await session.disconnect();
+        await session.timer.disconnect();
         session.notices.say('taken-over');
         return true;
       },
@@ -44,7 +44,7 @@ export class PortHolder {
   /** Asks that tab for its port, and connects when it has let go. */
   async takeOver(tab: OtherTab): Promise<TakeOver> {
     const result = await this.#others.takeOver(tab);
-    if (result === 'released') void this.#session.takeOver();
+    if (result === 'released') void this.#session.timer.takeOver();
     return result;
   }
 

@@ -1,10 +1,9 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
-import { differences, sameLayout, type TimerProgram } from '../../program/index.js';
+import { differences, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { SettingOf } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import type { Draft } from '../storage/index.js';
+import { isOfOneShape } from '../editing/shape.js';
 import type { Drafts } from './drafts.js';
 import type { InterruptedJobs } from './interrupted-jobs.js';
 import type { JobOptions, JobRunner } from './job-runner.js';
@@ -12,13 +11,15 @@ import type { Knowledge } from './knowledge.js';
 import type { Link } from './link.js';
 import type { NextFlight } from './next-flight.js';
 import type { Notices } from './notices.js';
+import type { OnScreen } from './on-screen.js';
+import type { Origin } from './origin.js';
 import { kindKey, programKey } from './record-keys.js';
 import type { Safety } from './safety.js';
 
 /** What a reading changes, or depends on. */
 interface ReaderParts {
   readonly editor: Editor;
-  readonly drafts: Drafts;
+  readonly onScreen: OnScreen;
   readonly link: Link;
   readonly runner: JobRunner;
   readonly notices: Notices;
@@ -26,19 +27,16 @@ interface ReaderParts {
   readonly knowledge: Knowledge;
   readonly recovery: InterruptedJobs;
   readonly nextFlight: NextFlight;
-  /** Told of edits that were kept and are on the screen again. */
-  readonly onDraft: (draft: Draft) => void;
+  readonly origin: Origin;
 }
 
 /** Reads the timer, and shows what it holds with the edits that belong to it. */
 export class Reader {
-  readonly #simulated = signal(false, { name: 'simulated' });
   readonly #byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
-  /** Whether the program on the screen is of the simulated timer. */
-  readonly simulated: ReadonlySignal<boolean> = this.#simulated;
   /** It is open how this timer writes its times: the pilot has to choose before they are written. */
   readonly byteOrderOpen: ReadonlySignal<boolean> = this.#byteOrderOpen;
   readonly #parts: ReaderParts;
+  readonly #drafts: Drafts;
   /** The timer was away, or silent, and the next reading is of one that has come back. */
   #wasAway = false;
   /** The timer was another tab's. */
@@ -47,8 +45,9 @@ export class Reader {
   #isNew = false;
   #firstReading: Promise<unknown> = Promise.resolve();
 
-  constructor(parts: ReaderParts) {
+  constructor(parts: ReaderParts, drafts: Drafts) {
     this.#parts = parts;
+    this.#drafts = drafts;
   }
 
   /** The next timer comes from another tab, which has let go of it: its edits come along. */
@@ -117,58 +116,25 @@ export class Reader {
     if (nextFlight.open.value && link.connection.value) await notices.keepThrough(() => this.read());
   }
 
-  /** Shows what was kept of an earlier page, as the program of no timer. */
-  showDraft(draft: Draft): void {
-    const { editor, knowledge, notices } = this.#parts;
-    // At one stroke: it must not be kept as the work on a real timer in between.
-    batch(() => {
-      if (!editor.restore(draft)) return;
-      this.#simulated.value = draft.simulated;
-      this.#parts.onDraft(draft);
-      if (typeof draft.readAt === 'number') knowledge.remember(draft.baseline, draft.readAt);
-      notices.sayIfSilent(draft.madeAt === undefined ? 'edits-restored' : 'made-restored');
-    });
-  }
-
-  /**
-   * Shows a program that was made on this device, of no timer.
-   * @param of the setting that it is opened from.
-   */
-  showMade(program: TimerProgram, of?: SettingOf): void {
-    this.putAway();
-    batch(() => {
-      this.#parts.editor.make(program, of);
-      this.#simulated.value = false;
-    });
-  }
-
-  /** Nothing is on the screen any more. What the pilot wants is kept. */
-  putAway(): void {
-    const { editor, drafts } = this.#parts;
-    const madeAt = editor.madeAt.value;
-    if (madeAt !== null) drafts.shelve(madeAt);
-    editor.clear();
-  }
-
   /** Shows what was read, with the edits that belong to it. */
   async #show(read: TimerProgram, { stillOn }: JobOptions): Promise<void> {
     const at = Date.now();
-    const { editor, drafts, link, knowledge, recovery, nextFlight, notices } = this.#parts;
+    const { editor, onScreen, origin, link, knowledge, recovery, nextFlight, notices } = this.#parts;
     const simulated = link.simulated.value;
+    const wasSimulated = onScreen.simulated.value;
     const before = editor.working.value;
     // What was made here is wanted of whatever timer can take it: it is laid over what that holds.
     const made = editor.madeAt.value === null ? null : before;
     const of = editor.of.value;
-    const laid = made && fitsOnto(made, read) && editor.unreadable.value.size === 0 ? made : null;
+    const laid = made && isOfOneShape(made.identity, read.identity) && editor.unreadable.value.size === 0 ? made : null;
     const held = editor.baseline.value;
-    const same = before !== null && programKey(before, this.#simulated.value) === programKey(read, simulated);
-    const otherKind =
-      before !== null && kindKey(before.identity, this.#simulated.value) !== kindKey(read.identity, simulated);
+    const same = before !== null && programKey(before, wasSimulated) === programKey(read, simulated);
+    const otherKind = before !== null && kindKey(before.identity, wasSimulated) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
     // Together: a storage that does not answer is waited for once.
     const [draft] = await Promise.all([
       // The screen may still show it from before, as it was read.
-      same && (editor.dirty.value || !this.#isNew) ? undefined : drafts.of(read, simulated, this.#inherits),
+      same && (editor.dirty.value || !this.#isNew) ? undefined : this.#drafts.of(read, simulated, this.#inherits),
       knowledge.refresh(),
     ]);
     this.#inherits = false;
@@ -181,14 +147,14 @@ export class Reader {
       recovery.wasRead(read, simulated);
       // What an interrupted write explains is told by the offer to finish it, and by nothing else.
       const explained = recovery.offer.value?.kind === 'write';
-      if (!same) this.putAway();
+      if (!same) onScreen.clear();
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
-      if (draft) this.#parts.onDraft(draft);
+      if (draft) origin.take(draft.model);
       if (laid) editor.apply({ ...replaceAll({ code: 'lay-over', params: {} }, laid), of });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
-      this.#simulated.value = simulated;
+      onScreen.wasRead(simulated);
       if (completed) notices.say('write-completed');
       else if (made) notices.say(laid ? 'made-laid' : 'made-put-away');
       else if (moved && !explained) notices.say('edits-moved');
@@ -200,9 +166,4 @@ export class Reader {
       }
     });
   }
-}
-
-/** Whether a program that was made here, or is in the library, means the same on the timer that this was read from. */
-export function fitsOnto({ identity }: Pick<TimerProgram, 'identity'>, read: Pick<TimerProgram, 'identity'>): boolean {
-  return identity.timerClass === read.identity.timerClass && sameLayout(identity, read.identity);
 }

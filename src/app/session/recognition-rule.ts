@@ -1,5 +1,6 @@
-import { sameLayout, type TimerProgram } from '../../program/index.js';
+import type { TimerProgram } from '../../program/index.js';
 import { slotCount } from '../../protocol/index.js';
+import { isOfOneShape } from '../editing/shape.js';
 
 /*
  * Nothing on the wire names a timer, but what its memories hold does. The rule:
@@ -111,7 +112,9 @@ function comparedWith(
   const toCommon = isPlain(read)
     ? 0
     : Math.min(
-        ...templates.filter((template) => fits(template, read)).map((template) => distanceOf(template, read).trim),
+        ...templates
+          .filter((template) => isOfOneShape(template.identity, read.identity))
+          .map((template) => distanceOf(template, read).trim),
       );
   const limit = limitOf(read);
   const like: Compared[] = [];
@@ -157,12 +160,8 @@ function isComparable(a: TimerProgram, b: TimerProgram): boolean {
     a.memory === b.memory &&
     a.identity.firmware === b.identity.firmware &&
     a.identity.memories === b.identity.memories &&
-    fits(a, b)
+    isOfOneShape(a.identity, b.identity)
   );
-}
-
-function fits(a: TimerProgram, b: TimerProgram): boolean {
-  return a.identity.timerClass === b.identity.timerClass && sameLayout(a.identity, b.identity);
 }
 
 function limitOf({ identity }: TimerProgram): number {

@@ -1,6 +1,6 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import * as v from 'valibot';
-import type { TimerProgram } from '../../program/index.js';
+import type { Model, TimerProgram } from '../../program/index.js';
 import { MAX_TIME } from '../../protocol/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import type { Editor } from '../editing/editor.js';
@@ -33,8 +33,8 @@ interface ShortDtParts {
   /** It is open how this timer writes its times. */
   readonly byteOrderOpen: ReadonlySignal<boolean>;
   readonly simulated: ReadonlySignal<boolean>;
-  /** The id of the model whose timer is connected; null where that is not known. */
-  readonly model: () => string | null;
+  /** Null where it is not known. */
+  readonly modelAtHand: ReadonlySignal<Model | null>;
 }
 
 /**
@@ -81,9 +81,9 @@ export class ShortDt {
 
   /** Under what its DT is remembered, the surest first. */
   #keys(program: TimerProgram): readonly string[] {
-    const model = this.#parts.model();
+    const model = this.#parts.modelAtHand.value;
     const byKind = programKey(program, this.#parts.simulated.value);
-    return model === null ? [byKind] : [`model/${model}/${program.memory ?? '?'}`, byKind];
+    return model === null ? [byKind] : [`model/${model.id}/${program.memory ?? '?'}`, byKind];
   }
 
   #remember(keys: readonly string[], dt: number): void {

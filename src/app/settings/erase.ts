@@ -53,7 +53,7 @@ export class Erase {
   async start(): Promise<void> {
     if (this.#current.value?.step !== 'review') return;
     this.#current.value = { step: 'running' };
-    await this.#session.disconnect();
+    await this.#session.timer.disconnect();
     // Nothing is left that would be kept again.
     this.#session.editor.clear();
     const left: (Place | 'storage')[] = [];

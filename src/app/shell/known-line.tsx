@@ -16,7 +16,7 @@ export function KnownLine({ session, follow }: { readonly session: Session; read
   const time = standing.at === null ? null : clockText(standing.at);
   // Of no timer, but of the library.
   const kept = useComputed(() => {
-    const opened = editor.madeAt.value === null ? null : session.openSetting.value;
+    const opened = editor.madeAt.value === null ? null : session.opened.shown.value;
     if (!opened?.setting) return null;
     const { model, setting } = opened;
     return { model: model?.name, setting: setting.name, changes: session.opened.unsaved.value?.changes ?? 0 };

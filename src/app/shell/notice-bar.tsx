@@ -72,7 +72,7 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
             <button
               type="button"
               disabled={!session.runner.ready.value}
-              onClick={() => void session.assume({ bareChecksumRequests: true })}
+              onClick={() => void session.timer.assume({ bareChecksumRequests: true })}
             >
               {link.trySelectBare}
             </button>
@@ -97,14 +97,14 @@ function ByteOrderChoice({ session }: { readonly session: Session }) {
         <button
           type="button"
           disabled={session.runner.busy.value}
-          onClick={() => void session.assume({ bigEndianTimes: false })}
+          onClick={() => void session.timer.assume({ bigEndianTimes: false })}
         >
           {byteOrder.keep}
         </button>
         <button
           type="button"
           disabled={session.runner.busy.value}
-          onClick={() => void session.assume({ bigEndianTimes: true })}
+          onClick={() => void session.timer.assume({ bigEndianTimes: true })}
         >
           {byteOrder.exchange}
         </button>

@@ -106,7 +106,11 @@ function WriteElsewhere({
       <h2 id="recovery-title">{words.title}</h2>
       <p>{words.elsewhere(memoryName(memory))}</p>
       <div class="buttons">
-        <button type="button" disabled={session.runner.busy.value} onClick={() => void session.selectMemory(memory)}>
+        <button
+          type="button"
+          disabled={session.runner.busy.value}
+          onClick={() => void session.reader.selectMemory(memory)}
+        >
           {words.show(memoryName(memory))}
         </button>
         <NotNow recovery={session.recovery} />
@@ -131,7 +135,7 @@ function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
           type="button"
           class="primary"
           disabled={session.runner.busy.value}
-          onClick={() => void session.selectMemory(record.original)}
+          onClick={() => void session.reader.selectMemory(record.original)}
         >
           {words.makeCurrent(memoryName(record.original))}
         </button>

@@ -100,14 +100,14 @@ function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
   if (isHere(session, one)) {
     const isCurrent = memory === null || session.editor.working.value?.memory === memory;
     return (
-      <button type="button" disabled={busy} onClick={() => (isCurrent ? void session.read() : onLook(memory))}>
+      <button type="button" disabled={busy} onClick={() => (isCurrent ? void session.reader.read() : onLook(memory))}>
         {isCurrent ? words.read : words.goTo(memoryName(memory))}
       </button>
     );
   }
   if (session.link.state.value.status !== 'off' || session.link.unavailable || one.simulated) return null;
   return (
-    <button type="button" disabled={session.engaged.value} onClick={() => void session.connect()}>
+    <button type="button" disabled={session.engaged.value} onClick={() => void session.timer.connect()}>
       {words.connect}
     </button>
   );

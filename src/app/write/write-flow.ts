@@ -87,7 +87,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
   async open(): Promise<void> {
     const { editor } = this.#session;
     const memory = editor.working.value?.memory;
-    if (editor.blocked.value || !(await this.#session.read()) || editor.blocked.value) return;
+    if (editor.blocked.value || !(await this.#session.reader.read()) || editor.blocked.value) return;
     // Another memory is current by now: the edits were set aside, and the pilot is told so.
     if (editor.working.value?.memory !== memory) return;
     this.#review(null);

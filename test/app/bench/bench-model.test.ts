@@ -294,7 +294,7 @@ describe('following', () => {
 
   it('ends when the timer no longer answers, and when another memory is selected', async () => {
     const app = await followingBench();
-    await run(app.session.selectMemory(1));
+    await run(app.session.reader.selectMemory(1));
     expect(app.follow.on.value).toBe(false);
     app.session.safety.confirm();
     await run(app.bench.moveTo(4));
@@ -329,16 +329,16 @@ describe('following', () => {
 
   it('is off when another memory turns out to be current, also one in which something was tried', async () => {
     const app = await safeBench();
-    await run(app.session.selectMemory(1));
+    await run(app.session.reader.selectMemory(1));
     await run(app.bench.moveTo(4));
     await run(app.follow.start());
     set(app, S3, 7);
     await idle();
-    await run(app.session.selectMemory(0));
+    await run(app.session.reader.selectMemory(0));
     await run(app.follow.start());
     expect(app.follow.on.value).toBe(true);
     app.timer.core.memory = 1;
-    await run(app.session.read());
+    await run(app.session.reader.read());
     expect([app.editor.working.value?.memory, app.follow.on.value]).toEqual([1, false]);
   });
 
@@ -370,7 +370,7 @@ describe('following', () => {
     app.timer.core.onAnswer = ({ name }) => {
       if (name === 'SETMEMORY') app.session.runner.stop();
     };
-    await run(app.session.selectMemory(1));
+    await run(app.session.reader.selectMemory(1));
     app.timer.core.onAnswer = undefined;
     const { memory } = app.timer.core;
     expect([app.follow.on.value, app.session.nextFlight.open.value]).toEqual([false, false]);
@@ -410,17 +410,17 @@ describe('following', () => {
     const app = await followingBench();
     set(app, S2, 66);
     await idle();
-    await run(app.session.selectMemory(1));
+    await run(app.session.reader.selectMemory(1));
     await run(app.bench.moveTo(4));
     await run(app.follow.start());
     set(app, S3, 7);
     await idle();
     await run(app.follow.stop());
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S3, to: 7 }]);
-    await run(app.session.selectMemory(0));
+    await run(app.session.reader.selectMemory(0));
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
     app.follow.keep();
-    await run(app.session.selectMemory(1));
+    await run(app.session.reader.selectMemory(1));
     expect(app.follow.trials.tried.value).toMatchObject([{ field: S3, to: 7 }]);
   });
 
@@ -429,12 +429,12 @@ describe('following', () => {
     set(app, S2, 66);
     await idle();
     const after = await reloaded(app);
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(after.follow.on.value).toBe(false);
     expect(after.follow.trials.tried.value).toMatchObject([{ field: S2, to: 66 }]);
     after.follow.keep();
     const later = await reloaded(after);
-    await run(later.session.connect());
+    await run(later.session.timer.connect());
     expect(later.follow.trials.tried.value).toEqual([]);
   });
 
@@ -459,7 +459,7 @@ describe('following', () => {
     before.positions.length = 1;
     localStorage.setItem('sidus-timer/trials', JSON.stringify([kept]));
     const after = await reloaded(app);
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect([after.follow.trials.current.value, after.editor.working.value?.positions[1]?.[4]]).toEqual([null, 66]);
   });
 

@@ -139,7 +139,7 @@ export type AppBench = Awaited<ReturnType<typeof appBench>>;
 /** A bench on which the pilot has connected and read. */
 export async function connectedBench(options: BenchOptions = {}): Promise<AppBench> {
   const bench = await appBench(options);
-  await run(bench.session.connect());
+  await run(bench.session.timer.connect());
   return bench;
 }
 

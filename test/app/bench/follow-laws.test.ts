@@ -159,7 +159,7 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
   else if (act.do === 'going') follow.setGoing(act.on);
   else if (act.do === 'safe') act.on ? session.safety.confirm() : session.safety.withdraw();
   else if (act.do === 'deaf') lose(act.answers);
-  else if (act.do === 'select') void session.selectMemory(act.memory);
+  else if (act.do === 'select') void session.reader.selectMemory(act.memory);
   else if (act.do === 'follow') void follow.start();
   else if (act.do === 'stop') void follow.stop();
   else if (act.do === 'hide') void follow.stop('hidden');
@@ -169,7 +169,7 @@ function perform(app: AppBench, act: Act, lose: (answers: number) => void): void
   else if (act.do === 'press') timer.core.press();
   else if (act.do === 'jump') void bench.jump();
   else if (act.do === 'unlock') void bench.unlock();
-  else if (act.do === 'read') void session.read();
+  else if (act.do === 'read') void session.reader.read();
   else if (act.do === 'write') void write.open().then(() => write.dismiss());
 }
 

@@ -61,14 +61,14 @@ describe('where the servos stand', () => {
     await run(app.write.open());
     await run(app.write.start());
     app.write.dismiss();
-    await run(app.session.read());
+    await run(app.session.reader.read());
     expect(app.bench.stand.at.value).toBe(4);
   });
 
   const losses: Record<string, (app: AppBench) => Promise<unknown>> = {
     'a jump': ({ bench }) => bench.jump(),
     'an unlocked motor': ({ bench }) => bench.unlock(),
-    'another memory': ({ session }) => session.selectMemory(1),
+    'another memory': ({ session }) => session.reader.selectMemory(1),
     'a frame by hand': async ({ session }) => {
       const form = new FrameForm(session);
       form.edit({ command: 'MOVETOFUNC', data: '02' });
@@ -82,11 +82,11 @@ describe('where the servos stand', () => {
     },
     'a position that somebody else has changed': async ({ session, timer }) => {
       (timer.core.content.positions[2] as number[])[4] = 1;
-      await session.read();
+      await session.reader.read();
     },
     'another connection': async ({ session }) => {
-      await session.disconnect();
-      await session.connect();
+      await session.timer.disconnect();
+      await session.timer.connect();
     },
   };
 
@@ -260,7 +260,7 @@ describe('following ends', () => {
     ['hidden', 'the page is out of sight', ({ follow }) => follow.stop('hidden')],
     ['unsafe', 'the tick is taken away', ({ session }) => session.safety.withdraw()],
     ['lost', 'the plug is pulled', ({ adapter }) => adapter.unplug()],
-    ['lost', 'it is disconnected', ({ session }) => session.disconnect()],
+    ['lost', 'it is disconnected', ({ session }) => session.timer.disconnect()],
   ];
   const whileFree: typeof ends = [
     [
@@ -273,9 +273,9 @@ describe('following ends', () => {
         await form.confirm();
       },
     ],
-    ['job', 'it is read again', ({ session }) => session.read()],
+    ['job', 'it is read again', ({ session }) => session.reader.read()],
     ['job', 'a write is shown', ({ write }) => write.open()],
-    ['memory', 'another memory is asked for', ({ session }) => session.selectMemory(1)],
+    ['memory', 'another memory is asked for', ({ session }) => session.reader.selectMemory(1)],
     [
       'job',
       'all memories are read',
@@ -421,12 +421,12 @@ describe('without a backup', () => {
   });
 
   it.each<[string, (app: AppBench) => unknown]>([
-    ['it was read again', ({ session }) => session.read()],
+    ['it was read again', ({ session }) => session.reader.read()],
     [
       'the timer was connected anew',
       async ({ session }) => {
-        await session.disconnect();
-        await session.connect();
+        await session.timer.disconnect();
+        await session.timer.connect();
         session.safety.confirm();
       },
     ],

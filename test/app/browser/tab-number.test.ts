@@ -141,8 +141,8 @@ describe('the number of a tab', () => {
 });
 
 describe.each([
-  ['simulated', (bench: AppBench) => bench.session.trySimulated('Q')],
-  ['real', (bench: AppBench) => bench.session.connect()],
+  ['simulated', (bench: AppBench) => bench.session.timer.trySimulated('Q')],
+  ['real', (bench: AppBench) => bench.session.timer.connect()],
 ])('two tabs with a %s timer', (_, connect) => {
   async function trying(options: BenchOptions): Promise<AppBench> {
     const bench = await appBench({ ...options, plug: { granted: true } });
@@ -207,8 +207,8 @@ describe.each([
     await idle(500);
     const other = await trying({ store, tab: tabs[1].page() });
     other.editor.type(S1, '9');
-    await run(other.session.selectMemory(1));
-    await run(other.session.disconnect());
+    await run(other.session.reader.selectMemory(1));
+    await run(other.session.timer.disconnect());
     tabs[0].close();
     await idle();
     // It still shows the memory that it has read last, and nothing of the other tab.
@@ -273,14 +273,14 @@ describe.each([
 it('a tab that takes the timer of another over goes on with what was typed there', async () => {
   const [newTab, store, plug] = [browser(), new MemoryStore(), { granted: true }];
   const first = await appBench({ store, plug, tab: newTab().page() });
-  await run(first.session.connect());
+  await run(first.session.timer.connect());
   first.editor.type(S1, '7');
   await idle();
   const second = await appBench({ store, plug, tab: newTab().page() });
-  await run(second.session.connect());
+  await run(second.session.timer.connect());
   expect(second.editor.textOf(S1), 'another timer').toBe('35');
-  await run(second.session.disconnect());
-  await run(second.session.takeOver());
+  await run(second.session.timer.disconnect());
+  await run(second.session.timer.takeOver());
   expect(second.editor.textOf(S1)).toBe('7');
   await idle();
   expect(

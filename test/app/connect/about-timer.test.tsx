@@ -151,13 +151,13 @@ describe('what is no timer', () => {
 describe('a choice of memory that is not answered', () => {
   it('is said, with what to try, and works without a correct checksum when the pilot says so', async () => {
     const bench = await connected({ quirks: { bareChecksumRequests: true } });
-    await run(bench.session.selectMemory(2));
+    await run(bench.session.reader.selectMemory(2));
     await idle();
     expect(screen.getByText('The timer did not answer when a memory was selected.')).toBeTruthy();
     expect(bench.session.link.state.value.status).toBe('on');
     expect(bench.editor.baseline.value?.memory).toBe(0);
     await press('Try it without a correct checksum');
-    await run(bench.session.selectMemory(2));
+    await run(bench.session.reader.selectMemory(2));
     expect(bench.timer.core.memory).toBe(2);
     expect(bench.editor.baseline.value?.memory).toBe(2);
   });

@@ -108,7 +108,7 @@ describe('the hint that the page can be installed', () => {
     await press(/^Write 1 change$/);
     await press('Close');
     expect(screen.queryByText('Keep Sidus Timer at hand.')).toBeNull();
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     await idle(0);
     expect(screen.getByText('Keep Sidus Timer at hand.')).toBeTruthy();
     expect(localStorage.getItem('sidus-timer/install-hint')).toBe('true');

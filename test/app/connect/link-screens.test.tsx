@@ -32,7 +32,7 @@ describe('the adapters that are known', () => {
   it('are offered by name with the rate of the last time, and connect by a click', async () => {
     const store = new MemoryStore();
     const before = await connected({ store, info: FTDI, answersAt: 19_200 });
-    await run(before.session.disconnect());
+    await run(before.session.timer.disconnect());
     cleanup();
     await opened({ store, info: FTDI, answersAt: 19_200, plug: { granted: true } });
     await goTo('settings');
@@ -82,9 +82,9 @@ describe('while a timer or its adapter is waited for', () => {
     set(bench, true);
     await press('Connect');
     const before = bench.session.link.state.value.status;
-    await run(bench.session.connect());
-    await run(bench.session.connectTo(bench.port));
-    await run(bench.session.trySimulated('Q'));
+    await run(bench.session.timer.connect());
+    await run(bench.session.timer.connectTo(bench.port));
+    await run(bench.session.timer.trySimulated('Q'));
     expect(bench.session.link.state.value.status).toBe(before);
     set(bench, false);
     await idle();

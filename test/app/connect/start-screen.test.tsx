@@ -91,7 +91,7 @@ describe('what this device keeps', () => {
   it('are the changes that no timer has, too', async () => {
     const bench = await connected();
     await type('Function 2, S1', '7');
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     await press('Close program');
     await press(/^Open F1Q, M1, changes changed/);
     expect(field('Function 2, S1').value).toBe('7');

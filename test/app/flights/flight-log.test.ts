@@ -79,7 +79,7 @@ describe('one tap', () => {
     await write(app, '4:00');
     expect(app.flights.held.value, 'a write was cut off').toBeNull();
     app.flights.flying();
-    await run(app.session.disconnect());
+    await run(app.session.timer.disconnect());
     app.flights.flying();
     expect([app.flights.held.value, logged(app)]).toEqual([null, []]);
   });
@@ -123,7 +123,7 @@ describe('one tap', () => {
     await run(app.write.open());
     app.session.safety.confirm();
     await run(app.write.start());
-    await run(app.session.disconnect());
+    await run(app.session.timer.disconnect());
     expect([app.flights.held.value, app.flights.flyable.value?.times[10]]).toEqual([null, 24_000]);
     app.flights.flying();
     await idle();
@@ -168,7 +168,7 @@ describe('one tap', () => {
     app.flights.flying();
     await idle(0);
     await app.flights.change(latest(app).id, { place: 'Gyula', result: 170, note: 'good air', round: '1' });
-    await run(app.session.disconnect());
+    await run(app.session.timer.disconnect());
     const first = latest(app);
     app.flights.flyAgain(first);
     await idle();

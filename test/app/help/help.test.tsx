@@ -97,7 +97,7 @@ describe('the first steps', () => {
 
   it('are not told to who has reached a timer, or has something here', async () => {
     const bench = await connected();
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     await press('Close program');
     expect(screen.queryByText(/^First steps, /)).toBeNull();
     localStorage.clear();
@@ -125,7 +125,7 @@ describe('what the checklist says of the timer', () => {
     const { models, session } = await connected();
     await look(models, 'checklist');
     expect(known()).toMatch(/^M1 flies next, DT 3:00 min, read \d\d:\d\d\.$/);
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     await idle(0);
     expect(known()).toMatch(/^M1, DT 3:00 min, as last read \d\d:\d\d\.$/);
   });

@@ -111,7 +111,7 @@ describe('a frame by hand', () => {
       true,
     ]);
     form.edit({ command: 'GETTIMERS' });
-    expect([await session.read(), asked()], 'nothing else goes out').toEqual([false, []]);
+    expect([await session.reader.read(), asked()], 'nothing else goes out').toEqual([false, []]);
     await run(sending);
     expect([form.command.value, form.step.value, session.runner.busy.value]).toEqual(['GETMEMORY', 'edit', false]);
   });
@@ -136,7 +136,7 @@ describe('a frame by hand', () => {
     timer.core.onAnswer = undefined;
     timer.core.press();
     await idle();
-    await run(session.read());
+    await run(session.reader.read());
     expect(session.nextFlight.word.value).toEqual({ code: 'other', memory: 2, original: 0 });
   });
 
@@ -166,9 +166,9 @@ describe('a frame by hand', () => {
     form.cancel();
     await form.confirm();
     await ask();
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     await form.confirm();
-    await run(session.connect());
+    await run(session.timer.connect());
     expect(form.step.value).toBe('edit');
     await form.confirm();
     await idle();
@@ -186,11 +186,11 @@ describe('a frame by hand', () => {
 
   it('cannot be sent without a connection, or while something else is on the wire', async () => {
     const { form, session, asked } = await atForm();
-    const reading = session.read();
+    const reading = session.reader.read();
     expect(form.ready.value).toBe(false);
     await run(reading);
     expect(form.ready.value).toBe(true);
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     expect(form.ready.value).toBe(false);
     asked().length = 0;
     await form.send();

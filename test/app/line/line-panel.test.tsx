@@ -109,7 +109,7 @@ describe('the rows', () => {
   it('stay where they are in the page when new ones come', async () => {
     const { session } = await opened();
     const before = screen.getAllByRole('row').slice(1);
-    await run(session.read());
+    await run(session.reader.read());
     await idle();
     const after = screen.getAllByRole('row').slice(1);
     expect(after).toHaveLength(before.length + 12);
@@ -185,7 +185,7 @@ describe('on a fresh page', () => {
 
   it('the line is shown as soon as there is something on it', async () => {
     const { session } = await panelOf(await appBench());
-    await run(session.connect());
+    await run(session.timer.connect());
     await idle();
     expect(rows()).toHaveLength(14);
     expect(button('Pause')).toBeTruthy();
@@ -197,7 +197,7 @@ describe('the tools', () => {
     const { session } = await opened();
     const before = rows();
     await press('Pause');
-    await run(session.read());
+    await run(session.reader.read());
     await idle();
     expect(rows()).toEqual(before);
     expect(screen.getByText('Paused. 12 entries since.')).toBeTruthy();
@@ -297,7 +297,7 @@ describe('a recording', () => {
 
   it('is replayed as a timer', async () => {
     const { session } = await opened();
-    const tried = vi.spyOn(session, 'tryRecording').mockResolvedValue();
+    const tried = vi.spyOn(session.timer, 'tryRecording').mockResolvedValue();
     await load('field.txt', ...RECORDING);
     fireEvent.click(await screen.findByRole('button', { name: 'Replay it as a timer' }));
     expect(tried.mock.calls[0]?.[0].map(({ time }) => time)).toEqual([0, 52, 100]);
@@ -423,8 +423,8 @@ describe('a frame by hand', () => {
 
   it('is not offered without a connection', async () => {
     const bench = await appBench();
-    await run(bench.session.connect());
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.connect());
+    await run(bench.session.timer.disconnect());
     await panelOf(bench);
     await unfold('Send a frame by hand');
     expect(screen.getByText('Connect to the timer to send.')).toBeTruthy();

@@ -184,10 +184,10 @@ describe('a session that was saved', () => {
     const program = editor.working.value;
     expect(program?.times).toHaveLength(11);
     const text = captureText(session.log.introduced(session.log.entries.value), []);
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
 
     const again = await appBench();
-    await run(again.session.tryRecording(parseRecording('x', text).entries));
+    await run(again.session.timer.tryRecording(parseRecording('x', text).entries));
     expect(again.editor.working.value).toEqual(program);
     expect(again.session.simulated.value, 'its edits are no edits of a timer').toBe(true);
   });
@@ -202,10 +202,10 @@ describe('a session that was saved', () => {
     const kept = session.log.entries.value;
     expect(kept.some(({ frame }) => frame?.code === 0x6b)).toBe(false);
     const text = captureText(session.log.introduced(kept), []);
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
 
     const again = await appBench();
-    await run(again.session.tryRecording(parseRecording('x', text).entries));
+    await run(again.session.timer.tryRecording(parseRecording('x', text).entries));
     expect(again.editor.working.value).toEqual(program);
     expect(again.editor.working.value?.positions[0]).toEqual(CAPTURED_POSITIONS);
   });

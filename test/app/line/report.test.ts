@@ -78,7 +78,7 @@ describe('a report', () => {
   it('has the last 60 entries, and in front of them what the timer said of itself', async () => {
     const { session, editor } = await connectedBench({ quirks: { memoryReplyEmpty: true } });
     const program = editor.working.value;
-    for (let i = 0; i < 20; i++) await run(session.read());
+    for (let i = 0; i < 20; i++) await run(session.reader.read());
     const text = reportText(gatherFacts(session));
     expect(text).toContain('# Timer: F1Q, firmware 536, 10 functions, 4 memories, 3 servos\n');
     expect(text).toContain('# Found: memory-unknown\n');
@@ -90,10 +90,10 @@ describe('a report', () => {
     const later = parseRecording('report', reportText(gatherFacts(session)));
     expect(later.entries, 'asked 30 times, and what the timer is').toHaveLength(62);
     expect(later.replayable).toBe(true);
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
 
     const again = await appBench();
-    await run(again.session.tryRecording(entries));
+    await run(again.session.timer.tryRecording(entries));
     expect(again.editor.working.value, 'a report can be replayed').toEqual(program);
   });
 
@@ -107,7 +107,7 @@ describe('a report', () => {
 
   it('still knows the timer when the line is cut, and tells no times of day', async () => {
     const { session } = await connectedBench();
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     const text = reportText(gatherFacts(session));
     expect(text).toContain('# Timer: F1Q');
     expect(parseCapture(text)[0]?.time).toBe(0);

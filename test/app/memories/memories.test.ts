@@ -12,7 +12,7 @@ async function bench(options: BenchOptions = {}): Promise<AppBench> {
   made.timer.core.memories.forEach(({ positions }, memory) => {
     (positions[0] as number[])[2] = 50 + memory;
   });
-  await run(made.session.read());
+  await run(made.session.reader.read());
   made.timer.core.answered.length = 0;
   return made;
 }
@@ -59,8 +59,8 @@ describe('the memories at a glance', () => {
     await job(made, { kind: 'back-up' });
     made.memories.jobs.dismiss();
     made.timer.core.memories[1]?.times.fill(100);
-    await run(made.session.read());
-    await run(made.session.selectMemory(0));
+    await run(made.session.reader.read());
+    await run(made.session.reader.selectMemory(0));
     expect(made.session.knowledge.of(1)).toMatchObject({
       state: 'read',
       program: { times: made.timer.core.memories[1]?.times },
@@ -386,14 +386,14 @@ describe('a plug that is pulled in the middle', () => {
     const left = made.timer.core.memory;
     made.adapter.replug();
     await idle();
-    await run(made.session.read());
+    await run(made.session.reader.read());
     expect(made.session.recovery.offer.value).toMatchObject({
       kind: 'memories',
       record: { original: 1 },
       current: left,
     });
     expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
-    await run(made.session.selectMemory(1));
+    await run(made.session.reader.selectMemory(1));
     expect(made.timer.core.memory).toBe(1);
     if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);
     else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
@@ -407,8 +407,8 @@ describe('a plug that is pulled in the middle', () => {
     made.memories.jobs.dismiss();
     made.adapter.replug();
     await idle();
-    await run(made.session.selectMemory(1));
-    await run(made.session.selectMemory(3));
+    await run(made.session.reader.selectMemory(1));
+    await run(made.session.reader.selectMemory(3));
     await run(made.finishWrite.show());
     expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
   });
@@ -420,9 +420,9 @@ describe('a plug that is pulled in the middle', () => {
     };
     await job(made, { kind: 'back-up' });
     const after = await reloaded(made);
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(after.session.recovery.offer.value).toMatchObject({ kind: 'memories', record: { original: 1 }, current: 2 });
-    await run(after.session.selectMemory(1));
+    await run(after.session.reader.selectMemory(1));
     expect([after.session.recovery.offer.value, after.store.unfinished.records.size]).toEqual([null, 0]);
   });
 });
@@ -435,17 +435,17 @@ describe('which memory is current', () => {
     made.session.safety.confirm();
     await run(made.write.start());
     made.write.dismiss();
-    await run(made.session.read());
+    await run(made.session.reader.read());
     made.adapter.unplug();
     await idle();
     made.adapter.replug();
     await idle();
     made.timer.core.sleep();
-    await run(made.session.read());
+    await run(made.session.reader.read());
     made.timer.core.press();
     await idle();
-    await run(made.session.disconnect());
-    await run(made.session.connect());
+    await run(made.session.timer.disconnect());
+    await run(made.session.timer.connect());
     made.memories.jobs.open({ kind: 'back-up' });
     made.memories.jobs.dismiss();
     expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
@@ -453,11 +453,11 @@ describe('which memory is current', () => {
 
   it('can be asked for only with a timer that does nothing else', async () => {
     const made = await bench();
-    const reading = made.session.read();
+    const reading = made.session.reader.read();
     made.memories.jobs.open({ kind: 'back-up' });
     expect(made.memories.jobs.current.value).toBeNull();
     await run(reading);
-    await run(made.session.disconnect());
+    await run(made.session.timer.disconnect());
     made.memories.jobs.open({ kind: 'back-up' });
     expect(made.memories.jobs.current.value).toBeNull();
   });

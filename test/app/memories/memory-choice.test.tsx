@@ -68,7 +68,7 @@ describe('the memories', () => {
     const { session } = await connected();
     const parts = [field('DT'), field('Function 2, S1'), screen.getByRole('group', { name: /^Servo positions/ })];
     const isShut = () => parts.map((part) => part.closest('[inert]') !== null);
-    const selecting = session.selectMemory(2);
+    const selecting = session.reader.selectMemory(2);
     await idle(0);
     expect(isShut()).toEqual([true, true, true]);
     await run(selecting);

@@ -71,7 +71,7 @@ describe('with a short DT in the timer', () => {
     await writeDt(first, '20 s');
     cleanup();
     const app = await drawn(await reloaded(first));
-    await run(app.session.connect());
+    await run(app.session.timer.connect());
     await press('Disconnect');
     expect(buttons()).toContain('Put back to 4:00 min…');
     app.models.preferences.setShortDt(30_000);
@@ -87,7 +87,7 @@ describe('with a short DT in the timer', () => {
       localStorage.clear();
       const { session, timer, preferences } = await appBench({ identity: { timerClass } });
       for (const memory of timer.core.memories) memory.times[10] = 1500;
-      await run(session.connect());
+      await run(session.timer.connect());
       expect(session.shortDt.held.value).toEqual({ memory: 0, dt: 1500, back });
       preferences.setShortDt(36_000);
       expect(session.shortDt.held.value?.back, 'never to another short one').toBe(36_000);
@@ -136,9 +136,9 @@ describe('with a short DT in the timer', () => {
   it('says nothing while it is open how this timer writes its times', async () => {
     const { session, timer } = await appBench({ quirks: { bigEndianTimes: true } });
     for (const memory of timer.core.memories) memory.times[10] = 0x1700;
-    await run(session.connect());
+    await run(session.timer.connect());
     expect([session.byteOrderOpen.value, session.shortDt.held.value]).toEqual([true, null]);
-    await run(session.assume({ bigEndianTimes: true }));
+    await run(session.timer.assume({ bigEndianTimes: true }));
     expect([session.byteOrderOpen.value, session.shortDt.held.value?.dt]).toEqual([false, 0x1700]);
   });
 

@@ -443,7 +443,7 @@ describe('without Web Serial', () => {
   it('edits of the simulated timer that are back after a reload can be written to it', async () => {
     const store = new MemoryStore();
     const before = await appBench({ store, webSerial: false });
-    const trying = before.session.trySimulated('Q');
+    const trying = before.session.timer.trySimulated('Q');
     await idle();
     await trying;
     before.editor.type({ kind: 'time', slot: 10 }, '4:00');

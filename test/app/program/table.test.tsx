@@ -522,7 +522,7 @@ describe('undo by keys', () => {
   it('does nothing while the timer is read, not even in the field', async () => {
     const { session } = await connected();
     await enter('Function 2, S1', '7');
-    const reading = session.read();
+    const reading = session.reader.read();
     field('Function 2, S1').focus();
     expect(fireEvent.keyDown(field('Function 2, S1'), { key: 'z', ctrlKey: true }), 'the browser may').toBe(false);
     await idle();
@@ -534,7 +534,7 @@ describe('undo by keys', () => {
     const store = new MemoryStore();
     const { editor } = await appBench({ store });
     const first = await appBench({ store });
-    const connecting = first.session.connect();
+    const connecting = first.session.timer.connect();
     await idle();
     await connecting;
     first.editor.type({ kind: 'time', slot: 10 }, '4:00');

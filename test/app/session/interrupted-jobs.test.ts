@@ -99,7 +99,7 @@ describe('a write of which a part arrived', () => {
     expect(held(bench)).toEqual(GOAL);
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 0]);
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([offer(bench), bench.editor.dirty.value]).toEqual([null, false]);
   });
 
@@ -115,7 +115,7 @@ describe('a write of which a part arrived', () => {
   it('is left as it is, for good; the backup stays', async () => {
     const bench = await interrupted('SETTIMERS');
     await bench.session.recovery.settle();
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect(offer(bench)).toBeNull();
     expect([bench.store.unfinished.records.size, bench.store.backups.records.size]).toEqual([0, 1]);
     expect(bench.session.backups.list.value[0]).toMatchObject({ reason: 'write', program: { memory: 0 } });
@@ -126,8 +126,8 @@ describe('a write of which a part arrived', () => {
     [
       'by Connect',
       async ({ session }) => {
-        await run(session.disconnect());
-        await run(session.connect());
+        await run(session.timer.disconnect());
+        await run(session.timer.connect());
       },
     ],
     [
@@ -142,7 +142,7 @@ describe('a write of which a part arrived', () => {
   ])('is said no more of what is another timer, until the next one is met %s', async (_, meet) => {
     const bench = await interrupted('SETTIMERS');
     bench.session.recovery.setAside();
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
     await meet(bench);
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
@@ -150,7 +150,7 @@ describe('a write of which a part arrived', () => {
 
   it('is not offered while nothing is connected', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect(offer(bench)).toBeNull();
   });
 });
@@ -232,7 +232,7 @@ describe('another end of a write', () => {
     });
     expect(offer(bench)).toMatchObject({ kind: 'elsewhere', memory: 0 });
     expect(sets(bench), 'nothing is selected unasked').toEqual(['SETTIMERS']);
-    await run(bench.session.selectMemory(0));
+    await run(bench.session.reader.selectMemory(0));
     expect(offer(bench)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(bench), 'the edits are those of that write').toBeUndefined();
   });
@@ -242,13 +242,13 @@ describe('another end of a write', () => {
       timer.core.memory = 2;
     });
     bench.session.recovery.setAside();
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([offer(bench), bench.store.unfinished.records.size]).toEqual([null, 1]);
   });
 
   it('at another kind of timer is not offered', async () => {
     const bench = await interrupted('SETTIMERS');
-    await run(bench.session.trySimulated('Q'));
+    await run(bench.session.timer.trySimulated('Q'));
     expect(offer(bench)).toBeNull();
     expect(bench.store.unfinished.records.size).toBe(1);
   });
@@ -269,7 +269,7 @@ describe('after a reload in the middle of a write', () => {
     expect(before.write.current.value?.step).toBe('running');
     const after = await reloaded(before);
     expect(offer(after)).toBeNull();
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(offer(after)).toMatchObject({ kind: 'write', part: { extent: 'part' } });
     expect(notice(after)).toBeUndefined();
     await run(after.finishWrite[way]());

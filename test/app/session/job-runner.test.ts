@@ -22,12 +22,12 @@ describe('a job', () => {
 
   it('does not begin where another one holds the wire, or there is none', async () => {
     const bench = await connectedBench();
-    const reading = bench.session.read();
+    const reading = bench.session.reader.read();
     const begun: string[] = [];
     const work = async () => void begun.push('work');
     expect(await bench.session.runner.perform('bench', work)).toEqual({ good: false, error: null, lost: false });
     await run(reading);
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect(await bench.session.runner.perform('bench', work)).toEqual({ good: false, error: null, lost: true });
     expect(begun).toEqual([]);
   });

@@ -157,7 +157,7 @@ describe('everything on this device', () => {
       ...baseline.value,
       times: baseline.value.times.map(() => 0),
     });
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     render(<App models={bench.models} />);
     act(() => bench.models.views.show('settings'));
     await press('Delete everything on this device…');

@@ -9,7 +9,7 @@ const USUAL = { timerClass: 'Q', ...USUAL_LAYOUT, from: 'usual' } as const;
 
 async function made(program: TimerProgram = newProgram(USUAL)): Promise<AppBench> {
   const bench = await appBench();
-  bench.session.make(program);
+  bench.session.onScreen.make(program);
   return bench;
 }
 
@@ -52,7 +52,7 @@ describe('a program that was made here', () => {
   it('is laid over what a timer holds, as one step that undo takes back, and is kept', async () => {
     const bench = await made();
     bench.editor.type(S2, '70');
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     const held = bench.editor.baseline.value as TimerProgram;
     expect([notice(bench), held.positions[1]?.[3], bench.editor.textOf(S2)]).toEqual(['made-laid', 45, '70']);
     expect(bench.editor.madeAt.value).toBeNull();
@@ -68,9 +68,9 @@ describe('a program that was made here', () => {
     bench.editor.type(S2, '7');
     bench.editor.leave(S2);
     await idle();
-    await run(bench.session.disconnect());
-    bench.session.make(newProgram(USUAL));
-    await run(bench.session.connect());
+    await run(bench.session.timer.disconnect());
+    bench.session.onScreen.make(newProgram(USUAL));
+    await run(bench.session.timer.connect());
     expect(bench.editor.textOf(S2)).toBe('65');
     bench.editor.undo();
     expect(bench.editor.textOf(S2)).toBe('7');
@@ -81,7 +81,7 @@ describe('a program that was made here', () => {
     ['of another layout', newProgram({ ...USUAL, servos: 2 })],
   ])('%s than the timer is put away and kept', async (_, program) => {
     const bench = await made(program);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([notice(bench), bench.editor.changes.value, bench.editor.working.value?.memory]).toEqual([
       'made-put-away',
       [],
@@ -94,7 +94,7 @@ describe('a program that was made here', () => {
   it('with a field that has no value yet is put away, for nothing may be written that nobody wants', async () => {
     const bench = await made();
     bench.editor.type(S2, 'x');
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await idle();
     expect([notice(bench), bench.editor.changes.value.length]).toEqual(['made-put-away', 0]);
     expect(kept(bench).map(({ texts }) => texts)).toEqual([{ 'position:1:3': 'x' }]);
@@ -103,9 +103,9 @@ describe('a program that was made here', () => {
   it('is put away for another one, and each of the two can be taken up again', async () => {
     const bench = await made();
     bench.editor.type(S2, '70');
-    bench.session.make(newProgram({ ...USUAL, timerClass: 'E' }));
+    bench.session.onScreen.make(newProgram({ ...USUAL, timerClass: 'E' }));
     await idle();
-    bench.session.putAway();
+    bench.session.onScreen.putAway();
     await idle();
     expect(bench.editor.working.value).toBeNull();
     const again = await reloaded(bench);
@@ -115,7 +115,7 @@ describe('a program that was made here', () => {
     expect(list.map(({ working }) => working.identity.timerClass).sort()).toEqual(['E', 'Q']);
     const first = list.find(({ working }) => working.identity.timerClass === 'Q');
     if (!first) throw new Error('it is gone');
-    again.session.showKept(first);
+    again.session.onScreen.showKept(first);
     expect(again.editor.textOf(S2)).toBe('70');
     again.editor.type(S2, '71');
     await idle();
@@ -125,7 +125,7 @@ describe('a program that was made here', () => {
 
   it('is deleted for good', async () => {
     const bench = await made();
-    bench.session.putAway();
+    bench.session.onScreen.putAway();
     await bench.session.keptPrograms.load();
     const [draft] = bench.session.keptPrograms.list.value;
     if (!draft) throw new Error('it is not kept');
@@ -137,8 +137,8 @@ describe('a program that was made here', () => {
   it('never takes the place of a timer that is connected', async () => {
     const bench = await connectedBench();
     const { value } = bench.editor.working;
-    bench.session.make(newProgram(USUAL));
-    bench.session.putAway();
+    bench.session.onScreen.make(newProgram(USUAL));
+    bench.session.onScreen.putAway();
     expect(bench.editor.working.value).toBe(value);
   });
 });

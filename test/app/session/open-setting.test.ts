@@ -33,7 +33,7 @@ function keepIn(store: MemoryStore, setting: Setting, order = 1): void {
 
 async function opened(setting: Setting, ...more: Setting[]): Promise<AppBench> {
   const bench = await appBench({ store: stored(setting, ...more) });
-  expect(await run(bench.session.showSetting(setting))).toBe(true);
+  expect(await run(bench.session.opened.show(setting))).toBe(true);
   return bench;
 }
 
@@ -44,9 +44,9 @@ function type(bench: AppBench, field: typeof DT | typeof S2, text: string): void
 
 const dtOf = ({ store }: AppBench, id: string): number | undefined =>
   (store.settings.records.get(id) as SettingRecord | undefined)?.setting.program.times[10];
-const names = ({ session: { openSetting } }: AppBench) => [
-  openSetting.value?.model?.name ?? null,
-  openSetting.value?.setting?.name ?? null,
+const names = ({ session: { opened } }: AppBench) => [
+  opened.shown.value?.model?.name ?? null,
+  opened.shown.value?.setting?.name ?? null,
 ];
 
 describe('a setting that is opened without a timer', () => {
@@ -87,7 +87,7 @@ describe('a setting that is opened without a timer', () => {
     const after = await reloaded(bench);
     await idle();
     expect(names(after)).toEqual(['Lancer', 'calm']);
-    after.session.putAway();
+    after.session.onScreen.putAway();
     await idle();
     expect([...after.store.drafts.records.values()]).toEqual([]);
   });
@@ -99,10 +99,10 @@ describe('a setting that is opened without a timer', () => {
     type(bench, DT, '2:00');
     bench.editor.type(S2, 'x');
     await idle();
-    await run(bench.session.showSetting(wind));
+    await run(bench.session.opened.show(wind));
     expect([names(bench)[1], bench.editor.textOf(DT)]).toEqual(['wind', '3:00']);
     await idle();
-    await run(bench.session.showSetting(calm));
+    await run(bench.session.opened.show(calm));
     expect([names(bench)[1], bench.editor.textOf(DT), bench.editor.textOf(S2)]).toEqual(['calm', '2:00', 'x']);
     expect(bench.session.opened.savable.value, 'a field has no value').toBe(false);
     expect([await run(bench.session.opened.save()), dtOf(bench, 'calm')]).toEqual([false, 18000]);
@@ -121,7 +121,7 @@ describe('a setting that is opened without a timer', () => {
   it('is none any more when it is deleted, and one again with undo', async () => {
     const bench = await opened(settingOf('calm'));
     bench.session.library.settings.remove('calm');
-    expect([bench.session.openSetting.value, bench.editor.working.value !== null]).toEqual([null, true]);
+    expect([bench.session.opened.shown.value, bench.editor.working.value !== null]).toEqual([null, true]);
     bench.session.library.undoRemove();
     expect(names(bench)).toEqual(['Lancer', 'calm']);
   });
@@ -181,7 +181,7 @@ describe('a setting with a timer', () => {
     const store = stored(settingOf('calm'));
     const bench = await connectedBench({ store });
     const held = bench.editor.working.value;
-    expect(await run(bench.session.showSetting(settingOf('calm')))).toBe(true);
+    expect(await run(bench.session.opened.show(settingOf('calm')))).toBe(true);
     expect([names(bench), bench.editor.textOf(S2), bench.editor.undoStep.value?.code]).toEqual([
       ['Lancer', 'calm'],
       '65',
@@ -189,7 +189,7 @@ describe('a setting with a timer', () => {
     ]);
     expect(bench.session.opened.unsaved.value?.changes).toBe(0);
     bench.editor.undo();
-    expect([bench.editor.working.value, bench.session.openSetting.value]).toEqual([held, null]);
+    expect([bench.editor.working.value, bench.session.opened.shown.value]).toEqual([held, null]);
     bench.editor.redo();
     expect(names(bench)).toEqual(['Lancer', 'calm']);
   });
@@ -197,14 +197,14 @@ describe('a setting with a timer', () => {
   it('that was open before it was connected is laid over it and stays the one that is open', async () => {
     const bench = await opened(settingOf('calm'));
     type(bench, S2, '70');
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([names(bench), bench.editor.textOf(S2), bench.session.opened.unsaved.value?.changes]).toEqual([
       ['Lancer', 'calm'],
       '70',
       1,
     ]);
     bench.editor.undo();
-    expect(bench.session.openSetting.value).toBeNull();
+    expect(bench.session.opened.shown.value).toBeNull();
   });
 
   it.each([
@@ -214,10 +214,10 @@ describe('a setting with a timer', () => {
     const bench = await connectedBench();
     const { value } = bench.editor.working;
     expect(bench.session.opened.obstacle(program)).toBe(reason);
-    expect(await run(bench.session.showSetting(settingOf('other', program)))).toBe(false);
+    expect(await run(bench.session.opened.show(settingOf('other', program)))).toBe(false);
     expect(bench.editor.working.value).toBe(value);
-    await run(bench.session.disconnect());
-    expect(await run(bench.session.showSetting(settingOf('other', program)))).toBe(true);
+    await run(bench.session.timer.disconnect());
+    expect(await run(bench.session.opened.show(settingOf('other', program)))).toBe(true);
   });
 
   it('is refused while the servos follow: they would move', async () => {
@@ -225,7 +225,7 @@ describe('a setting with a timer', () => {
     bench.session.safety.confirm();
     await run(bench.bench.moveTo(4));
     await run(bench.follow.start());
-    expect(await run(bench.session.showSetting(settingOf('calm')))).toBe(false);
+    expect(await run(bench.session.opened.show(settingOf('calm')))).toBe(false);
     expect(bench.session.opened.obstacle(USUAL)).toBe('following');
   });
 
@@ -240,13 +240,13 @@ describe('a setting with a timer', () => {
     ]);
     const memory = bench.timer.core.memories[0];
     if (memory) memory.times[10] = 7700;
-    await run(bench.session.read());
-    expect(bench.session.openSetting.value, 'it may be another timer').toBeNull();
+    await run(bench.session.reader.read());
+    expect(bench.session.opened.shown.value, 'it may be another timer').toBeNull();
   });
 
   it('stays the one that is open through a write', async () => {
     const bench = await connectedBench({ store: stored(settingOf('calm')) });
-    await run(bench.session.showSetting(settingOf('calm')));
+    await run(bench.session.opened.show(settingOf('calm')));
     bench.editor.wrote(bench.editor.working.value as TimerProgram);
     expect([names(bench)[1], bench.editor.changes.value]).toEqual(['calm', []]);
   });

@@ -28,12 +28,12 @@ async function twoTabs(): Promise<{ first: AppBench; second: AppBench }> {
   // Each has a port object of its own for the one adapter, as two tabs have.
   const first = await appBench({ channel: channel(), info });
   const second = await appBench({ channel: channel(), info });
-  await run(first.session.connect());
+  await run(first.session.timer.connect());
   second.port.device.busy = true;
   first.session.link.state.subscribe(({ status }) => {
     second.port.device.busy = status !== 'off';
   });
-  const connecting = second.session.connect();
+  const connecting = second.session.timer.connect();
   await idle();
   await connecting;
   await idle(1000);
@@ -100,9 +100,9 @@ describe('a port that another tab holds', () => {
 describe('a tab without others', () => {
   it('says only that the port is in use', async () => {
     const bench = await connectedBench({ channel: browser()(), info });
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     bench.port.device.busy = true;
-    const connecting = bench.session.connect();
+    const connecting = bench.session.timer.connect();
     await idle();
     await connecting;
     await idle(1000);

@@ -58,10 +58,10 @@ describe('a timer that holds what a model held', () => {
   it('is that of the model, with no word of the pilot', async () => {
     const bench = await benchWith(record('Magpie'), record('Lancer 07', held(0)));
     expect(nameOf(bench)).toBeNull();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
     expect(bench.session.recognition.found.value).toMatchObject({ of: { at: THEN, differs: 0 } });
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect(nameOf(bench)).toBeNull();
   });
 
@@ -69,7 +69,7 @@ describe('a timer that holds what a model held', () => {
     const bench = await benchWith(
       record('Lancer 07', [...held(0), { program: { ...HELD[3], memory: 1 } as TimerProgram, at: THEN }]),
     );
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(nameOf(bench)).toBe('Lancer 07');
     await run(bench.memories.look(1));
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
@@ -78,7 +78,7 @@ describe('a timer that holds what a model held', () => {
 
   it('teaches what its other memories hold', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await run(bench.memories.look(2));
     const known = bench.store.models.records.get('Lancer 07')?.verified;
     expect(known?.map(({ program }) => program.memory)).toEqual([0, 2]);
@@ -88,7 +88,7 @@ describe('a timer that holds what a model held', () => {
 
   it('stays that of the model after a write, and is known again by what was written', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.editor.type({ kind: 'position', servo: 1, slot: 4 }, '77');
     for (let slot = 1; slot < 10; slot++) bench.editor.type({ kind: 'position', servo: 0, slot }, String(80 + slot));
     await run(bench.write.open());
@@ -96,9 +96,9 @@ describe('a timer that holds what a model held', () => {
     await run(bench.write.start());
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
     expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     const again = await reloaded(bench);
-    await run(again.session.connect());
+    await run(again.session.timer.connect());
     expect([kindOf(again), nameOf(again)]).toEqual(['same', 'Lancer 07']);
   });
 });
@@ -107,7 +107,7 @@ it('is like a model that few values differ from, until a write that names it is 
   const lancer = record('Lancer 07', held(0));
   const bench = await benchWith(lancer);
   (bench.timer.core.memories[0]?.times as number[])[10] = 24_000;
-  await run(bench.session.connect());
+  await run(bench.session.timer.connect());
   expect([kindOf(bench), nameOf(bench)]).toEqual(['like', 'Lancer 07']);
   await idle();
   // Nothing is taught by what is not certain.
@@ -124,7 +124,7 @@ it('is like a model that few values differ from, until a write that names it is 
 describe('a timer that is not known', () => {
   it('is asked for, and said to be that of a model until the connection ends', async () => {
     const bench = await benchWith(record('Magpie'), record('Swift'));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     const { recognition } = bench.session;
     expect([kindOf(bench), nameOf(bench), recognition.tells.value]).toEqual(['unknown', null, true]);
     expect(recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie', 'Swift']);
@@ -132,21 +132,21 @@ describe('a timer that is not known', () => {
     expect([kindOf(bench), nameOf(bench), recognition.tells.value]).toEqual(['said', 'Swift', false]);
     await idle();
     const again = await reloaded(bench);
-    await run(again.session.connect());
+    await run(again.session.timer.connect());
     expect([kindOf(again), nameOf(again)]).toEqual(['same', 'Swift']);
   });
 
   it('is asked for no more when the pilot does not want to be asked', async () => {
     const bench = await benchWith(record('Magpie'));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.session.recognition.notNow();
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect(bench.session.recognition.tells.value).toBe(false);
   });
 
   it('can be that of a new model', async () => {
     const bench = await benchWith();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(bench.session.recognition.tells.value).toBe(false);
     await run(bench.session.recognition.sayNew('Lancer 08'));
     await idle();
@@ -166,13 +166,13 @@ describe('a timer that is not known', () => {
       { ...away, model: { ...away.model, archived: true } },
       record('Magpie'),
     );
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(bench.session.recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie']);
   });
 
   it('may be of several: all are named, and none is taken', async () => {
     const bench = await benchWith(record('One', held(0)), record('Two', held(0)));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['several', null]);
     expect(bench.session.recognition.found.value).toMatchObject({
       candidates: [{ model: { name: 'One' } }, { model: { name: 'Two' } }],
@@ -183,37 +183,37 @@ describe('a timer that is not known', () => {
 describe('another timer in the place of the first, and the connection stays', () => {
   it('is not that of the model any more, by the next reading', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     filled(bench, OTHER);
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
     expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
   });
 
   it('takes the word back that was said of the first', async () => {
     const bench = await benchWith(record('Lancer 07'), record('Magpie'));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.session.recognition.say(bench.session.recognition.choices.value[1] as typeof MODEL);
     await idle();
     filled(bench, OTHER);
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([kindOf(bench), nameOf(bench), bench.session.recognition.tells.value]).toEqual(['unknown', null, true]);
     expect(bench.store.models.records.get('Magpie')?.verified[0]?.program.times).toEqual(HELD[0]?.times);
   });
 
   it('is asked for where only one value is another: the same timer, or one that is like it', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     const [first, ...rest] = held(0, 1, 2, 3).map(contentOf);
     filled(bench, [{ ...first, times: first?.times.with(10, 24_000) } as NonNullable<typeof first>, ...rest]);
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['like', 'Lancer 07']);
     expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
   });
 
   it('is whatever it holds after it was away and has come back', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.adapter.unplug();
     filled(bench, OTHER);
     bench.adapter.replug();
@@ -225,7 +225,7 @@ describe('another timer in the place of the first, and the connection stays', ()
 describe('a library that changes, or does not come', () => {
   it('lets a model go that another tab has deleted, and takes its new name', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     const lancer = bench.store.models.records.get('Lancer 07') as ModelRecord;
     bench.store.models.records.set('Lancer 07', { ...lancer, model: { ...lancer.model, name: 'Lancer 7b' } });
     await run(bench.session.library.refresh());
@@ -238,7 +238,7 @@ describe('a library that changes, or does not come', () => {
 
   it('lets the word go with the model', async () => {
     const bench = await benchWith(record('Magpie'));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.session.recognition.say(bench.session.recognition.choices.value[0] as typeof MODEL);
     await idle();
     bench.store.models.records.delete('Magpie');
@@ -253,7 +253,7 @@ describe('a library that changes, or does not come', () => {
     const all = store.models.all.bind(store.models);
     store.models.all = () => new Promise((resolve) => (answer = () => void all().then(resolve)));
     const bench = filled(await appBench({ store, identity: IDENTITY }));
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([bench.editor.working.value?.memory, kindOf(bench)]).toEqual([0, null]);
     await idle();
     // The storage has had its time: there are no models.
@@ -266,7 +266,7 @@ describe('a library that changes, or does not come', () => {
 
   it('keeps the word on the screen where the browser keeps nothing', async () => {
     const bench = await benchWith();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     bench.store.broken = true;
     await run(bench.session.recognition.sayNew('Lancer 08'));
     await idle();
@@ -281,13 +281,13 @@ describe('simulated timers', () => {
     store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
     store.models.records.set('Play', record('Play', simulated, 2));
     const real = filled(await appBench({ store, identity: IDENTITY }));
-    await run(real.session.connect());
+    await run(real.session.timer.connect());
     expect([nameOf(real), real.session.recognition.choices.value.map(({ name }) => name)]).toEqual([
       'Lancer 07',
       ['Lancer 07'],
     ]);
-    await run(real.session.disconnect());
-    await run(real.session.trySimulated('Q'));
+    await run(real.session.timer.disconnect());
+    await run(real.session.timer.trySimulated('Q'));
     expect(real.session.recognition.choices.value.map(({ name }) => name)).toEqual(['Play']);
     await run(real.session.recognition.sayNew('Toy'));
     await idle();

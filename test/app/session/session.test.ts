@@ -48,17 +48,17 @@ describe('connect', () => {
   it('takes the port of the last time without asking', async () => {
     const bench = await appBench({ plug: { granted: true } });
     bench.serial.choose(null);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(status(bench)).toBe('on');
   });
 
   it('asks when more than one is remembered, or when the pilot wants to choose', async () => {
     const bench = await appBench({ plug: { granted: true } });
     bench.serial.choose(null);
-    await run(bench.session.connect(true));
+    await run(bench.session.timer.connect(true));
     expect([status(bench), notice(bench)]).toEqual(['off', 'nothing-chosen']);
     bench.serial.plug({}, { granted: true });
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([status(bench), notice(bench)]).toEqual(['off', 'nothing-chosen']);
   });
 
@@ -71,18 +71,18 @@ describe('connect', () => {
   it.each(troubles)('says %s, and works when that is mended', async (code, set) => {
     const bench = await appBench();
     set(bench, true);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['off', code, false]);
     expect(bench.port.device.opened).toBeNull();
     set(bench, false);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
   });
 
   it('tries a port that is in use again for 15 s', async () => {
     const bench = await appBench();
     bench.port.device.busy = true;
-    const connecting = bench.session.connect();
+    const connecting = bench.session.timer.connect();
     await idle(14_000);
     expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['opening', undefined, true]);
     bench.port.device.busy = false;
@@ -98,7 +98,7 @@ describe('connect', () => {
   it.each(waits)('waits for a timer that %s, and reads it by itself when that is mended', async (_, wanted, set) => {
     const bench = await appBench();
     set(bench, true);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await idle();
     expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual([wanted, undefined, false]);
     expect(bench.editor.working.value).toBeNull();
@@ -111,9 +111,9 @@ describe('connect', () => {
   it.each(waits)('stops waiting for a timer that %s, and leaves the port free', async (_, wanted, set) => {
     const bench = await appBench();
     set(bench, true);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(status(bench)).toBe(wanted);
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
     set(bench, false);
     await idle();
@@ -123,23 +123,29 @@ describe('connect', () => {
   it('stops when asked to, and leaves the port free', async () => {
     const bench = await appBench();
     bench.timer.core.sleep();
-    const connecting = bench.session.connect();
+    const connecting = bench.session.timer.connect();
     await until(bench, 'opening');
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     await run(connecting);
     expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
   });
 
   it('does nothing the second time of a double click', async () => {
     const bench = await appBench();
-    await run(Promise.all([bench.session.connect(), bench.session.connect(), bench.session.trySimulated('B')]));
+    await run(
+      Promise.all([
+        bench.session.timer.connect(),
+        bench.session.timer.connect(),
+        bench.session.timer.trySimulated('B'),
+      ]),
+    );
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
     expect(bench.session.simulated.value).toBe(false);
   });
 
   it('tries one simulated timer by a double click', async () => {
     const bench = await appBench();
-    await run(Promise.all([bench.session.trySimulated('Q'), bench.session.trySimulated('B')]));
+    await run(Promise.all([bench.session.timer.trySimulated('Q'), bench.session.timer.trySimulated('B')]));
     expect(bench.editor.working.value?.identity.timerClass).toBe('Q');
     const identified = bench.session.log.entries.value.filter(({ frame }) => frame?.code === 0x6b);
     // Once to connect, once behind what it holds.
@@ -149,9 +155,9 @@ describe('connect', () => {
   it('knows when there can be no wire here', async () => {
     const bench = await appBench({ webSerial: false });
     expect(bench.session.link.unavailable).toBe('unsupported');
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(status(bench)).toBe('off');
-    await run(bench.session.trySimulated('B'));
+    await run(bench.session.timer.trySimulated('B'));
     expect([status(bench), bench.editor.working.value?.identity.timerClass]).toEqual(['on', 'B']);
   });
 });
@@ -165,11 +171,11 @@ describe('when the first read does not come to its end', () => {
     bench.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETMEMORY') hinder(bench);
     };
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([bench.editor.working.value, bench.session.nextFlight.open.value]).toEqual([null, true]);
     bench.timer.core.onAnswer = undefined;
     mend(bench);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await idle();
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
     expect(bench.editor.working.value?.times[10]).toBe(18000);
@@ -178,8 +184,8 @@ describe('when the first read does not come to its end', () => {
   it('trying a simulated timer gives the port back', async () => {
     const bench = await appBench();
     bench.timer.core.onAnswer = () => bench.session.runner.stop();
-    await run(bench.session.connect());
-    await run(bench.session.trySimulated('Q'));
+    await run(bench.session.timer.connect());
+    await run(bench.session.timer.trySimulated('Q'));
     expect(bench.session.simulated.value).toBe(true);
     expect(bench.port.device.opened).toBeNull();
   });
@@ -197,7 +203,7 @@ describe('a lost port', () => {
     await idle();
     expect([status(bench), notice(bench)]).toEqual(['on', 'back-same']);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect(notice(bench), 'it was not away again').toBeUndefined();
   });
 
@@ -246,7 +252,7 @@ describe('a lost port', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.adapter.unplugAfter(bytes);
-    expect(await run(bench.session.read())).toBe(false);
+    expect(await run(bench.session.reader.read())).toBe(false);
     await idle();
     expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['away', undefined, false]);
     expect(bench.editor.textOf(S1)).toBe('7');
@@ -272,7 +278,7 @@ describe('a lost port', () => {
     bench.adapter.replug();
     await until(bench, 'away');
     bench.timer.core.answered.length = 0;
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await idle();
     expect([status(bench), bench.session.runner.busy.value]).toEqual(['on', false]);
     expect(answered(bench)).toEqual(['GETSWVER', ...READ_ALL]);
@@ -285,7 +291,7 @@ describe('disconnect', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.session.notices.say('back-same');
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect([status(bench), notice(bench), bench.port.device.opened]).toEqual(['off', undefined, null]);
     expect(bench.editor.textOf(S1)).toBe('7');
   });
@@ -294,7 +300,7 @@ describe('disconnect', () => {
     const bench = await connectedBench();
     const { working } = bench.editor;
     const { value } = working;
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect(working.value).toBe(value);
     expect(bench.session.standing.value).toEqual({ sure: 'once', at: expect.any(Number) });
   });
@@ -303,17 +309,17 @@ describe('disconnect', () => {
     const bench = await connectedBench();
     bench.adapter.unplug();
     await idle();
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     expect([status(bench), bench.editor.textOf(S1)]).toEqual(['off', '35']);
     bench.adapter.replug();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect([status(bench), notice(bench)], 'it was not waited for').toEqual(['on', undefined]);
   });
 
   it('and Connect work one behind the other without a pause', async () => {
     const bench = await connectedBench();
-    const closing = bench.session.disconnect();
-    await run(bench.session.connect());
+    const closing = bench.session.timer.disconnect();
+    await run(bench.session.timer.connect());
     await run(closing);
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
     expect(bench.editor.working.value).not.toBeNull();
@@ -322,12 +328,12 @@ describe('disconnect', () => {
   it('in the middle of a read lets its request end; then Connect works at once', async () => {
     const bench = await connectedBench();
     bench.timer.core.sleep();
-    const reading = bench.session.read();
+    const reading = bench.session.reader.read();
     await Promise.resolve();
-    const closing = bench.session.disconnect();
+    const closing = bench.session.timer.disconnect();
     await run(reading);
     bench.timer.core.press();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await run(closing);
     expect([status(bench), notice(bench)]).toEqual(['on', undefined]);
   });
@@ -338,7 +344,7 @@ describe('a backup', () => {
     const bench = await connectedBench();
     const working = bench.editor.working.value as TimerProgram;
     const program = { ...withValue(working, S1, 7), memory: 2, idleThrottle: null };
-    bench.session.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
+    bench.session.onScreen.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
     expect(bench.editor.changes.value).toEqual([{ field: S1, from: 35, to: 7 }]);
     expect(bench.editor.working.value?.memory).toBe(0);
     bench.editor.undo();
@@ -349,7 +355,7 @@ describe('a backup', () => {
     const bench = await connectedBench();
     const working = bench.editor.working.value as TimerProgram;
     const program = { ...working, identity: { ...working.identity, servos: 1 }, positions: [[]] };
-    bench.session.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
+    bench.session.onScreen.showBackup({ key: 'k', savedAt: 0, reason: 'write', simulated: false, program });
     expect(bench.editor.working.value).toEqual(working);
   });
 });
@@ -359,7 +365,7 @@ describe('another memory', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.editor.type(DT, 'x');
-    await run(bench.session.selectMemory(1));
+    await run(bench.session.reader.selectMemory(1));
     expect(bench.timer.core.memory).toBe(1);
     expect([bench.editor.working.value?.memory, bench.editor.textOf(DT)]).toEqual([1, '3:30']);
     expect([bench.editor.textOf(S1), bench.editor.dirty.value, notice(bench)]).toEqual([
@@ -369,9 +375,9 @@ describe('another memory', () => {
     ]);
 
     bench.editor.type(S1, '8');
-    await run(bench.session.selectMemory(0));
+    await run(bench.session.reader.selectMemory(0));
     expect([bench.editor.textOf(S1), bench.editor.textOf(DT), notice(bench)]).toEqual(['7', 'x', 'edits-kept']);
-    await run(bench.session.selectMemory(1));
+    await run(bench.session.reader.selectMemory(1));
     expect(bench.editor.textOf(S1)).toBe('8');
   });
 
@@ -379,8 +385,8 @@ describe('another memory', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.editor.undo();
-    await run(bench.session.selectMemory(1));
-    await run(bench.session.selectMemory(0));
+    await run(bench.session.reader.selectMemory(1));
+    await run(bench.session.reader.selectMemory(0));
     expect([notice(bench), bench.editor.redoStep.value?.code]).toEqual([undefined, 'type']);
   });
 
@@ -391,8 +397,8 @@ describe('another memory', () => {
     bench.editor.type(S1, '7');
     await idle();
     expect(bench.keeping.storage.value).toBe('full');
-    await run(bench.session.selectMemory(1));
-    await run(bench.session.selectMemory(0));
+    await run(bench.session.reader.selectMemory(1));
+    await run(bench.session.reader.selectMemory(0));
     expect(bench.editor.textOf(S1)).toBe('7');
   });
 
@@ -402,7 +408,7 @@ describe('another memory', () => {
       if (name === 'SETMEMORY') bench.timer.core.memory = 0;
     };
     bench.editor.type(S1, '7');
-    await run(bench.session.selectMemory(1));
+    await run(bench.session.reader.selectMemory(1));
     expect([notice(bench), bench.editor.working.value?.memory, bench.editor.textOf(S1)]).toEqual([
       'other-memory',
       0,
@@ -416,7 +422,7 @@ describe('read again', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     (bench.timer.core.content.positions[2] as number[])[4] = 99;
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([notice(bench), bench.editor.textOf(S1)]).toEqual(['edits-moved', '7']);
     expect(bench.editor.working.value?.positions[2]?.[4]).toBe(99);
   });
@@ -425,7 +431,7 @@ describe('read again', () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.timer.core.sleep();
-    expect(await run(bench.session.read())).toBe(false);
+    expect(await run(bench.session.reader.read())).toBe(false);
     expect([status(bench), notice(bench), bench.session.runner.busy.value]).toEqual(['waiting', undefined, false]);
     await idle();
     expect([status(bench), notice(bench)]).toEqual(['waiting', undefined]);
@@ -439,17 +445,19 @@ describe('read again', () => {
   it('twice in a row reads once', async () => {
     const bench = await connectedBench();
     bench.timer.core.answered.length = 0;
-    await run(Promise.all([bench.session.read(), bench.session.read(), bench.session.selectMemory(2)]));
+    await run(
+      Promise.all([bench.session.reader.read(), bench.session.reader.read(), bench.session.reader.selectMemory(2)]),
+    );
     expect(answered(bench)).toEqual(READ_ALL);
   });
 
   it('that is stopped says nothing and leaves the wire usable', async () => {
     const bench = await connectedBench();
     bench.timer.core.onAnswer = () => bench.session.runner.stop();
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect([status(bench), notice(bench), bench.session.runner.job.value]).toEqual(['on', undefined, null]);
     bench.timer.core.onAnswer = undefined;
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect(notice(bench)).toBeUndefined();
   });
 });
@@ -465,7 +473,7 @@ describe('after a reload', () => {
     const after = await appBench({ store });
     expect([notice(after), status(after)]).toEqual(['edits-restored', 'off']);
     expect([after.editor.textOf(S1), after.editor.textOf(DT), after.editor.blocked.value]).toEqual(['7', 'soon', true]);
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect([after.editor.textOf(S1), after.editor.textOf(DT)]).toEqual(['7', 'soon']);
   });
 
@@ -473,7 +481,7 @@ describe('after a reload', () => {
     const store = new MemoryStore();
     const before = await connectedBench({ store });
     before.editor.type(S1, '7');
-    await run(before.session.selectMemory(1));
+    await run(before.session.reader.selectMemory(1));
     before.editor.type(S1, '8');
     await idle();
     [...store.drafts.records.values()].forEach((draft, at) => {
@@ -493,7 +501,7 @@ describe('after a reload', () => {
     await idle();
     const undone = await reloaded(bench);
     expect([notice(undone), undone.editor.working.value]).toEqual([undefined, null]);
-    await run(undone.session.connect());
+    await run(undone.session.timer.connect());
     undone.editor.redo();
     expect(undone.editor.textOf(S1)).toBe('7');
     undone.editor.undo();
@@ -505,7 +513,7 @@ describe('after a reload', () => {
     await idle();
     const written = await reloaded(bench);
     expect([notice(written), written.editor.working.value]).toEqual([undefined, null]);
-    await run(written.session.connect());
+    await run(written.session.timer.connect());
     written.editor.undo();
     expect([written.editor.textOf(S1), written.editor.dirty.value]).toEqual(['35', true]);
   });
@@ -550,20 +558,20 @@ describe('after a reload', () => {
   it('edits of the simulated timer are not put onto a real one', async () => {
     const store = new MemoryStore();
     const before = await appBench({ store });
-    await run(before.session.trySimulated('Q'));
+    await run(before.session.timer.trySimulated('Q'));
     before.editor.type(S1, '7');
     await idle();
 
     const after = await appBench({ store });
     expect([after.session.simulated.value, after.editor.textOf(S1)]).toEqual([true, '7']);
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect([after.session.simulated.value, after.editor.textOf(S1), notice(after)]).toEqual([
       false,
       '35',
       'edits-set-aside',
     ]);
-    await run(after.session.disconnect());
-    await run(after.session.trySimulated('Q'));
+    await run(after.session.timer.disconnect());
+    await run(after.session.timer.trySimulated('Q'));
     expect(after.editor.textOf(S1)).toBe('7');
   });
 
@@ -572,7 +580,7 @@ describe('after a reload', () => {
     store.broken = true;
     const bench = await appBench({ store });
     expect(bench.keeping.storage.value).toBe('full');
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(status(bench)).toBe('on');
   });
 
@@ -590,7 +598,7 @@ describe('after a reload', () => {
     store.drafts.records.set('older', { ...draft, key: 'older', savedAt: 0 });
     const after = await appBench({ store });
     expect(after.editor.textOf(S1), 'an older one that does').toBe('7');
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(status(after)).toBe('on');
   });
 });

@@ -23,18 +23,18 @@ describe('a new version of the page', () => {
     update.whenFree(begin);
     await idle();
     expect([update.waitsFor.value, session.keptWork.kept.value, begin.mock.calls.length]).toEqual(['port', true, 0]);
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     await idle();
     expect([update.waitsFor.value, begin.mock.calls.length]).toEqual([null, 1]);
-    await run(session.connect());
-    await run(session.disconnect());
+    await run(session.timer.connect());
+    await run(session.timer.disconnect());
     await idle();
     expect(begin).toHaveBeenCalledOnce();
   });
 
   it('waits for a port that is being opened, too', async () => {
     const { session, update } = await appBench();
-    void session.connect();
+    void session.timer.connect();
     await idle(0);
     expect([session.link.state.value.status, update.waitsFor.value]).toEqual(['searching', 'port']);
   });
@@ -70,9 +70,9 @@ describe('a new version of the page', () => {
     const begin = vi.fn();
     update.whenFree(begin);
     effect(() => {
-      if (session.link.state.value.status === 'off') void session.connect();
+      if (session.link.state.value.status === 'off') void session.timer.connect();
     });
-    await run(session.disconnect());
+    await run(session.timer.disconnect());
     await idle();
     expect([session.link.state.value.status, begin.mock.calls.length]).toEqual(['on', 0]);
   });

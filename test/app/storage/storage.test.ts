@@ -10,13 +10,13 @@ describe('what is remembered of a port', () => {
   it('is how its timers were taken to be: the next one is taken so at once', async () => {
     const before = await connectedBench();
     expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
-    await run(before.session.assume({ bigEndianTimes: true }));
+    await run(before.session.timer.assume({ bigEndianTimes: true }));
     const after = await reloaded(before);
     let first: unknown;
     after.session.connection.subscribe((connection) => {
       first ??= connection && { ...connection.client.quirksAssumed };
     });
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(first).toEqual({ bigEndianTimes: true });
   });
 
@@ -24,7 +24,7 @@ describe('what is remembered of a port', () => {
     const before = await connectedBench({ quirks: { memoriesFromOne: true } });
     expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
     before.timer.core.memory = 3;
-    await run(before.session.read());
+    await run(before.session.reader.read());
     expect(before.session.connection.value?.client.quirksAssumed).toEqual({ memoriesFromOne: true });
     const [record] = before.store.ports.records.values();
     expect(Object.values(record?.quirks ?? {})).toEqual([{ memoriesFromOne: true }]);
@@ -33,24 +33,24 @@ describe('what is remembered of a port', () => {
   it('is kept again only when a job has found out something', async () => {
     const bench = await connectedBench();
     const saved = vi.spyOn(bench.store.ports, 'save');
-    await run(bench.session.read());
-    await run(bench.session.selectMemory(1));
+    await run(bench.session.reader.read());
+    await run(bench.session.reader.selectMemory(1));
     expect(saved).not.toHaveBeenCalled();
   });
 
   it('is not how another kind of timer was taken to be', async () => {
     const before = await connectedBench();
-    await run(before.session.assume({ bigEndianTimes: true }));
+    await run(before.session.timer.assume({ bigEndianTimes: true }));
     const after = await connectedBench({ store: before.store, identity: { timerClass: 'B' } });
     expect(after.session.connection.value?.client.quirksAssumed).toEqual({});
   });
 
   it('is nothing of a simulated timer', async () => {
     const bench = await connectedBench();
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     bench.store.ports.records.clear();
-    await run(bench.session.trySimulated('Q'));
-    await run(bench.session.assume({ bigEndianTimes: true }));
+    await run(bench.session.timer.trySimulated('Q'));
+    await run(bench.session.timer.assume({ bigEndianTimes: true }));
     expect(bench.store.ports.records.size).toBe(0);
   });
 
@@ -70,7 +70,7 @@ describe('what is remembered of a port', () => {
 
   it('is forgotten with the port', async () => {
     const bench = await connectedBench({ answersAt: 19_200 });
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     const [port] = bench.session.link.ports.value;
     if (!port) throw new Error('no port is known');
     await run(bench.session.link.forget(port));
@@ -83,9 +83,9 @@ describe('what is remembered of a port', () => {
     store.broken = true;
     const bench = await connectedBench({ store, answersAt: 19_200 });
     expect(bench.session.connection.value?.settings.baudRate).toBe(19_200);
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     bench.session.log.clear();
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     expect(asked(bench), 'this page remembers').toBe(2);
   });
 });

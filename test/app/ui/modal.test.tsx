@@ -26,10 +26,10 @@ function dialogsDrawn(): string[] {
 it('is not in the page while it is shut, and not drawn whatever else is', async () => {
   const { session } = await connected();
   const drawn = dialogsDrawn();
-  await run(session.read());
+  await run(session.reader.read());
   await type('DT time', '5:00');
   await type('Function 4, S2', '70');
-  await run(session.selectMemory(2));
+  await run(session.reader.selectMemory(2));
   await press('Disconnect');
   within(screen.getByRole('dialog')).getByRole('button', { name: 'Disconnect' }).click();
   await idle();

@@ -45,7 +45,7 @@ async function lancer(store = new MemoryStore()): Promise<AppBench> {
   store.models.records.set('Magpie', record('Magpie', MAGPIE[0] as Content));
   const bench = await appBench({ store, identity: IDENTITY });
   hold(bench, LANCER);
-  await run(bench.session.connect());
+  await run(bench.session.timer.connect());
   return bench;
 }
 
@@ -83,7 +83,7 @@ describe('a write into the timer of the model that the values are of', () => {
 describe('a write into the timer of another model', () => {
   it('is asked for by both names where a backup is of another model', async () => {
     const bench = await drawn(await lancer());
-    bench.session.showBackup(BACKUP);
+    bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
     await run(bench.write.open());
     await idle(0);
@@ -104,7 +104,7 @@ describe('a write into the timer of another model', () => {
     const bench = await lancer();
     const program = programOf(MAGPIE[0] as Content);
     await run(bench.session.library.keepSetting({ ...SETTING, id: 'calm', model: 'Magpie', program }).then(() => {}));
-    await run(bench.session.showSetting(bench.session.library.settings.get('calm')?.setting as typeof SETTING));
+    await run(bench.session.opened.show(bench.session.library.settings.get('calm')?.setting as typeof SETTING));
     await run(bench.write.open());
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
     bench.write.dismiss();
@@ -137,9 +137,9 @@ describe('a write into the timer of another model', () => {
   it('is asked for where another timer comes to the next connection', async () => {
     const bench = await lancer();
     bench.editor.type(S2, '77');
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     hold(bench, MAGPIE);
-    await run(bench.session.connect());
+    await run(bench.session.timer.connect());
     await run(bench.write.open());
     expect(shown(bench)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
   });
@@ -150,14 +150,14 @@ describe('a write into the timer of another model', () => {
     await idle();
     const again = await reloaded(bench);
     hold(again, MAGPIE);
-    await run(again.session.connect());
+    await run(again.session.timer.connect());
     await run(again.write.open());
     expect(shown(again)).toMatchObject({ from: 'Lancer', to: ['Magpie'] });
   });
 
   it('is shown again, not acknowledged, when a name has changed meanwhile', async () => {
     const bench = await lancer();
-    bench.session.showBackup(BACKUP);
+    bench.session.onScreen.showBackup(BACKUP);
     bench.session.safety.confirm();
     await run(bench.write.open());
     bench.write.cross(true);
@@ -174,19 +174,19 @@ describe('a write into the timer of another model', () => {
     const store = new MemoryStore();
     store.models.records.set('Twin', record('Twin', LANCER[0] as Content));
     const bench = await lancer(store);
-    bench.session.showBackup(BACKUP);
+    bench.session.onScreen.showBackup(BACKUP);
     await run(bench.write.open());
     expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer', 'Twin'], model: undefined });
     bench.write.dismiss();
     bench.editor.undo();
-    bench.session.showBackup({ ...BACKUP, model: 'Twin' });
+    bench.session.onScreen.showBackup({ ...BACKUP, model: 'Twin' });
     await run(bench.write.open());
     expect(shown(bench).from).toBeUndefined();
   });
 
   it('asks for nothing by the name of a model that is deleted', async () => {
     const bench = await lancer();
-    bench.session.showBackup(BACKUP);
+    bench.session.onScreen.showBackup(BACKUP);
     bench.store.models.records.delete('Magpie');
     await run(bench.session.library.refresh());
     await run(bench.write.open());

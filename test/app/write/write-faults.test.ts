@@ -149,8 +149,8 @@ async function readAgain(bench: AppBench): Promise<void> {
   if (timer.core.phase === 'asleep') timer.core.press();
   adapter.replug();
   await idle();
-  if (session.connection.value) void session.read();
-  else void session.connect();
+  if (session.connection.value) void session.reader.read();
+  else void session.timer.connect();
   await idle();
 }
 

@@ -84,8 +84,8 @@ describe('a write', () => {
     await run(bench.write.open());
     expect(bench.write.ready.value).toBe(true);
     bench.write.dismiss();
-    await run(bench.session.disconnect());
-    await run(bench.session.connect());
+    await run(bench.session.timer.disconnect());
+    await run(bench.session.timer.connect());
     await run(bench.write.open());
     expect(bench.write.ready.value).toBe(false);
   });
@@ -111,7 +111,7 @@ describe('a write', () => {
     await run(bench.write.open());
     expect(bench.write.current.value).toBeNull();
     bench.editor.revertAll();
-    const reading = bench.session.read();
+    const reading = bench.session.reader.read();
     await bench.write.open();
     expect(bench.write.current.value).toBeNull();
     await run(reading);
@@ -142,7 +142,7 @@ describe('a write', () => {
     });
     expect(sets(bench)).toEqual(['SETTIMERS']);
     bench.write.dismiss();
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect(bench.editor.changes.value.map(({ field }) => field)).toEqual([S1, S3]);
     await run(bench.write.open());
     await run(bench.write.start());
@@ -344,7 +344,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
 
   it('is known again after a reload, for this port and kind of timer', async () => {
     const after = await reloaded(await notHeld());
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(after.session.servoMoves.needed).toBe(true);
     const other = await connectedBench({ store: after.store, identity: { timerClass: 'B' } });
     expect(other.session.servoMoves.needed).toBe(false);
@@ -519,11 +519,11 @@ describe('what a write leaves unknown', () => {
     expect(knowledge.uncertain.value).toMatchObject([{ memory: 0, before: { times: expect.anything() } }]);
     bench.write.dismiss();
     bench.editor.revertAll();
-    await run(bench.session.disconnect());
+    await run(bench.session.timer.disconnect());
     const after = await reloaded(bench);
     expect(after.session.knowledge.uncertain.value).toHaveLength(1);
     expect(bench.timer.core.content.times[10]).toBe(24000);
-    await run(after.session.connect());
+    await run(after.session.timer.connect());
     expect(after.session.knowledge.uncertain.value).toEqual([]);
     expect(after.session.knowledge.of(0)).toMatchObject({
       state: 'read',
@@ -543,7 +543,7 @@ describe('what a write leaves unknown', () => {
     const bench = await reviewed();
     await run(bench.write.start());
     expect(bench.session.knowledge.of(0)).toMatchObject({ state: 'read', verified: true });
-    await run(bench.session.read());
+    await run(bench.session.reader.read());
     expect(bench.session.knowledge.of(0), 'a mere reading since').toMatchObject({ verified: false });
   });
 });

@@ -113,7 +113,7 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
   const kept = received.kept.value;
   const open = async (): Promise<void> => {
     const setting = received.setting();
-    failed.value = !setting || !(await session.showSetting(setting));
+    failed.value = !setting || !(await session.opened.show(setting));
     if (failed.peek()) return;
     sharing.close();
     onProgram();

@@ -13,12 +13,12 @@ export function offerScreen(session: Session, sharing: Sharing): void {
  * The program on the screen as a setting: under the name of the one that it belongs to, else that of timer and memory.
  * Null where there is none, or a field without a value.
  */
-function screenOf({ editor, openSetting, opened, modelAtHand }: Session): SharedSetting | null {
+function screenOf({ editor, opened, modelAtHand }: Session): SharedSetting | null {
   const program = editor.working.value;
   if (!program || !opened.savable.value) return null;
   const { identity, memory } = program;
   const { memoryName } = messages.value;
-  const setting = openSetting.value?.setting;
+  const setting = opened.shown.value?.setting;
   const own = [timerName(identity), ...(memory === null ? [] : [memoryName(memory)])].join(' ');
   return {
     name: setting?.name ?? own,

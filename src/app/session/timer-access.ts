@@ -1,0 +1,166 @@
+import { batch } from '@preact/signals';
+import type { AssumedQuirks } from '../../client/index.js';
+import type { CaptureEntry } from '../../protocol/index.js';
+import { type LinkState, portKey, type SerialPortLike, type Surroundings } from '../../serial/index.js';
+import type { Assumed } from './link.js';
+import type { Reader } from './reader.js';
+import type { Session } from './session.js';
+
+/** The classes of which there is a simulated timer. */
+export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
+export type SimulatedClass = (typeof SIMULATED_CLASSES)[number];
+
+/** Where the timers come from that this page can go to. */
+export interface TimerSources {
+  readonly surroundings: Surroundings;
+  readonly plugSimulated: (timerClass: SimulatedClass) => SerialPortLike | Promise<SerialPortLike>;
+  readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike | Promise<SerialPortLike>;
+}
+
+/** The ways to a timer and away from it: one at a time, also while it is waited for. */
+export class TimerAccess {
+  readonly #session: Session;
+  readonly #reader: Reader;
+  readonly #sources: TimerSources;
+
+  constructor(session: Session, sources: TimerSources) {
+    this.#session = session;
+    this.#reader = session.reader;
+    this.#sources = sources;
+  }
+
+  /**
+   * Connects to the port that was used last, or is the only one that is known, else to the one that the pilot chooses.
+   * A timer that is connected and has not been read is read.
+   * @param choose asks for a port in any case.
+   * @returns when the timer was read, or when it has to be waited for.
+   */
+  async connect(choose = false): Promise<void> {
+    const { engaged, connection, link } = this.#session;
+    if (!this.#sources.surroundings.serial || engaged.value) return;
+    if (connection.value && !choose) return void (await this.#reader.read());
+    await this.#goTo(async () => {
+      await link.refresh();
+      const [first, ...more] = choose ? [] : link.ports.value;
+      const sure = first && (more.length === 0 || link.recordOf(first.key));
+      return sure ? () => link.connect(first.port) : () => link.choose();
+    });
+  }
+
+  /** Connects to the timer that another tab has let go of, and goes on with its edits. */
+  async takeOver(): Promise<void> {
+    this.#reader.inherit();
+    await this.connect();
+  }
+
+  /** Connects to one of the ports that are known. */
+  async connectTo(port: SerialPortLike): Promise<void> {
+    await this.#goTo(async () => () => this.#session.link.connect(port));
+  }
+
+  async trySimulated(timerClass: SimulatedClass): Promise<void> {
+    const { recovery, link } = this.#session;
+    await this.#goTo(async () => {
+      await recovery.forgetSimulated();
+      const port = await this.#sources.plugSimulated(timerClass);
+      return () => link.connectSimulated(port);
+    });
+  }
+
+  /** Connects to a timer that answers as another one did while its line was recorded. */
+  async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
+    await this.#goTo(async () => {
+      const port = await this.#sources.plugRecording(entries);
+      return () => this.#session.link.connectSimulated(port);
+    });
+  }
+
+  /** Connects to a timer like the one that the program on the screen came from: a simulated one is made anew. */
+  async comeBack(): Promise<void> {
+    const { onScreen, editor } = this.#session;
+    const timerClass = onScreen.simulated.value ? editor.identity.value?.timerClass : undefined;
+    const simulated = SIMULATED_CLASSES.find((each) => each === timerClass);
+    await (simulated ? this.trySimulated(simulated) : this.connect());
+  }
+
+  /**
+   * Lets the pilot choose another port while a timer at this one is waited for; what is waited for stays until one is
+   * chosen.
+   */
+  async chooseAnother(): Promise<void> {
+    const { link } = this.#session;
+    if (!['searching', 'waiting'].includes(link.state.value.status)) return;
+    await link.choose();
+    await this.#reader.settled();
+  }
+
+  /**
+   * Stops what is under way, lets the last request end and closes the port. The program stays on the screen, as it was
+   * read last, with what was typed.
+   */
+  async disconnect(): Promise<void> {
+    const { runner, link, notices, recovery } = this.#session;
+    void runner.stop();
+    const closing = link.stop();
+    batch(() => {
+      notices.dismiss();
+      recovery.anotherTimer();
+    });
+    await closing;
+    await link.refresh();
+  }
+
+  /** The pilot has said how this timer is: it is read again that way. */
+  async assume(quirks: AssumedQuirks): Promise<void> {
+    const { runner, link } = this.#session;
+    if (runner.busy.value) return;
+    await link.assume(quirks);
+    await this.#reader.read();
+  }
+
+  /** Takes nothing for true any more of such a timer at such a port; the one at hand is read again without. */
+  async forgetAssumed(assumed: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
+    const { runner, link } = this.#session;
+    if (runner.busy.value) return;
+    const connection = link.connection.value;
+    const wasAssumed = connection?.client.quirksAssumed;
+    await link.forgetAssumed(assumed);
+    if (connection && connection === link.connection.value && connection.client.quirksAssumed !== wasAssumed) {
+      await this.#reader.read();
+    }
+  }
+
+  /** The link has come to another state: all that rests on which timer is there hears of it. */
+  follow(state: LinkState, before: LinkState): void {
+    const { recognition, runner, knowledge, recovery, nextFlight, notices, link } = this.#session;
+    if (state.status === 'away' || (before.status === 'on' && ['waiting', 'searching'].includes(state.status))) {
+      this.#reader.timerAway();
+    }
+    if (state.status === 'on') {
+      this.#reader.timerCame(state.connection);
+      recognition.timerCame();
+      return;
+    }
+    runner.connectionOver();
+    knowledge.connectionOver();
+    // What is offered rests on what a timer holds that is no longer there.
+    if (before.status === 'on') recovery.anotherTimer();
+    if (state.status !== 'off') return;
+    this.#reader.timerGone();
+    nextFlight.forget();
+    if (!state.error) return;
+    const { code, bytes } = state.error;
+    const port = 'info' in before ? before.info : 'port' in before ? before.port.getInfo() : null;
+    notices.show({ kind: 'connection', code, port, portKey: port && portKey(port), bytes });
+    void link.refresh();
+  }
+
+  /** Settles when the timer was read or has to be waited for. */
+  async #goTo(find: () => Promise<() => Promise<void>>): Promise<void> {
+    const { engaged, notices, link } = this.#session;
+    if (engaged.value) return;
+    notices.dismiss();
+    await link.begin(find);
+    await this.#reader.settled();
+  }
+}
