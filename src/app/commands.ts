@@ -13,15 +13,15 @@ import type { AppModels } from './models.js';
 import type { Session } from './session/session.js';
 import { SIMULATED_CLASSES } from './session/timer-access.js';
 import { THEMES } from './settings/theme.js';
-import type { Command } from './shell/palette.js';
+import type { PaletteCommand } from './shell/palette.js';
 import { VIEWS } from './shell/views.js';
 
 /** All that can be done now, what is wanted most first. What cannot be done now is not in it. */
-export function commandsOf(models: AppModels): readonly Command[] {
+export function commandsOf(models: AppModels): readonly PaletteCommand[] {
   return [...programCommands(models), ...timerCommands(models), ...flightCommands(models), ...pageCommands(models)];
 }
 
-function programCommands(models: AppModels): Command[] {
+function programCommands(models: AppModels): PaletteCommand[] {
   const { session, write, preferences, bench, memories, views, programPicture, printOrder, saveSetting, sharing } =
     models;
   const { editor, runner, connection } = session;
@@ -32,7 +32,7 @@ function programCommands(models: AppModels): Command[] {
   const dt = { kind: 'time', slot: identity.functions } as const;
   const { value: undo } = editor.undoStep;
   const { value: redo } = editor.redoStep;
-  const found: (Command | false | null)[] = [
+  const found: (PaletteCommand | false | null)[] = [
     isFree &&
       connection.value !== null &&
       !editor.blocked.value && { name: program.write(editor.changes.value.length), run: () => void write.open() },
@@ -68,10 +68,10 @@ function programCommands(models: AppModels): Command[] {
         }))
       : []),
   ];
-  return found.filter((command): command is Command => Boolean(command));
+  return found.filter((command): command is PaletteCommand => Boolean(command));
 }
 
-function saveCommands(session: Session, saveSetting: SaveSetting): Command[] {
+function saveCommands(session: Session, saveSetting: SaveSetting): PaletteCommand[] {
   const { save } = libraryMessages.value;
   const { shown, unsaved } = session.opened;
   const name = shown.value?.setting?.name;
@@ -82,7 +82,7 @@ function saveCommands(session: Session, saveSetting: SaveSetting): Command[] {
   ];
 }
 
-function flightCommands({ views, flights }: AppModels): Command[] {
+function flightCommands({ views, flights }: AppModels): PaletteCommand[] {
   const words = flightMessages.value;
   const flying = (): void => {
     const key = flights.flying();
@@ -100,7 +100,7 @@ function shiftable(identity: Identity): number[] {
   return slots.filter((slot) => slot > 0 || identity.timerClass === 'Q');
 }
 
-function timerCommands({ session, memories, leaving }: AppModels): Command[] {
+function timerCommands({ session, memories, leaving }: AppModels): PaletteCommand[] {
   const { palette, header, program, look, memories: words, overview, memoryName } = messages.value;
   const { editor, runner, link, connection, engaged, nextFlight } = session;
   const baseline = editor.baseline.value;
@@ -137,7 +137,7 @@ function timerCommands({ session, memories, leaving }: AppModels): Command[] {
   ];
 }
 
-function pageCommands({ views, theme, erase, sharing }: AppModels): Command[] {
+function pageCommands({ views, theme, erase, sharing }: AppModels): PaletteCommand[] {
   const { palette, views: words, theme: themes, erase: eraseWords } = messages.value;
   return [
     ...VIEWS.filter((view) => view !== views.shown.value).map((view) => ({

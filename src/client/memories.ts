@@ -5,7 +5,7 @@ import type { ClientJob } from './job.js';
 import { MemoryRoundTrip, requireIndex, SELECT } from './memory-round-trip.js';
 import type { OnProgress } from './progress.js';
 import { readingPlan } from './read-program.js';
-import type { Part } from './schedule.js';
+import type { JobPart } from './schedule.js';
 import { longestWrite, planWrite } from './write-plan.js';
 import { writeContent } from './write-program.js';
 import { isHeld, type WriteReport } from './write-report.js';
@@ -69,7 +69,7 @@ export async function readMemories(
   const memories = chosen ?? Array.from({ length: identity.memories }, (_, memory) => memory);
   for (const memory of memories) requireIndex(memory, identity);
   const names = [...SELECT, ...readingPlan(identity, { idleThrottle })];
-  const parts = memories.map((memory): Part => ({ stage: 'read', memory, names }));
+  const parts = memories.map((memory): JobPart => ({ stage: 'read', memory, names }));
   const trip = await MemoryRoundTrip.begin(job, { parts, onProgress }, chosen !== undefined, onOriginal);
   const programs: TimerProgram[] = [];
   const readOnce: number[] = [];
@@ -167,8 +167,11 @@ function asksThrottle({ idleThrottle }: TimerProgram): boolean {
 }
 
 /** All that one memory can need: it is selected and read, everything in it is changed, and it is read back. */
-function memoryParts(goal: TimerProgram, memory: number, moveServos: boolean): Part[] {
+function memoryParts(goal: TimerProgram, memory: number, moveServos: boolean): JobPart[] {
   const first = readingPlan(goal.identity, { idleThrottle: asksThrottle(goal) });
-  const [reading, ...rest] = longestWrite(goal, moveServos).map((part) => ({ ...part, memory })) as [Part, ...Part[]];
+  const [reading, ...rest] = longestWrite(goal, moveServos).map((part) => ({ ...part, memory })) as [
+    JobPart,
+    ...JobPart[],
+  ];
   return [{ ...reading, names: [...SELECT, ...first, ...reading.names] }, ...rest];
 }

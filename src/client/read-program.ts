@@ -11,7 +11,7 @@ function contentQuestions({ timerClass }: Identity, idleThrottle: boolean): Comm
 }
 
 /** How a program is read. */
-export interface Reading {
+export interface ReadingOptions {
   /** Asks for the idle throttle on a timer of another class than Q too. */
   readonly idleThrottle?: boolean | undefined;
   /**
@@ -26,14 +26,17 @@ export interface Reading {
 }
 
 /** The exchanges of {@link readContent} when nothing goes wrong. */
-export function readingPlan(identity: Identity, { idleThrottle = false, strict, known }: Reading = {}): CommandName[] {
+export function readingPlan(
+  identity: Identity,
+  { idleThrottle = false, strict, known }: ReadingOptions = {},
+): CommandName[] {
   const content = contentQuestions(identity, idleThrottle);
   const ends: CommandName[] = ['GETMEMORY', 'GETSWVER'];
   if (!strict) return ['GETMEMORY', ...content, ...ends];
   return ['GETSWVER', 'GETMEMORY', ...content, ...(known ? [] : content), ...ends];
 }
 
-export type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
+export type MemoryValues = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 
 /**
  * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that
@@ -44,11 +47,15 @@ export type Content = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>
  * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when another memory is current than has to be;
  * `unstable` or `crowded` when no two readings agree or the memory changes all the time; as Exchange.
  */
-export async function readContent(job: ClientJob, stage: Progress['stage'], how: Reading = {}): Promise<TimerProgram> {
+export async function readContent(
+  job: ClientJob,
+  stage: Progress['stage'],
+  how: ReadingOptions = {},
+): Promise<TimerProgram> {
   const { exchange, identity, signal } = job;
   const { strict = false, known } = how;
   exchange.schedule.enter(stage);
-  let previous: Content | undefined = known;
+  let previous: MemoryValues | undefined = known;
   const seen = exchange.watch();
   for (let i = 0; i < ATTEMPTS; i++) {
     const seenNow = exchange.watch();
@@ -73,7 +80,7 @@ function required(job: ClientJob, memory: number | null): ReturnType<typeof requ
   return requireMemory(job, memory, { optional: true });
 }
 
-async function isStillCurrent(job: ClientJob, memory: number | null, how: Reading): Promise<boolean> {
+async function isStillCurrent(job: ClientJob, memory: number | null, how: ReadingOptions): Promise<boolean> {
   if (how.memory !== undefined) return (await required(job, how.memory)).memory === memory;
   const now = await askMemory(job, { expected: memory, optional: true });
   return now.memory === memory && !now.renumbered;
@@ -85,9 +92,9 @@ async function isStillCurrent(job: ClientJob, memory: number | null, how: Readin
  */
 export async function agreedContent(
   job: ClientJob,
-  { strict = false, idleThrottle = false }: Reading,
-  before: Content | undefined,
-): Promise<{ content: Content; agreed: boolean }> {
+  { strict = false, idleThrottle = false }: ReadingOptions,
+  before: MemoryValues | undefined,
+): Promise<{ content: MemoryValues; agreed: boolean }> {
   let previous = before;
   let request: CommandName = 'GETTIMERS';
   const seen = job.exchange.watch();
@@ -109,7 +116,7 @@ async function readOnce(
   job: ClientJob,
   strict: boolean,
   idleThrottle: boolean,
-): Promise<{ content: Content; doubtful: boolean }> {
+): Promise<{ content: MemoryValues; doubtful: boolean }> {
   const { exchange, identity, signal, quirks } = job;
   const seen = exchange.watch();
   const ask = async <Name extends 'GETTIMERS' | 'GETSERVOPOS'>(name: Name): Promise<ReplyOf<Name>> => {
@@ -146,12 +153,12 @@ async function askIdleThrottle({ exchange, signal, quirks }: ClientJob): Promise
 }
 
 /** The first question on which two readings did not agree. */
-function differing(a: Content, b: Content): CommandName {
+function differing(a: MemoryValues, b: MemoryValues): CommandName {
   if (JSON.stringify(a.times) !== JSON.stringify(b.times)) return 'GETTIMERS';
   return JSON.stringify(a.positions) === JSON.stringify(b.positions) ? 'GETLOWRPM' : 'GETSERVOPOS';
 }
 
-function textOf({ times, positions, idleThrottle }: Content): string {
+function textOf({ times, positions, idleThrottle }: MemoryValues): string {
   return JSON.stringify([times, positions, idleThrottle]);
 }
 

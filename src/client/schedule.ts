@@ -14,7 +14,7 @@ import {
 const NONE: Exchanges = { count: 0, bytes: 0 };
 
 /** A part of a job: what it asks when nothing goes wrong. */
-export interface Part {
+export interface JobPart {
   readonly names: readonly CommandName[];
   /** What is told of it; nothing without one. */
   readonly stage?: Progress['stage'];
@@ -24,7 +24,7 @@ export interface Part {
 
 /** A job that is asked for. */
 export interface PlannedJob {
-  readonly parts: readonly Part[];
+  readonly parts: readonly JobPart[];
   /** What the timer said of itself; null before it has. */
   readonly identity: Identity | null;
   readonly onProgress?: OnProgress;
@@ -85,7 +85,7 @@ export class Schedule {
 
   /** A stage begins, of the memory that the job is at. One that was not planned moves nothing. */
   enter(stage: Progress['stage']): void {
-    const isIt = (part: Part): boolean => part.stage === stage && (part.memory ?? null) === this.memory;
+    const isIt = (part: JobPart): boolean => part.stage === stage && (part.memory ?? null) === this.memory;
     const { parts } = this.#job;
     const next = parts.findIndex((part, index) => index >= this.#at && isIt(part));
     if (next > this.#at || this.#stage === undefined) {

@@ -21,7 +21,7 @@ import type { BytePort } from './port.js';
 import { type AssumedQuirks, type QuirkCode, type QuirkParams, Quirks } from './quirks.js';
 import { readContent, readingPlan } from './read-program.js';
 import type { RetryPolicy } from './retry-policy.js';
-import type { Part } from './schedule.js';
+import type { JobPart } from './schedule.js';
 import { Wire } from './wire.js';
 import { planWrite, writeParts } from './write-plan.js';
 import { writeContent } from './write-program.js';
@@ -356,7 +356,7 @@ export class TimerClient {
   }
 
   /** @param part all that the job will need; nothing for one that says so itself. */
-  async #job({ signal, onProgress }: JobOptions, part?: (identity: Identity) => Part): Promise<ClientJob> {
+  async #job({ signal, onProgress }: JobOptions, part?: (identity: Identity) => JobPart): Promise<ClientJob> {
     throwIfAborted(signal);
     const identity = this.identity ?? (await this.#identify(signal));
     if (part) this.#exchange.begin({ parts: [part(identity)], onProgress });

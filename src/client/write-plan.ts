@@ -9,8 +9,8 @@ import {
   withValue,
 } from '../program/index.js';
 import { type LayoutQuirks, MAX_POSITION, type Request } from '../protocol/index.js';
-import { type Reading, readingPlan } from './read-program.js';
-import type { Part } from './schedule.js';
+import { type ReadingOptions, readingPlan } from './read-program.js';
+import type { JobPart } from './schedule.js';
 import { unasked } from './write-report.js';
 
 /** Hundredths of a second by which a timer that rounds may change a time. */
@@ -26,8 +26,8 @@ export interface WritePlan {
   /** What is sent for them, in this order. */
   readonly requests: readonly Request[];
   /** How the timer is read before the first request, and how behind the last one. */
-  readonly before: Reading;
-  readonly after: Reading;
+  readonly before: ReadingOptions;
+  readonly after: ReadingOptions;
   /** Whether the servos may move for it. */
   readonly moveServos: boolean;
 }
@@ -38,14 +38,14 @@ export function planWrite(baseline: TimerProgram, goal: TimerProgram, moveServos
   const requests = inOrder(changeRequests(baseline, goal), moveServos);
   const { memory } = baseline;
   const isThrottleKnown = baseline.idleThrottle !== null || goal.idleThrottle !== null;
-  const before: Reading = { strict: true, memory, known: baseline, idleThrottle: isThrottleKnown };
+  const before: ReadingOptions = { strict: true, memory, known: baseline, idleThrottle: isThrottleKnown };
   // Where the baseline was read, not where the goal says it comes from.
-  const after: Reading = { strict: true, memory, idleThrottle: goal.idleThrottle !== null };
+  const after: ReadingOptions = { strict: true, memory, idleThrottle: goal.idleThrottle !== null };
   return { baseline, goal, asked, requests, before, after, moveServos };
 }
 
 /** A write when nothing goes wrong. */
-export function writeParts(plan: WritePlan): Part[] {
+export function writeParts(plan: WritePlan): JobPart[] {
   const { identity } = plan.goal;
   return [
     { stage: 'read', names: readingPlan(identity, plan.before) },
@@ -55,7 +55,7 @@ export function writeParts(plan: WritePlan): Part[] {
 }
 
 /** A write in which everything has to be changed. */
-export function longestWrite(goal: TimerProgram, moveServos: boolean): Part[] {
+export function longestWrite(goal: TimerProgram, moveServos: boolean): JobPart[] {
   const other = (value: number): number => value ^ 1;
   const opposite: TimerProgram = {
     ...goal,

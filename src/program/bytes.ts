@@ -3,7 +3,7 @@
  */
 
 /** Puts values behind one another. */
-export class ByteWriter {
+export class PackedWriter {
   readonly #bytes: number[] = [];
 
   get bytes(): Uint8Array {
@@ -40,8 +40,8 @@ export class ByteWriter {
 /** What bytes cannot be. */
 export class BytesError extends Error {}
 
-/** Takes the values out again, each in the one form that {@link ByteWriter} gives it. @throws BytesError */
-export class ByteReader {
+/** Takes the values out again, each in the one form that {@link PackedWriter} gives it. @throws BytesError */
+export class PackedReader {
   readonly #bytes: Uint8Array;
   #at = 0;
 

@@ -20,7 +20,7 @@ export function readJson(text: string): unknown {
 }
 
 /** Where a value begins, or where what it is missing from begins; line and column count from 1. */
-export function placeOf(text: string, path: string): { line: number; column: number } {
+export function placeInText(text: string, path: string): { line: number; column: number } {
   let best = { path: '', offset: 0 };
   new JsonReader(text, (at, offset) => {
     const next = path[at.length];

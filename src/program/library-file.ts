@@ -1,6 +1,6 @@
 import { CodecError } from '../protocol/index.js';
 import { dateFromFile, dateToFile, programFromFile, programToFile, startTime } from './file-values.js';
-import { placeOf, readJson, writeJson } from './json-text.js';
+import { placeInText, readJson, writeJson } from './json-text.js';
 import {
   entries,
   type Flight,
@@ -125,7 +125,7 @@ export function parseLibraryFile(source: string): LibraryFile {
     return new FileReader().read(value);
   } catch (cause) {
     if (!(cause instanceof CodecError)) throw cause;
-    const { line, column } = placeOf(text, cause.field);
+    const { line, column } = placeInText(text, cause.field);
     const message = `line ${line}, column ${column}: ${cause.message}`;
     throw new CodecError(cause.code, cause.field, message, { ...cause.details, line, column });
   }

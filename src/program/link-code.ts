@@ -1,5 +1,5 @@
 import { CodecError, type Identity, slotCount } from '../protocol/index.js';
-import { ByteReader, BytesError, ByteWriter, base64url, crc32, fromBase64url } from './bytes.js';
+import { BytesError, base64url, crc32, fromBase64url, PackedReader, PackedWriter } from './bytes.js';
 import { LIMITS, requireSetting, type Setting } from './library.js';
 import { text } from './require.js';
 
@@ -74,7 +74,7 @@ export function decodeLink(link: string): SharedSetting {
 
 function pack({ name, note, tags, at, program, modelName }: SharedSetting): string {
   const { identity, memory, times, positions, idleThrottle } = program;
-  const to = new ByteWriter();
+  const to = new PackedWriter();
   to.byte(VERSION);
   to.byte(identity.timerClass.charCodeAt(0));
   to.pair(Number(identity.firmware));
@@ -98,8 +98,8 @@ function pack({ name, note, tags, at, program, modelName }: SharedSetting): stri
 
 /** In every version the first byte is its number and the last four are the sum: what is newer is known from damage. */
 function unpack(bytes: Uint8Array): unknown {
-  const from = new ByteReader(bytes.subarray(0, -SUM));
-  const end = new ByteReader(bytes.subarray(-SUM));
+  const from = new PackedReader(bytes.subarray(0, -SUM));
+  const end = new PackedReader(bytes.subarray(-SUM));
   if (bytes.length < SUM + 1) throw new BytesError('it is too short');
   if (end.pair() + 0x1_0000 * end.pair() !== crc32(bytes.subarray(0, -SUM))) {
     throw new BytesError('the checksum does not fit');

@@ -7,7 +7,7 @@ import type { LinkEvent } from './link-table.js';
 import { pause } from './pause.js';
 import { PortOpener } from './port-opener.js';
 import type { KnownPort } from './ports.js';
-import { type Found, Probe } from './probe.js';
+import { Probe, type ProbedTimer } from './probe.js';
 import { clearest, RateListener } from './rate-listener.js';
 import { ReturnWatch } from './return-watch.js';
 import { quietRate, type Rates, ratesToTry } from './settings.js';
@@ -164,7 +164,7 @@ export class PortSession {
   }
 
   /** Tries each rate once, the likeliest twice. */
-  async #search(): Promise<Found | 'silent' | 'refused'> {
+  async #search(): Promise<ProbedTimer | 'silent' | 'refused'> {
     const rates = this.#rates;
     for (const [index, baudRate] of rates.entries()) {
       if (index > 0) this.#tell('asked', this.#searching(index));
@@ -179,7 +179,7 @@ export class PortSession {
   }
 
   /** Asks quietly until something answers. */
-  async #wait(): Promise<Found | 'refused'> {
+  async #wait(): Promise<ProbedTimer | 'refused'> {
     const { clock } = this.#context;
     const rates = this.#rates;
     for (let asked = 0; !this.#isOver; asked++) {
@@ -196,7 +196,7 @@ export class PortSession {
   }
 
   /** Lets the pilot work with the timer until it is asked again what it is. */
-  async #stayWith({ client, identity, settings }: Found): Promise<'search' | 'wait'> {
+  async #stayWith({ client, identity, settings }: ProbedTimer): Promise<'search' | 'wait'> {
     const { port, info, kind, key } = this.#known;
     this.#context.knownRate = settings.baudRate;
     this.#listeners.clear();
@@ -217,7 +217,7 @@ export class PortSession {
   }
 
   /** Asks once at the rate at which the port is open. What has found a timer is its own client's from then on. */
-  async #ask(): Promise<Found | null> {
+  async #ask(): Promise<ProbedTimer | null> {
     const { settings, port } = this.#opener;
     if (this.#isOver || !settings) return null;
     this.#probe ??= new Probe(port, settings, this.#context, this.#listenerAt(settings.baudRate), (error) =>

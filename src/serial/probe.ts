@@ -10,7 +10,7 @@ import type { SerialPortLike } from './types.js';
 const BAD_REPLIES = 3;
 
 /** A timer that has said what it is, and the client that asked it. */
-export interface Found {
+export interface ProbedTimer {
   readonly client: TimerClient;
   readonly identity: Identity;
   readonly settings: OpenedSettings;
@@ -52,7 +52,7 @@ export class Probe {
    * @returns null when nothing answered, the signal asked to stop, or the port was lost.
    * @throws ConnectionError `bad-reply`.
    */
-  async ask(signal: AbortSignal): Promise<Found | null> {
+  async ask(signal: AbortSignal): Promise<ProbedTimer | null> {
     const client = this.#client;
     this.#listener.next();
     for (let bad = 1; ; bad++) {

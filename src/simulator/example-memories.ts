@@ -1,7 +1,7 @@
 import type { MemoryContent } from './memory.js';
 
 /** One setting of a model, as a pilot notes it: the functions from launch to DT, in columns. */
-interface Setting {
+interface ExampleSetting {
   /** Hundredths of a second from launch: functions 1 to 9, then DT. */
   readonly times: readonly number[];
   /** Class Q, hundredths of a second. */
@@ -14,7 +14,7 @@ interface Setting {
 }
 
 /** An F1Q: climb, short trims before and behind motor stop, a bunt into the glide. */
-const Q_CALM: Setting = {
+const Q_CALM: ExampleSetting = {
   motorStop: 1000,
   times: [30, 120, 400, 980, 1010, 1060, 1120, 1250, 2000, 18000],
   rudder: [62, 62, 64, 64, 66, 70, 70, 67, 65, 63, 63],
@@ -23,7 +23,7 @@ const Q_CALM: Setting = {
 };
 
 /** In wind it climbs a little shorter and circles tighter. */
-const Q_WIND: Setting = {
+const Q_WIND: ExampleSetting = {
   ...Q_CALM,
   motorStop: 950,
   times: [30, 120, 400, 930, 960, 1010, 1070, 1200, 1800, 18000],
@@ -32,14 +32,14 @@ const Q_WIND: Setting = {
 };
 
 /** A few seconds of motor and an early DT, to look at the transition near the ground. */
-const Q_TEST: Setting = {
+const Q_TEST: ExampleSetting = {
   ...Q_CALM,
   motorStop: 400,
   times: [30, 120, 250, 380, 410, 460, 520, 650, 1000, 2000],
 };
 
 /** The long flight that decides, with less energy for the climb. */
-const Q_FLY_OFF: Setting = {
+const Q_FLY_OFF: ExampleSetting = {
   ...Q_CALM,
   motorStop: 800,
   times: [30, 120, 400, 780, 810, 860, 920, 1050, 1800, 48000],
@@ -48,14 +48,14 @@ const Q_FLY_OFF: Setting = {
 };
 
 /** An F1B: burst, climb and cruise of the rubber motor, then the glide. The last function repeats the one before it. */
-const B_CALM: Setting = {
+const B_CALM: ExampleSetting = {
   times: [12, 65, 150, 500, 1200, 2500, 3800, 4000, 4500, 18000],
   rudder: [70, 72, 68, 66, 66, 65, 64, 60, 58, 58, 58],
   tailplane: [40, 36, 42, 46, 48, 50, 52, 55, 57, 57, 100],
   wing: [60, 60, 64, 68, 70, 72, 74, 80, 80, 80, 80],
 };
 
-const B_WIND: Setting = {
+const B_WIND: ExampleSetting = {
   ...B_CALM,
   times: [10, 55, 130, 450, 1000, 2200, 3400, 3600, 4100, 18000],
   rudder: [68, 70, 66, 65, 66, 66, 66, 65, 64, 64, 64],
@@ -63,12 +63,12 @@ const B_WIND: Setting = {
 };
 
 /** Flown with few turns. */
-const B_TEST: Setting = {
+const B_TEST: ExampleSetting = {
   ...B_CALM,
   times: [12, 65, 150, 300, 500, 700, 900, 1100, 1400, 2000],
 };
 
-const B_FLY_OFF: Setting = {
+const B_FLY_OFF: ExampleSetting = {
   ...B_CALM,
   times: [12, 65, 150, 500, 1200, 2600, 4200, 4400, 4900, 36000],
   tailplane: [40, 36, 42, 46, 48, 50, 52, 56, 58, 58, 100],
@@ -79,7 +79,7 @@ const B_FLY_OFF: Setting = {
  * An F1E: a magnet steers it along the slope; the timer frees it, lets it circle, and brings it down. Functions that
  * are not needed repeat the one before, and nothing is at S3.
  */
-const E_CALM: Setting = {
+const E_CALM: ExampleSetting = {
   times: [300, 6000, 6500, 7000, 7500, 8000, 8500, 9000, 9500, 24000],
   rudder: [65, 65, 78, 78, 78, 78, 78, 78, 78, 78, 78],
   tailplane: [52, 55, 55, 55, 55, 55, 55, 55, 55, 55, 110],
@@ -87,18 +87,18 @@ const E_CALM: Setting = {
 };
 
 /** In wind it flies straight out for longer, and faster. */
-const E_WIND: Setting = {
+const E_WIND: ExampleSetting = {
   ...E_CALM,
   times: [300, 9000, 9500, 10000, 10500, 11000, 11500, 12000, 12500, 18000],
   tailplane: [48, 50, 50, 50, 50, 50, 50, 50, 50, 50, 110],
 };
 
-const E_TEST: Setting = {
+const E_TEST: ExampleSetting = {
   ...E_CALM,
   times: [300, 800, 900, 1000, 1100, 1200, 1300, 1400, 1500, 2000],
 };
 
-const E_FLY_OFF: Setting = {
+const E_FLY_OFF: ExampleSetting = {
   ...E_CALM,
   times: [300, 12000, 12500, 13000, 13500, 14000, 14500, 15000, 15500, 30000],
   tailplane: [52, 56, 56, 56, 56, 56, 56, 56, 56, 56, 110],

@@ -1,7 +1,7 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions } from '../session/job-runner.js';
+import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { ServoStand } from './servo-stand.js';
 
@@ -64,7 +64,7 @@ export class Bench {
   }
 
   /** Within a job: sends it, once, and notes what is known of it then. */
-  async carryOut(action: BenchAction, connection: TimerConnection, options: JobOptions): Promise<void> {
+  async carryOut(action: BenchAction, connection: TimerConnection, options: JobContext): Promise<void> {
     const { client } = connection;
     options.stillOn();
     // They are on their way, unless they go to the very place where they stand.

@@ -2,9 +2,9 @@ import { batch, computed, effect, type ReadonlySignal, signal, untracked } from 
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { withValues } from '../editing/edit.js';
-import type { JobKind, JobOptions } from '../session/job-runner.js';
+import type { JobContext, JobKind } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
-import { within } from '../storage/limit.js';
+import { withinLimit } from '../storage/limit.js';
 import type { Bench } from './bench.js';
 import { FollowedEdits, type Position } from './followed-edits.js';
 import { Trials } from './trials.js';
@@ -119,7 +119,7 @@ export class Follow {
       if (!(await this.#session.reader.read()) || isOff()) return;
       const before = editor.baseline.value;
       if (!before) return;
-      const kept = await within(() => backups.add(before, 'write', simulated.value)).then(
+      const kept = await withinLimit(() => backups.add(before, 'write', simulated.value)).then(
         () => true,
         () => false,
       );
@@ -294,7 +294,7 @@ export class Follow {
   }
 
   /** Stores the position that a field has by now, where the servos stand. */
-  async #store(field: Position, connection: TimerConnection, options: JobOptions): Promise<void> {
+  async #store(field: Position, connection: TimerConnection, options: JobContext): Promise<void> {
     const { editor, knowledge } = this.#session;
     const pending = this.#edits.pending().find((other) => fieldKey(other.field) === fieldKey(field));
     const trial = this.trials.current.peek();

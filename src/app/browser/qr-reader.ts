@@ -1,11 +1,11 @@
 import { answerOf, service, tried } from './services.js';
 
 /** What can be looked for QR codes: a picture that was chosen, or what a camera shows. */
-export type Picture = ImageBitmap | HTMLVideoElement;
+export type QrPicture = ImageBitmap | HTMLVideoElement;
 
 /** What the browser itself finds: many have no such service, or one that knows no QR codes. */
 interface Detector {
-  detect(source: Picture): Promise<readonly { readonly rawValue: string }[]>;
+  detect(source: QrPicture): Promise<readonly { readonly rawValue: string }[]>;
 }
 
 declare global {
@@ -43,7 +43,7 @@ export class QrReader {
    * @param edges how large it is looked at, one after another.
    * @returns the text; null where nothing is found.
    */
-  async find(picture: Picture, edges: readonly number[] = EDGES): Promise<string | null> {
+  async find(picture: QrPicture, edges: readonly number[] = EDGES): Promise<string | null> {
     const seen = await this.#detect(picture);
     if (seen !== null) return seen;
     for (const edge of edges) {
@@ -54,14 +54,14 @@ export class QrReader {
     return null;
   }
 
-  async #detect(picture: Picture): Promise<string | null> {
+  async #detect(picture: QrPicture): Promise<string | null> {
     const detector = this.#detector;
     if (!detector) return null;
     const found = await answerOf(() => detector.detect(picture)).catch(() => []);
     return found.find(({ rawValue }) => rawValue !== '')?.rawValue ?? null;
   }
 
-  #pixelsOf(picture: Picture, edge: number): ImageData | null {
+  #pixelsOf(picture: QrPicture, edge: number): ImageData | null {
     const [width, height] =
       'videoWidth' in picture ? [picture.videoWidth, picture.videoHeight] : [picture.width, picture.height];
     if (width === 0 || height === 0) return null;

@@ -3,7 +3,7 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import { type Platform, whyUnsupported } from '../browser/platform.js';
 import { messages, type Said } from '../messages/index.js';
 import { CopyText } from '../ui/copy-text.js';
-import { type HelpCode, helpFor, type Step } from './connection-help.js';
+import { type HelpCode, type HelpStep, helpFor } from './connection-help.js';
 import './connection-help-view.css';
 
 interface ConnectionHelpProps {
@@ -52,7 +52,7 @@ export function connectionSaid(code: ConnectionErrorCode, platform: Platform): S
   return reason ? help.unsupported[reason] : connection[code];
 }
 
-function Steps({ steps }: { readonly steps: readonly Step[] }) {
+function Steps({ steps }: { readonly steps: readonly HelpStep[] }) {
   const { help } = messages.value;
   return (
     <ol>

@@ -15,10 +15,10 @@ export interface Situation {
 }
 
 /** One thing to do. Its sentence stands in messages/, found by this code. */
-export type StepCode = keyof Messages['help']['steps'];
+export type HelpStepCode = keyof Messages['help']['steps'];
 
 /** What goes with some steps, to copy. A step whose commands cannot be given here is left out. */
-const COMMANDS: Partial<Readonly<Record<StepCode, (situation: Situation) => readonly string[] | null>>> = {
+const COMMANDS: Partial<Readonly<Record<HelpStepCode, (situation: Situation) => readonly string[] | null>>> = {
   'holder-mac': () => ['lsof /dev/cu.*'],
   'holder-linux': () => ['sudo fuser -v /dev/ttyUSB* /dev/ttyACM*'],
   group: () => ['sudo usermod -a -G dialout $USER'],
@@ -39,20 +39,20 @@ const COMMANDS: Partial<Readonly<Record<StepCode, (situation: Situation) => read
 
 /** What helps everywhere, before and after what helps on each system. */
 interface Plan {
-  readonly first?: readonly StepCode[];
-  readonly systems?: Partial<Readonly<Record<System, readonly StepCode[]>>>;
-  readonly last?: readonly StepCode[];
+  readonly first?: readonly HelpStepCode[];
+  readonly systems?: Partial<Readonly<Record<System, readonly HelpStepCode[]>>>;
+  readonly last?: readonly HelpStepCode[];
 }
 
 const BLUETOOTH: Plan = { first: ['bluetooth-one', 'bluetooth-again'] };
 
 /** What Firefox does with a port that has failed. */
-function firefoxPorts({ browser, mobile }: Platform): readonly StepCode[] {
+function firefoxPorts({ browser, mobile }: Platform): readonly HelpStepCode[] {
   return browser === 'firefox' && !mobile ? ['firefox-reload'] : [];
 }
 
 /** The browsers that Ubuntu installs in a cage of their own. */
-const SNAPS: Partial<Readonly<Record<Browser, readonly StepCode[]>>> = {
+const SNAPS: Partial<Readonly<Record<Browser, readonly HelpStepCode[]>>> = {
   chrome: ['chromium-snap'],
   firefox: ['firefox-snap'],
 };
@@ -122,23 +122,23 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
 };
 
 /** One thing to do, with the lines to copy that it speaks of. */
-export interface Step {
-  readonly code: StepCode;
+export interface HelpStep {
+  readonly code: HelpStepCode;
   readonly copy: readonly string[];
 }
 
-export interface Help {
+export interface ConnectionAdvice {
   /** For the system that the pilot sits at. */
-  readonly here: readonly Step[];
+  readonly here: readonly HelpStep[];
   /** For the others: a pilot may help another one, and a system may be taken for another. */
-  readonly elsewhere: readonly { readonly system: System; readonly steps: readonly Step[] }[];
+  readonly elsewhere: readonly { readonly system: System; readonly steps: readonly HelpStep[] }[];
 }
 
 /** What to do about it. Empty where its sentence says all. */
-export function helpFor(code: HelpCode, situation: Situation): Help {
+export function helpFor(code: HelpCode, situation: Situation): ConnectionAdvice {
   const { first = [], systems = {}, last = [] } = PLANS[code](situation);
   const { system } = situation.platform;
-  const steps = (codes: readonly StepCode[]): readonly Step[] =>
+  const steps = (codes: readonly HelpStepCode[]): readonly HelpStep[] =>
     codes.flatMap((code) => {
       const copy = COMMANDS[code] ? COMMANDS[code](situation) : [];
       return copy ? [{ code, copy }] : [];

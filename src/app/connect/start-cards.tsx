@@ -13,7 +13,7 @@ import './start-cards.css';
 const NAMED = 4;
 
 /** The pilot's models, and the way to the library. */
-export function KeptModels({ session: { library } }: { readonly session: Session }) {
+export function KeptModelsCard({ session: { library } }: { readonly session: Session }) {
   const { models: words } = messages.value.start;
   const shown = library.models.list.value.filter(({ model }) => !model.archived);
   const counts = new Map<string | null, number>();
@@ -43,7 +43,7 @@ export function KeptModels({ session: { library } }: { readonly session: Session
 }
 
 /** What the pilot has made or changed, that no timer has. */
-export function KeptPrograms({ session }: { readonly session: Session }) {
+export function KeptProgramsCard({ session }: { readonly session: Session }) {
   const { programs: words } = messages.value.start;
   const { keptPrograms } = session;
   const making = useSignal(false);
@@ -149,7 +149,7 @@ export function Simulated({ session }: { readonly session: Session }) {
 }
 
 /** What timers held before they were written. */
-export function KeptBackups({ backups }: { readonly backups: Backups }) {
+export function KeptBackupsCard({ backups }: { readonly backups: Backups }) {
   const { start, memoryName } = messages.value;
   const { backups: words } = start;
   const list = backups.list.value;

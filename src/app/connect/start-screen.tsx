@@ -10,7 +10,7 @@ import { ConnectionHelp, connectionSaid } from './connection-help-view.js';
 import { EXAMPLE } from './example-program.js';
 import type { Installation } from './installation.js';
 import { hasStage, LinkStage } from './link-stage.js';
-import { KeptBackups, KeptModels, KeptPrograms, Simulated } from './start-cards.js';
+import { KeptBackupsCard, KeptModelsCard, KeptProgramsCard, Simulated } from './start-cards.js';
 import { StepList, Tick } from './step-list.js';
 import './start-screen.css';
 
@@ -55,10 +55,10 @@ export function StartScreen({ session, installation, platform, address = locatio
       </div>
       {children}
       <div class="start-cards">
-        <KeptModels session={session} />
-        <KeptPrograms session={session} />
+        <KeptModelsCard session={session} />
+        <KeptProgramsCard session={session} />
         <Simulated session={session} />
-        <KeptBackups backups={session.backups} />
+        <KeptBackupsCard backups={session.backups} />
       </div>
     </div>
   );

@@ -11,13 +11,13 @@ import {
 import type { Identity } from '../../protocol/index.js';
 import { type EditValues, type FieldValue, withValues } from './edit.js';
 import {
+  type Ambiguous,
   type Figure,
   formatFigure,
   formatTime,
   parseSteps,
-  type Question,
-  type Reading,
   readTime,
+  type TypedText,
   type UnreadableReason,
 } from './units.js';
 
@@ -43,11 +43,11 @@ export interface UnreadableField {
   readonly field: ProgramField;
   readonly reason: UnreadableReason;
   /** What it may mean, where it is ambiguous. */
-  readonly either?: Question['either'] | undefined;
+  readonly either?: Ambiguous['either'] | undefined;
 }
 
 /** What a text in a field says. */
-export function parseValue({ functions }: Identity, field: ProgramField, text: string): Reading {
+export function parseValue({ functions }: Identity, field: ProgramField, text: string): TypedText {
   return field.kind === 'time' ? readTime(text, { isDt: field.slot === functions }) : parseSteps(text);
 }
 

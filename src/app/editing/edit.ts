@@ -63,10 +63,10 @@ export interface EditValues {
 }
 
 /** What an edit does, or why it does nothing. It is done whole or not at all: no value is bent to fit. */
-export type Outcome = EditValues | { readonly refused: Obstacle };
+export type EditOutcome = EditValues | { readonly refused: Obstacle };
 
 /** Something to be done to the program, and what undo calls it. {@link Editor.apply} does it. */
-export type Edit = Outcome & {
+export type Edit = EditOutcome & {
   readonly name: StepName;
   /**
    * Edits of one group that follow each other are one step, until the field is left or the handle let go. Default: a
@@ -135,7 +135,7 @@ export interface CellValue extends FieldValue {
 }
 
 /** Refused when a field would be changed to a value that the wire cannot carry. */
-export function checked(program: TimerProgram, values: readonly CellValue[]): Outcome {
+export function checked(program: TimerProgram, values: readonly CellValue[]): EditOutcome {
   for (const { field, value } of values) {
     const refused = value === valueAt(program, field) ? null : refusalOf(field, value);
     if (refused) return { refused };

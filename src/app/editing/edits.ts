@@ -4,10 +4,10 @@ import {
   type CellValue,
   checked,
   type Edit,
+  type EditOutcome,
   type FieldValue,
   MAX_VALUE,
   NONE_UNREADABLE,
-  type Outcome,
   type Refusal,
   refusal,
   refusalOf,
@@ -53,7 +53,7 @@ export function setInterval(
   return ofInterval('type', slot, outcome);
 }
 
-function ofInterval(how: 'type' | 'step', slot: number, outcome: Outcome): Edit {
+function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): Edit {
   const group = groupOf(how, gridKey({ kind: 'interval', slot }));
   return { name: { code: 'interval', params: { slot } }, group, ...outcome };
 }
@@ -67,7 +67,7 @@ export function shiftFrom(program: TimerProgram, slot: number, by: number, optio
   return { name: { code: 'shift', params: { slot, by } }, ...shifted(program, slot, by, options) };
 }
 
-function shifted(program: TimerProgram, slot: number, by: number, { moveDt = false }: DtOption): Outcome {
+function shifted(program: TimerProgram, slot: number, by: number, { moveDt = false }: DtOption): EditOutcome {
   const { identity, times } = program;
   const from = times[slot];
   if (from === undefined || by === 0) return { values: [] };
@@ -145,7 +145,7 @@ function steppedInterval(
   slot: number,
   direction: 1 | -1,
   { unreadable = NONE_UNREADABLE, ...options }: StepOptions & DtOption & TextOption,
-): Outcome {
+): EditOutcome {
   const from = countedFrom(slot);
   if (from && unreadable.has(fieldKey(from))) return { refused: { code: 'unreadable', field: from } };
   const interval = intervalAt(program, slot);
@@ -186,7 +186,7 @@ export function fillDown(program: TimerProgram, range: GridRange, options: DtOpt
   return { name: { code: 'fill', params: { count } }, ...outcome };
 }
 
-function filledDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption): Outcome {
+function filledDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption): EditOutcome {
   const { functions } = program.identity;
   const { unreadable = NONE_UNREADABLE } = options;
   const takesTime = (slot: number): boolean => range.top > 0 && (slot < functions || options.moveDt === true);

@@ -86,7 +86,7 @@ export function isMoving({ open }: History<unknown>): boolean {
  * @param group steps of one group that follow each other become one, until {@link settle}: typing in one field, one
  * drag. The step then has the name that it was given last.
  */
-export function record<T>(history: History<T>, name: StepName, before: T, group: string | null = null): History<T> {
+export function recordStep<T>(history: History<T>, name: StepName, before: T, group: string | null = null): History<T> {
   const last = history.past.at(-1);
   const grows = group !== null && group === history.open && last !== undefined;
   const step = { name, state: grows ? last.state : before };

@@ -12,14 +12,14 @@ export type UnreadableReason = 'empty' | 'not-a-time' | 'too-fine' | 'not-a-whol
 export type Parsed = { readonly value: number } | { readonly unreadable: Exclude<UnreadableReason, 'ambiguous'> };
 
 /** What a text may mean, in hundredths of a second: never the same twice. */
-export interface Question {
+export interface Ambiguous {
   readonly unreadable: 'ambiguous';
   /** As minutes, or minutes and seconds, the likeliest first; at the end as seconds. */
   readonly either: readonly [minutes: number, ...more: number[], seconds: number];
 }
 
 /** A text is not a value, or one, or asks which of several is meant. */
-export type Reading = Parsed | Question;
+export type TypedText = Parsed | Ambiguous;
 
 const TIME = /^(?:(\d{1,4})(?::(?=[0-5]?\d(?:[.,]|$))|[.,](?=[0-5]\d[.,])))?(\d{1,6})?(?:[.,](\d*))?$/;
 const IN_UNITS = /^(?:(\d{1,4}) ?min)?(?: ?(\d*[.,]?\d*) ?s?)?$/i;
@@ -80,7 +80,7 @@ const DT_FORMS: typeof FORMS = [
  *
  * Minutes are in question up to the 12 of the longest DT: `20` is 20 s, and so is `20.30` no 20 minutes.
  */
-export function readTime(text: string, { isDt }: { readonly isDt: boolean }): Reading {
+export function readTime(text: string, { isDt }: { readonly isDt: boolean }): TypedText {
   const parsed = parseTime(text);
   if ('unreadable' in parsed) return parsed;
   const trimmed = text.trim();
@@ -118,7 +118,7 @@ export function parseInterval(text: string): Parsed {
 }
 
 /** Like {@link readTime}, with a minus sign before it where times fall. */
-export function readInterval(text: string, kind: { readonly isDt: boolean }): Reading {
+export function readInterval(text: string, kind: { readonly isDt: boolean }): TypedText {
   return signed(
     text,
     (digits) => readTime(digits, kind),

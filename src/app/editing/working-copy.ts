@@ -17,7 +17,7 @@ import {
 import { type Edit, type Obstacle, setValues } from './edit.js';
 import * as histories from './history.js';
 import { EMPTY_HISTORY, groupOf, type History, type StepName, type Turned } from './history.js';
-import type { Question } from './units.js';
+import type { Ambiguous } from './units.js';
 
 /**
  * What the pilot wants, with what can be undone. A text that is not a value is kept as it was typed, beside the last
@@ -55,7 +55,7 @@ export class WorkingCopy {
    * What each of these texts may mean: the pilot is asked. One that is being typed is not finished: it is not asked
    * about.
    */
-  readonly asked: ReadonlySignal<ReadonlyMap<string, Question['either']>> = computed(() => {
+  readonly asked: ReadonlySignal<ReadonlyMap<string, Ambiguous['either']>> = computed(() => {
     const typing = this.#typing.value;
     const open = [...this.unreadable.value].flatMap(([key, { either }]) =>
       either && key !== typing ? [[key, either] as const] : [],
@@ -95,7 +95,7 @@ export class WorkingCopy {
     const after = applied(before, edit);
     // What changes nothing is no step.
     if (after.working === before.working && after.texts === before.texts && after.of === before.of) return null;
-    this.show(after, histories.record(this.#history.value, edit.name, before, edit.group));
+    this.show(after, histories.recordStep(this.#history.value, edit.name, before, edit.group));
     return null;
   }
 

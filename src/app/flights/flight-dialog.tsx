@@ -6,9 +6,9 @@ import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { SlotTable } from '../ui/slot-table.js';
 import { FlightForm } from './flight-form.js';
-import { placesOf, ROUND_MAXIMUM, timeOf } from './flight-list.js';
+import { placesOf, ROUND_MAXIMUM, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { dayText, heldText, resultText } from './flight-text.js';
+import { dayHeading, heldText, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import { MeasureField, MeasureProblem, Stepper } from './stepper.js';
 import './flight-dialog.css';
@@ -64,7 +64,9 @@ function Form({ id, session, log }: FormProps) {
       <p class="flight-of">
         <strong>{[flight.modelName || row.noModel, flight.settingName].filter(Boolean).join(' · ')}</strong>
         <span>{heldText(flight.program)}</span>
-        <span class="hint">{[dayText(flight.at), timeOf(flight.at), flight.place].filter(Boolean).join(' · ')}</span>
+        <span class="hint">
+          {[dayHeading(flight.at), timeOfDay(flight.at), flight.place].filter(Boolean).join(' · ')}
+        </span>
       </p>
       <Result form={form} />
       <Round form={form} />

@@ -1,8 +1,8 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Flight, Model } from '../../program/index.js';
-import { dayOf, timeOf } from './flight-list.js';
+import { dayOf, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
-import { type Measure, measureText, RANGES, type ReadMeasure, readMeasure, stepped } from './measures.js';
+import { type Measure, measureText, RANGES, type ReadMeasure, readMeasure, steppedMeasure } from './measures.js';
 
 /** Why what was typed is no value. */
 export type Problem = Extract<ReadMeasure, { unreadable: unknown }>['unreadable'] | 'not-a-date';
@@ -58,7 +58,7 @@ export class FlightForm {
   /** What stands in the field of the date: `2026-11-22T14:05`. */
   get when(): string {
     const { at } = this.flight.value;
-    return this.#texts.value.get('at') ?? `${dayOf(at)}T${timeOf(at)}`;
+    return this.#texts.value.get('at') ?? `${dayOf(at)}T${timeOfDay(at)}`;
   }
 
   type(measure: Measure, text: string): void {
@@ -76,7 +76,7 @@ export class FlightForm {
   step(measure: Measure, direction: 1 | -1): void {
     const value = this.flight.peek()[measure];
     const next =
-      value === null ? (this.#before?.[measure] ?? RANGES[measure].first) : stepped(measure, value, direction);
+      value === null ? (this.#before?.[measure] ?? RANGES[measure].first) : steppedMeasure(measure, value, direction);
     this.#text(measure, null);
     this.#change({ [measure]: next });
   }

@@ -126,7 +126,7 @@ export function dayOf(at: number): string {
 }
 
 /** The time of a day: `14:05`. */
-export function timeOf(at: number): string {
+export function timeOfDay(at: number): string {
   const date = new Date(at);
   return `${String(date.getHours()).padStart(2, '0')}:${String(date.getMinutes()).padStart(2, '0')}`;
 }

@@ -4,8 +4,8 @@ import { flightMessages } from '../messages/flights.js';
 import { dtText } from '../messages/index.js';
 import type { ShortDt } from '../session/short-dt.js';
 import type { FlightRecord } from '../storage/index.js';
-import { type FlightDay, isRound, timeOf } from './flight-list.js';
-import { dayText, isFull, resultText } from './flight-text.js';
+import { type FlightDay, isRound, timeOfDay } from './flight-list.js';
+import { dayHeading, isFull, resultText } from './flight-text.js';
 import { measureText } from './measures.js';
 import './flight-rows.css';
 
@@ -114,7 +114,7 @@ interface DayProps extends Omit<FlightRowsProps, 'days'> {
 function Day({ part, ...props }: DayProps) {
   const words = flightMessages.value;
   const { at, place, goesOn, count, records } = part;
-  const title = words.day(dayText(at), place);
+  const title = words.day(dayHeading(at), place);
   return (
     <section class="flight-day" aria-label={title}>
       {!goesOn && (
@@ -141,7 +141,7 @@ export function Row({ record: { key, flight }, shortDt, onOpen, withDay = false 
   const { row: words } = flightMessages.value;
   const { wind, temperature, round, result, note, program } = flight;
   const facts = [
-    withDay ? flightMessages.value.day(dayText(flight.at), flight.place) : null,
+    withDay ? flightMessages.value.day(dayHeading(flight.at), flight.place) : null,
     round === '' ? null : words.round(round),
     wind === null ? null : words.wind(measureText(wind)),
     temperature === null ? null : words.temperature(measureText(temperature)),
@@ -150,7 +150,7 @@ export function Row({ record: { key, flight }, shortDt, onOpen, withDay = false 
   return (
     <li>
       <button type="button" class="flight-row" onClick={() => onOpen(key)}>
-        <span class="flight-time">{timeOf(flight.at)}</span>
+        <span class="flight-time">{timeOfDay(flight.at)}</span>
         <span class="flight-what">
           <b>{flight.modelName || words.noModel}</b>
           {flight.settingName && ` · ${flight.settingName}`}

@@ -30,7 +30,7 @@ export function heldText(program: TimerProgram): string {
 }
 
 /** A day as the head of a group: “Sun 22 Nov 2026”. */
-export function dayText(at: number): string {
+export function dayHeading(at: number): string {
   return formatterOf(messages.value.locale).format(at);
 }
 

@@ -1,5 +1,5 @@
 import { type Flight, valueAt } from '../../program/index.js';
-import { dayOf, timeOf } from './flight-list.js';
+import { dayOf, timeOfDay } from './flight-list.js';
 
 /** Between the columns: a spreadsheet takes the one that its country is used to. */
 export const SEPARATORS = [';', ','] as const;
@@ -50,7 +50,7 @@ function cell(flight: Flight, column: CsvColumn): string {
     case 'date':
       return dayOf(flight.at);
     case 'time':
-      return timeOf(flight.at);
+      return timeOfDay(flight.at);
     case 'place':
       return text(flight.place);
     case 'model':

@@ -1,7 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { flightMessages } from '../messages/flights.js';
 import type { Session } from '../session/session.js';
-import { timeOf } from './flight-list.js';
+import { timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
 import { heldText } from './flight-text.js';
 import './flying-this.css';
@@ -32,7 +32,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     return (
       <div class="flying-this">
         <p role="status">
-          <strong>{words.logged(timeOf(logged.at), [logged.modelName || row.noModel, logged.place])}</strong>
+          <strong>{words.logged(timeOfDay(logged.at), [logged.modelName || row.noModel, logged.place])}</strong>
           {log.unkept.value && <span class="bad-text"> {words.unkept}</span>}
         </p>
         <div class="buttons">

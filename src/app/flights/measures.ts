@@ -42,7 +42,7 @@ export function measureText(value: number | null): string {
 }
 
 /** The next value up or down: on the next whole step, within what is allowed. */
-export function stepped(measure: Measure, value: number, direction: 1 | -1): number {
+export function steppedMeasure(measure: Measure, value: number, direction: 1 | -1): number {
   const { min, max, step } = RANGES[measure];
   const next = direction > 0 ? Math.floor(value / step) + 1 : Math.ceil(value / step) - 1;
   return Math.min(max, Math.max(min, next * step));

@@ -6,7 +6,7 @@ import type { WriteFlow } from '../write/write-flow.js';
 import type { Memories } from './memories.js';
 
 /** What the pilot is asked before the connection ends. */
-export interface Question {
+export interface LeavingQuestion {
   /** The memory of the time of connect is being made current again. */
   readonly goingBack: boolean;
   /** That was tried, and did not come to its end. */
@@ -19,10 +19,10 @@ const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 /** Ends the connection, and not before the pilot knows which memory will fly, and whether its DT is a short one. */
 export class Leaving {
   /** Null while there is nothing to ask. */
-  readonly question: ReadonlySignal<Question | null>;
+  readonly question: ReadonlySignal<LeavingQuestion | null>;
   /** The pilot wanted to go, and puts DT back first: the write that is shown now is for that. */
   readonly puttingBack: ReadonlySignal<boolean>;
-  readonly #question = signal<Question | null>(null, { name: 'leaving' });
+  readonly #question = signal<LeavingQuestion | null>(null, { name: 'leaving' });
   readonly #puttingBack = signal(false, { name: 'puttingBack' });
   readonly #session: Session;
   readonly #memories: Memories;

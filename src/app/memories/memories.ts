@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions } from '../session/job-runner.js';
+import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { MemoryJobs } from './memory-jobs.js';
-import { MemoryRoundTrip } from './memory-round-trip.js';
+import { NotedRoundTrip } from './noted-round-trip.js';
 
 /** Two memories side by side, counted from 0. */
 export interface Compared {
@@ -28,11 +28,11 @@ export class Memories {
   readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #compared = signal<Compared | null>(null, { name: 'compared' });
   readonly #session: Session;
-  readonly #roundTrip: MemoryRoundTrip;
+  readonly #roundTrip: NotedRoundTrip;
 
   constructor(session: Session) {
     this.#session = session;
-    this.#roundTrip = new MemoryRoundTrip(session);
+    this.#roundTrip = new NotedRoundTrip(session);
     this.compared = this.#compared;
     this.jobs = new MemoryJobs(session, this.#roundTrip);
     session.connection.subscribe(() => {
@@ -60,7 +60,7 @@ export class Memories {
 
   /** Reads a memory and makes the one current again that was. */
   async readOnce(memory: number): Promise<void> {
-    const work = async (connection: TimerConnection, options: JobOptions): Promise<void> => {
+    const work = async (connection: TimerConnection, options: JobContext): Promise<void> => {
       await this.#roundTrip.read(connection, { ...options, memories: [memory] });
     };
     await this.#session.runner.run('look', work, memory);

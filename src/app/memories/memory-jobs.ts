@@ -2,10 +2,10 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError } from '../../client/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { type Crossing, crossingOf, sameCrossing } from '../session/crossing.js';
-import { type JobOptions, stoppedBy, type Work } from '../session/job-runner.js';
+import { type JobContext, stoppedBy, type Work } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from '../write/job-dialog.js';
-import type { MemoryRoundTrip } from './memory-round-trip.js';
+import type { NotedRoundTrip } from './noted-round-trip.js';
 import {
   changesBy,
   endOf,
@@ -72,11 +72,11 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     return isSafe && (step.crossing === null || this.crossed.value);
   });
   readonly #session: Session;
-  readonly #roundTrip: MemoryRoundTrip;
+  readonly #roundTrip: NotedRoundTrip;
   /** Whether the browser has kept every copy of this job. */
   #kept = true;
 
-  constructor(session: Session, roundTrip: MemoryRoundTrip) {
+  constructor(session: Session, roundTrip: NotedRoundTrip) {
     super(session);
     this.#session = session;
     this.#roundTrip = roundTrip;
@@ -166,7 +166,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   }
 
   /** What the plan would change, by a fresh reading of all that is part of it. */
-  async #compare(plan: WritingPlan, connection: TimerConnection, options: JobOptions): Promise<Review> {
+  async #compare(plan: WritingPlan, connection: TimerConnection, options: JobContext): Promise<Review> {
     const programs = await this.#roundTrip.read(connection, { ...options, memories: memoriesOf(plan) });
     const changes = changesBy(plan, programs);
     if (!changes) throw new TimerError('other-timer', 'a backup is of another kind');
@@ -175,7 +175,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   }
 
   /** @returns how many memories were read and kept. */
-  async #backUp(connection: TimerConnection, options: JobOptions): Promise<number> {
+  async #backUp(connection: TimerConnection, options: JobContext): Promise<number> {
     const { backups, simulated } = this.#session;
     const programs = await this.#roundTrip.read(connection, options);
     const savedAt = Date.now();
@@ -191,7 +191,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
   async #write(
     shown: readonly MemoryChange[],
     { client, identity }: TimerConnection,
-    options: JobOptions,
+    options: JobContext,
     done: Done,
   ): Promise<void> {
     const { knowledge, recovery, simulated, servoMoves } = this.#session;

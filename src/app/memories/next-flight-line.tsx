@@ -12,7 +12,7 @@ interface NextFlightProps {
 }
 
 /** What is unusual about the memory that flies next, in every view. */
-export function NextFlight({ session, memories }: NextFlightProps) {
+export function NextFlightNotes({ session, memories }: NextFlightProps) {
   const { program } = messages.value;
   const { editor, nextFlight, runner, connection } = session;
   // Not drawn again with each key.

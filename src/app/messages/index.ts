@@ -8,12 +8,12 @@ import type { GridField } from '../editing/grid.js';
 import type { StepName } from '../editing/history.js';
 import type { PasteProblem } from '../editing/paste.js';
 import {
+  type Ambiguous,
   type Figure,
   formatFigure,
   formatInterval,
   formatTime,
   plainSeconds,
-  type Question,
   spokenParts,
 } from '../editing/units.js';
 import { en } from './en.js';
@@ -53,7 +53,7 @@ export function spokenTime(hundredths: number): string {
 }
 
 /** What a text may mean, to choose from: “2 min 30 s” and “2.3 s”, or “230 s, 3:50”. */
-export function eitherTexts(either: Question['either']): readonly string[] {
+export function eitherTexts(either: Ambiguous['either']): readonly string[] {
   const asSeconds = either.length - 1;
   return either.map((value, at) =>
     at < asSeconds || Math.abs(value) < 6000

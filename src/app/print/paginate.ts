@@ -17,14 +17,14 @@ export interface Filler {
 }
 
 /** Rows of one section on one page: `from` up to, and without, `until`. */
-export interface Part {
+export interface PagePart {
   readonly section: number;
   readonly from: number;
   readonly until: number;
 }
 
 export interface Pages {
-  readonly pages: readonly (readonly Part[])[];
+  readonly pages: readonly (readonly PagePart[])[];
   /** The empty rows on the last page. */
   readonly empty: number;
 }
@@ -37,7 +37,7 @@ const TOGETHER = 2;
  * @param room the height of a page, in the unit of all heights.
  */
 export function paginate(sections: readonly Measured[], room: number, filler: Filler | null): Pages {
-  const pages: Part[][] = [[]];
+  const pages: PagePart[][] = [[]];
   let used = 0;
   const turn = (): void => {
     pages.push([]);
@@ -46,7 +46,7 @@ export function paginate(sections: readonly Measured[], room: number, filler: Fi
   sections.forEach((section, at) => {
     const { head, rows, loose = false } = section;
     for (let from = 0; from < rows.length; ) {
-      const page = pages.at(-1) as Part[];
+      const page = pages.at(-1) as PagePart[];
       const left = rows.length - from;
       const fitting = countFitting(rows, from, room - used - head);
       const fitsAlone = countFitting(rows, from, room - head) === left;

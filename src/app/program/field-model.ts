@@ -4,7 +4,7 @@ import type { Identity } from '../../protocol/index.js';
 import { formatValue } from '../editing/content.js';
 import type { Editor } from '../editing/editor.js';
 import { type StepOptions, stepSize, stepValue } from '../editing/edits.js';
-import type { Figure, Question } from '../editing/units.js';
+import type { Ambiguous, Figure } from '../editing/units.js';
 import { figureOf, messages, spokenTime, valueText } from '../messages/index.js';
 import { notesFor } from './field-notes.js';
 import type { EditedValue } from './hand.js';
@@ -33,7 +33,7 @@ export class FieldModel implements EditedValue {
   readonly old: ReadonlySignal<string>;
   readonly isUnreadable: ReadonlySignal<boolean>;
   readonly canPutBack: ReadonlySignal<boolean>;
-  readonly either: ReadonlySignal<Question['either'] | null>;
+  readonly either: ReadonlySignal<Ambiguous['either'] | null>;
   readonly isWrong: ReadonlySignal<boolean>;
   readonly notes: ReadonlySignal<string>;
   readonly stepSize: ReadonlySignal<number>;

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { StepOptions } from '../editing/edits.js';
-import type { Figure, Question } from '../editing/units.js';
+import type { Ambiguous, Figure } from '../editing/units.js';
 import type { Selection } from './selection.js';
 
 /** A value while it is edited: what is seen of it, and what can be done to it without letters. */
@@ -12,7 +12,7 @@ export interface EditedValue {
   /** Whether there is something to put back. */
   readonly canPutBack: ReadonlySignal<boolean>;
   /** What the text may mean, where it is asked which. */
-  readonly either: ReadonlySignal<Question['either'] | null>;
+  readonly either: ReadonlySignal<Ambiguous['either'] | null>;
   /** What is to be said about it. */
   readonly notes: ReadonlySignal<string>;
   readonly kind: 'time' | 'steps';

@@ -4,7 +4,7 @@ import type { Editor } from '../editing/editor.js';
 import { type StepOptions, setInterval, stepInterval, stepSize } from '../editing/edits.js';
 import { gridKey, intervalAt } from '../editing/grid.js';
 import { groupOf } from '../editing/history.js';
-import { type Figure, formatInterval, type Question, readInterval } from '../editing/units.js';
+import { type Ambiguous, type Figure, formatInterval, readInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 import type { EditedValue } from './hand.js';
 
@@ -15,7 +15,7 @@ interface Entry {
   /** Why it changed nothing; null when it was done. */
   readonly problem: string | null;
   /** What it may mean, where it is asked which: nothing was done. */
-  readonly either?: Question['either'] | undefined;
+  readonly either?: Ambiguous['either'] | undefined;
   /** The interval after it. When that has changed, as by undo, the entry counts no more. */
   readonly interval: number | null;
 }
@@ -48,7 +48,7 @@ export class IntervalModel implements EditedValue {
   });
   readonly was: ReadonlySignal<string | null> = signal(null);
   readonly canPutBack: ReadonlySignal<boolean> = signal(false);
-  readonly either: ReadonlySignal<Question['either'] | null> = computed(() => this.#entry.value?.either ?? null);
+  readonly either: ReadonlySignal<Ambiguous['either'] | null> = computed(() => this.#entry.value?.either ?? null);
   /** Why nothing was changed. */
   readonly notes: ReadonlySignal<string> = computed(() => this.#entry.value?.problem ?? '');
   readonly stepSize: ReadonlySignal<number> = computed(() => {
@@ -117,7 +117,7 @@ export class IntervalModel implements EditedValue {
     return working && intervalAt(working, this.#slot);
   }
 
-  #enter(text: string | null, problem: string | null, either?: Question['either']): void {
+  #enter(text: string | null, problem: string | null, either?: Ambiguous['either']): void {
     this.#entered.value = { text, problem, either, interval: this.#find() };
   }
 

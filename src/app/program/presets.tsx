@@ -3,7 +3,7 @@ import { useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField } from '../../program/index.js';
 import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
-import { formatTime, type Question, readTime } from '../editing/units.js';
+import { type Ambiguous, formatTime, readTime } from '../editing/units.js';
 import { messages, presetText } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import { TimeQuestion } from './time-question.js';
@@ -78,7 +78,7 @@ export function DtPresets({ editor, preferences, slot }: DtPresetsProps) {
 /** A text that can be read in several ways, and what the chosen one is for. */
 interface Asked {
   readonly label: string;
-  readonly either: Question['either'];
+  readonly either: Ambiguous['either'];
   readonly use: (value: number) => boolean;
 }
 

@@ -1,11 +1,11 @@
-import type { Question } from '../editing/units.js';
+import type { Ambiguous } from '../editing/units.js';
 import { eitherTexts, messages } from '../messages/index.js';
 import './time-question.css';
 
 interface TimeQuestionProps {
   /** Of the field in which the text stands. */
   readonly label: string;
-  readonly either: Question['either'];
+  readonly either: Ambiguous['either'];
   /** @param byKey the focus has to go somewhere then. */
   readonly onAnswer: (value: number, byKey: boolean) => void;
   readonly onEscape: () => void;

@@ -3,7 +3,7 @@ import { useId } from 'preact/hooks';
 import { LIMITS, type Model } from '../../program/index.js';
 import { dayText, messages } from '../messages/index.js';
 import { modelMessages } from '../messages/which-model.js';
-import type { Found, PossibleModel, Recognition } from '../session/recognition.js';
+import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import { Modal } from '../ui/modal.js';
 import './model-dialog.css';
 
@@ -150,7 +150,7 @@ function NewModel({ recognition }: { readonly recognition: Recognition }) {
   );
 }
 
-function possibleOf(found: Found | null): readonly PossibleModel[] {
+function possibleOf(found: FoundModel | null): readonly PossibleModel[] {
   if (!found || found.kind === 'said') return [];
   return 'of' in found ? [found.of] : found.candidates;
 }

@@ -1,6 +1,6 @@
 import { dayText } from '../messages/index.js';
 import { modelMessages } from '../messages/which-model.js';
-import type { Found, PossibleModel, Recognition } from '../session/recognition.js';
+import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import './model-line.css';
 
 /** So many candidates are a button each; all are named. */
@@ -37,7 +37,7 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
 }
 
 /** What there is to say, in words. */
-function saidOf(found: Exclude<Found, { kind: 'said' }>): string {
+function saidOf(found: Exclude<FoundModel, { kind: 'said' }>): string {
   const { recognition: words } = modelMessages.value;
   if (found.kind === 'same') return words.same(found.model.name, dayText(found.of.at));
   if (found.kind === 'like') return words.like(found.model.name, found.of.differs);
@@ -45,7 +45,7 @@ function saidOf(found: Exclude<Found, { kind: 'said' }>): string {
 }
 
 /** The models that one press can choose. */
-function picksOf(found: Exclude<Found, { kind: 'said' }>): readonly PossibleModel[] {
+function picksOf(found: Exclude<FoundModel, { kind: 'said' }>): readonly PossibleModel[] {
   if ('candidates' in found) return found.candidates;
   return found.kind === 'like' ? [found.of] : [];
 }

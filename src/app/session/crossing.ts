@@ -1,5 +1,5 @@
 import type { Model } from '../../program/index.js';
-import type { Found } from './recognition.js';
+import type { FoundModel } from './recognition.js';
 
 /** Values of one model on their way into the timer of another. */
 export interface Crossing {
@@ -14,7 +14,7 @@ export interface Crossing {
  * @param found whose timer it is.
  * @returns null where they do not, or nothing tells that they do.
  */
-export function crossingOf(from: Model | null, found: Found | null): Crossing | null {
+export function crossingOf(from: Model | null, found: FoundModel | null): Crossing | null {
   if (!from || !found || found.kind === 'unknown') return null;
   const to = 'model' in found ? [found.model] : found.candidates.map(({ model }) => model);
   return to.some(({ id }) => id === from.id) ? null : { from, to };

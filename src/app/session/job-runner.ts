@@ -20,12 +20,12 @@ export interface Job {
   readonly progress: Progress | null;
   /** It was asked to stop; the request under way comes to its end. */
   readonly stopping: boolean;
-  /** It waits for the pilot's answer, and nothing moves on the wire: see {@link JobOptions.ask}. */
+  /** It waits for the pilot's answer, and nothing moves on the wire: see {@link JobContext.ask}. */
   readonly asking: boolean;
 }
 
 /** What a job is handed: the way to stop it, the ear for how far it has come, and what makes sure that it may go on. */
-export interface JobOptions {
+export interface JobContext {
   readonly signal: AbortSignal;
   readonly onProgress: (progress: Progress) => void;
   /**
@@ -50,7 +50,7 @@ export type JobEnd<T> =
     };
 
 /** What is done on the connection on which a job began. */
-export type Work<T> = (connection: TimerConnection, options: JobOptions) => Promise<T>;
+export type Work<T> = (connection: TimerConnection, options: JobContext) => Promise<T>;
 
 interface RunnerOptions {
   readonly link: Link;
@@ -156,7 +156,7 @@ export class JobRunner {
     return this.ended();
   }
 
-  /** The pilot's answer to a job that has asked: see {@link JobOptions.ask}. */
+  /** The pilot's answer to a job that has asked: see {@link JobContext.ask}. */
   answer(goOn: boolean): void {
     const answer = this.#answer;
     this.#answer = null;
@@ -195,7 +195,7 @@ export class JobRunner {
     this.#claims.value = claims;
   }
 
-  #optionsOf(connection: TimerConnection, signal: AbortSignal): JobOptions {
+  #optionsOf(connection: TimerConnection, signal: AbortSignal): JobContext {
     const wasSafe = this.#safety.confirmed.value;
     return {
       signal,

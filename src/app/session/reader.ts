@@ -6,7 +6,7 @@ import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
 import type { Drafts } from './drafts.js';
 import type { InterruptedJobs } from './interrupted-jobs.js';
-import type { JobOptions, JobRunner } from './job-runner.js';
+import type { JobContext, JobRunner } from './job-runner.js';
 import type { Knowledge } from './knowledge.js';
 import type { Link } from './link.js';
 import type { NextFlight } from './next-flight.js';
@@ -100,7 +100,7 @@ export class Reader {
    */
   async selectMemory(memory: number): Promise<boolean> {
     const { runner, nextFlight } = this.#parts;
-    const select = async ({ client }: TimerConnection, options: JobOptions): Promise<void> => {
+    const select = async ({ client }: TimerConnection, options: JobContext): Promise<void> => {
       nextFlight.leave(memory);
       await client.selectMemory(memory, options);
       await this.#show(await client.readProgram(options), options);
@@ -117,7 +117,7 @@ export class Reader {
   }
 
   /** Shows what was read, with the edits that belong to it. */
-  async #show(read: TimerProgram, { stillOn }: JobOptions): Promise<void> {
+  async #show(read: TimerProgram, { stillOn }: JobContext): Promise<void> {
     const at = Date.now();
     const { editor, onScreen, origin, link, knowledge, recovery, nextFlight, notices } = this.#parts;
     const simulated = link.simulated.value;

@@ -18,7 +18,7 @@ export interface PossibleModel {
 }
 
 /** Which model the timer that is connected belongs to. */
-export type Found =
+export type FoundModel =
   /** By the pilot's word, on this connection. */
   | { readonly kind: 'said'; readonly model: Model }
   /** By what it holds: see `recognise`. */
@@ -44,7 +44,7 @@ const NOBODY: ReadonlyMap<string, ModelRecord['verified']> = new Map();
  */
 export class Recognition {
   /** Null before something was read, and before the models have come from the storage. */
-  readonly found: ReadonlySignal<Found | null>;
+  readonly found: ReadonlySignal<FoundModel | null>;
   /** The model of the timer that is connected; null while it is not known, or there is none. */
   readonly model: ReadonlySignal<Model | null>;
   /** There is something to say of it, or to ask, that the pilot has not answered or put away. */

@@ -4,7 +4,7 @@ import { SHELVES } from '../storage/index.js';
 import { Modal } from '../ui/modal.js';
 import { ClosingButtons } from '../write/dialog-steps.js';
 import { UncertainNote } from '../write/uncertain-band.js';
-import type { Counts, Erase } from './erase.js';
+import type { Erase, KeptCounts } from './erase.js';
 
 /** What would be deleted from this device, asked once. */
 export function EraseDialog({ session, erase }: { readonly session: Session; readonly erase: Erase }) {
@@ -37,7 +37,7 @@ export function EraseDialog({ session, erase }: { readonly session: Session; rea
 
 interface ReviewProps {
   readonly erase: Erase;
-  readonly counts: Counts;
+  readonly counts: KeptCounts;
   /** Whether it is not known of some memory what it holds: that would be forgotten, too. */
   readonly uncertain: boolean;
 }

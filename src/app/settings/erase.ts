@@ -1,21 +1,21 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Session } from '../session/session.js';
-import { SHELVES, type Storage, within } from '../storage/index.js';
+import { SHELVES, type Storage, withinLimit } from '../storage/index.js';
 
 /** What is kept outside of the storage of this page. */
-export type Place = 'settings' | 'ports' | 'offline';
+export type KeptOutside = 'settings' | 'ports' | 'offline';
 
 /** How each of these is emptied. */
-export type Erasers = Readonly<Record<Place, () => Promise<void>>>;
+export type Erasers = Readonly<Record<KeptOutside, () => Promise<void>>>;
 
 /** How many records of each kind are kept; null where the browser does not say. */
-export type Counts = Readonly<Record<(typeof SHELVES)[number], number | null>>;
+export type KeptCounts = Readonly<Record<(typeof SHELVES)[number], number | null>>;
 
 export type EraseStep =
-  | { readonly step: 'review'; readonly counts: Counts }
+  | { readonly step: 'review'; readonly counts: KeptCounts }
   | { readonly step: 'running' }
   /** Some of it could not be deleted. */
-  | { readonly step: 'failed'; readonly left: readonly (Place | 'storage')[] };
+  | { readonly step: 'failed'; readonly left: readonly (KeptOutside | 'storage')[] };
 
 /** Deletes everything that this page keeps on this device; it is asked for once. */
 export class Erase {
@@ -56,12 +56,12 @@ export class Erase {
     await this.#session.timer.disconnect();
     // Nothing is left that would be kept again.
     this.#session.editor.clear();
-    const left: (Place | 'storage')[] = [];
+    const left: (KeptOutside | 'storage')[] = [];
     const jobs = [
       ['storage', () => this.#storage.erase()] as const,
-      ...(Object.entries(this.#erasers) as [Place, () => Promise<void>][]),
+      ...(Object.entries(this.#erasers) as [KeptOutside, () => Promise<void>][]),
     ];
-    for (const [place, erase] of jobs) await within(erase).catch(() => left.push(place));
+    for (const [place, erase] of jobs) await withinLimit(erase).catch(() => left.push(place));
     if (left.length === 0) this.#reload();
     this.#current.value = left.length === 0 ? null : { step: 'failed', left };
   }

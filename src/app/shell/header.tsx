@@ -7,7 +7,7 @@ import { LinkNotice } from '../connect/link-notice.js';
 import type { SaveSetting } from '../library/save-setting.js';
 import type { Leaving } from '../memories/leaving.js';
 import type { Memories } from '../memories/memories.js';
-import { NextFlight } from '../memories/next-flight-line.js';
+import { NextFlightNotes } from '../memories/next-flight-line.js';
 import { messages } from '../messages/index.js';
 import type { JobKind, JobRunner } from '../session/job-runner.js';
 import type { Keeping } from '../session/keeping.js';
@@ -65,7 +65,7 @@ export function Header({
     <header class="top" ref={top}>
       <StatusStrip {...{ session, memories, leaving, follow, preferences, saveSetting }} />
       {session.recognition.tells.value && <modelLine.Part recognition={session.recognition} />}
-      <NextFlight session={session} memories={memories} />
+      <NextFlightNotes session={session} memories={memories} />
       <UncertainBand session={session} onLook={(memory) => void memories.look(memory)} />
       {!staged && (
         <>

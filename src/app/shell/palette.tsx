@@ -5,7 +5,7 @@ import { Modal } from '../ui/modal.js';
 import './palette.css';
 
 /** Something that can be done now, by its name. */
-export interface Command {
+export interface PaletteCommand {
   readonly name: string;
   /** The keys that do the same. */
   readonly keys?: string | undefined;
@@ -14,7 +14,7 @@ export interface Command {
 
 interface PaletteProps {
   /** What can be done now. */
-  readonly commands: () => readonly Command[];
+  readonly commands: () => readonly PaletteCommand[];
 }
 
 /** Every action by its name, with its keys: opened by Ctrl or Cmd and K. Nothing of it is made while it is shut. */
@@ -52,7 +52,7 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
   const found = commands().filter(({ name }) => matches(name, text.value));
   const last = found.length - 1;
   const chosen = Math.min(at.value, last);
-  const run = (command: Command | undefined): void => {
+  const run = (command: PaletteCommand | undefined): void => {
     if (!command) return;
     // Shut first: what is run may open a dialog of its own.
     onClose();

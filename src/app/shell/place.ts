@@ -1,5 +1,5 @@
 /** Where somebody was in a view. */
-export interface Place {
+export interface ViewPlace {
   readonly scroll: number;
   /** The element that had the focus: by its number among those of its kind; null where none had. */
   readonly focus: { readonly tag: string; readonly at: number } | null;
@@ -9,7 +9,7 @@ export interface Place {
  * Where somebody is in a view now.
  * @param last what has had the focus last in it: the link to another view may have it by now.
  */
-export function placeIn(view: HTMLElement, last: Element | null): Place {
+export function placeIn(view: HTMLElement, last: Element | null): ViewPlace {
   const scroll = view.ownerDocument.documentElement.scrollTop;
   if (!last || last === view || !view.contains(last)) return { scroll, focus: null };
   const tag = last.tagName;
@@ -21,7 +21,7 @@ export function placeIn(view: HTMLElement, last: Element | null): Place {
  * keeps its focus.
  * @param byTouch a finger came here: a field that gets the focus would open the keyboard.
  */
-export function putBack(view: HTMLElement, place: Place | undefined, byTouch: boolean): void {
+export function putBackPlace(view: HTMLElement, place: ViewPlace | undefined, byTouch: boolean): void {
   const { ownerDocument: page } = view;
   page.documentElement.scrollTop = place?.scroll ?? 0;
   if (page.querySelector('dialog[open]')) return;

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { useQuery } from '../ui/use-query.js';
-import { type Place, placeIn, putBack } from './place.js';
+import { placeIn, putBackPlace, type ViewPlace } from './place.js';
 import type { View, Views } from './views.js';
 
 interface ViewFrameProps {
@@ -16,7 +16,7 @@ interface ViewFrameProps {
 /** Around the view that is shown. Whoever comes back to a view finds it scrolled as it was, and the focus in it. */
 export function ViewFrame({ views, busy, whole, children }: ViewFrameProps) {
   const main = useRef<HTMLElement>(null);
-  const places = useRef(new Map<View, Place>());
+  const places = useRef(new Map<View, ViewPlace>());
   const before = useRef<View | null>(null);
   const inHand = useRef<Element | null>(null);
   const byTouch = useQuery('(pointer: coarse)');
@@ -30,7 +30,7 @@ export function ViewFrame({ views, busy, whole, children }: ViewFrameProps) {
   );
   useLayoutEffect(() => {
     // At the start there is nothing to put back: the browser has the say.
-    if (before.current !== null && main.current) putBack(main.current, places.current.get(shown), byTouch.peek());
+    if (before.current !== null && main.current) putBackPlace(main.current, places.current.get(shown), byTouch.peek());
     before.current = shown;
   }, [shown, byTouch]);
   return (

@@ -20,7 +20,7 @@ import {
 } from './records.js';
 
 export type { Keeper } from './database.js';
-export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, within } from './limit.js';
+export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, withinLimit } from './limit.js';
 export type {
   AsideRecord,
   Backup,

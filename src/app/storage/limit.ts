@@ -44,7 +44,7 @@ export const STORAGE_LIMIT = 5000;
  * @param ms milliseconds.
  * @throws StorageError
  */
-export async function within<T>(work: Promise<T> | (() => Promise<T>), ms: number = STORAGE_LIMIT): Promise<T> {
+export async function withinLimit<T>(work: Promise<T> | (() => Promise<T>), ms: number = STORAGE_LIMIT): Promise<T> {
   let giveUp: ReturnType<typeof setTimeout> | undefined;
   const limit = new Promise<never>((_, reject) => {
     giveUp = setTimeout(() => reject(new StorageError('slow', `nothing within ${ms} ms`)), ms);
@@ -110,7 +110,7 @@ export class StorageQuestions {
       },
     );
     try {
-      return await within(answer, limit);
+      return await withinLimit(answer, limit);
     } catch (error) {
       if (error instanceof StorageError && error.code === 'slow') this.#limit = SHORT_LIMIT;
       throw error;

@@ -1,7 +1,7 @@
 import { type ProgramField, slotKind, type TimerProgram } from '../../program/index.js';
 import { lanesOf, leastHeight } from './lanes.js';
-import { Layout, spread, type View } from './layout.js';
-import { endOf, marksOf, motorStopOf, type Stage, stagesOf } from './preview/flight.js';
+import { Layout, spread, type TimeView } from './layout.js';
+import { flightEnd, marksOf, motorStopOf, type Stage, stagesOf } from './preview/flight.js';
 import { evenScale, RUN_OUT, type Scale, stretchedScale } from './scale.js';
 import { ticks } from './ticks.js';
 
@@ -62,7 +62,7 @@ const RUN_OUT_ROOM = 16;
 
 /** The axis for a program and what lies behind it. @param width that of the plot, in pixels. */
 export function scaleOf(program: TimerProgram, overlay: TimerProgram | null, even: boolean, width: number): Scale {
-  if (even) return evenScale(Math.max(endOf(program), overlay ? endOf(overlay) : 0) - RUN_OUT);
+  if (even) return evenScale(Math.max(flightEnd(program), overlay ? flightEnd(overlay) : 0) - RUN_OUT);
   return stretchedScale(marksOf(program), {
     minGap: MARK_GAP / width,
     runOut: RUN_OUT_ROOM / width,
@@ -138,9 +138,9 @@ export interface Geometry extends Marks {
   readonly measures: Measures;
 }
 
-export interface LayoutOptions {
+export interface GeometryOptions {
   readonly scale: Scale;
-  readonly view: View;
+  readonly view: TimeView;
   /** The width of the plot in pixels. */
   readonly plot: number;
   readonly measures: Measures;
@@ -151,7 +151,7 @@ export interface LayoutOptions {
   readonly highest: number;
 }
 
-export function layoutOf({ scale, view, plot, measures, servos, front, highest }: LayoutOptions): Layout {
+export function layoutOf({ scale, view, plot, measures, servos, front, highest }: GeometryOptions): Layout {
   const { left, top, bottom } = measures;
   const box = { left, right: left + plot, top, bottom };
   return new Layout(scale, view, box, lanesOf(servos, front, top, bottom), highest);

@@ -4,7 +4,7 @@ import type { Stage } from './preview/flight.js';
 import type { Scale } from './scale.js';
 
 /** The part of the time axis that is in view, in places of its scale. */
-export interface View {
+export interface TimeView {
   readonly start: number;
   readonly span: number;
 }
@@ -30,14 +30,14 @@ export interface Lane {
 /** Where times and positions lie in the picture. */
 export class Layout {
   readonly scale: Scale;
-  readonly view: View;
+  readonly view: TimeView;
   readonly box: Box;
   /** One for each servo. */
   readonly lanes: readonly Lane[];
   /** The position at the upper edge of each lane. */
   readonly highest: number;
 
-  constructor(scale: Scale, view: View, box: Box, lanes: readonly Lane[], highest: number) {
+  constructor(scale: Scale, view: TimeView, box: Box, lanes: readonly Lane[], highest: number) {
     this.scale = scale;
     this.view = view;
     this.box = box;

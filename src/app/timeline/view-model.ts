@@ -1,10 +1,10 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { ProgramField } from '../../program/index.js';
 import type { DragEdit } from './drag.js';
-import type { View } from './layout.js';
+import type { TimeView } from './layout.js';
 import type { Scale } from './scale.js';
 
-const ALL: View = { start: 0, span: 1 };
+const ALL: TimeView = { start: 0, span: 1 };
 /** The deepest zoom: this many times the whole. */
 const DEEPEST = 60;
 
@@ -16,7 +16,7 @@ export interface Moving {
 }
 
 /** A time of the flight in hundredths of a second, or a servo. */
-export type Spoken = { readonly time: number } | { readonly servo: number };
+export type SpokenPlace = { readonly time: number } | { readonly servo: number };
 
 /**
  * What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program.
@@ -24,20 +24,20 @@ export type Spoken = { readonly time: number } | { readonly servo: number };
 export class TimelineModel {
   readonly #even = signal(false);
   readonly #asked = signal<number | null>(null);
-  readonly #spoken = signal<Spoken | null>(null);
+  readonly #spoken = signal<SpokenPlace | null>(null);
   readonly #front = signal(0);
   readonly #moving = signal<Moving | null>(null);
   readonly #fineness = signal(0);
   readonly #pointed = signal<ProgramField | null>(null);
   readonly #entered = signal(false);
   readonly #wanted = signal<ProgramField | null>(null);
-  readonly #view = signal<View>(ALL);
+  readonly #view = signal<TimeView>(ALL);
   /** Whether every second has the same length. */
   readonly even: ReadonlySignal<boolean> = this.#even;
   /** The time that a pointer or a key has asked about, in hundredths of a second. */
   readonly asked: ReadonlySignal<number | null> = this.#asked;
   /** What a key has asked about or taken in hand: it is said to who does not see it. */
-  readonly spoken: ReadonlySignal<Spoken | null> = this.#spoken;
+  readonly spoken: ReadonlySignal<SpokenPlace | null> = this.#spoken;
   /** The servo in hand: its lane is tall and has handles. */
   readonly front: ReadonlySignal<number> = this.#front;
   readonly moving: ReadonlySignal<Moving | null> = this.#moving;
@@ -50,7 +50,7 @@ export class TimelineModel {
   /** The field whose handle shall have the focus as soon as it is there. */
   readonly wanted: ReadonlySignal<ProgramField | null> = this.#wanted;
   /** What is in view. */
-  readonly view: ReadonlySignal<View> = this.#view;
+  readonly view: ReadonlySignal<TimeView> = this.#view;
 
   get zoomed(): boolean {
     return this.#view.value.span < 1;

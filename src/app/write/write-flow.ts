@@ -4,7 +4,7 @@ import { type Change, differences, type Finding, type Model, type TimerProgram }
 import { CodecError } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import { type Crossing, sameCrossing, sameModel } from '../session/crossing.js';
-import type { JobEnd, JobOptions } from '../session/job-runner.js';
+import type { JobContext, JobEnd } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from './job-dialog.js';
 
@@ -173,7 +173,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
     });
   }
 
-  async #write(shown: Shown, connection: TimerConnection, options: JobOptions): Promise<void> {
+  async #write(shown: Shown, connection: TimerConnection, options: JobContext): Promise<void> {
     const { editor, knowledge, recovery, recognition, servoMoves, link } = this.#session;
     const { baseline, goal } = shown;
     if (connection !== shown.connection) throw new TimerError('closed', 'it was shown for another connection');

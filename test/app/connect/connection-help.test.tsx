@@ -1,7 +1,7 @@
 import { fireEvent, render, screen } from '@testing-library/preact';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Browser, Platform, System } from '../../../src/app/browser/platform.js';
-import { type HelpCode, helpFor, type StepCode, udevRule } from '../../../src/app/connect/connection-help.js';
+import { type HelpCode, type HelpStepCode, helpFor, udevRule } from '../../../src/app/connect/connection-help.js';
 import { ConnectionHelp, connectionSaid } from '../../../src/app/connect/connection-help-view.js';
 import { en } from '../../../src/app/messages/en.js';
 import { CopyText } from '../../../src/app/ui/copy-text.js';
@@ -59,7 +59,7 @@ describe('the udev rule', () => {
 
 describe('what to do', () => {
   it('has a sentence for every step in every situation, and each step once', () => {
-    const used = new Set<StepCode>();
+    const used = new Set<HelpStepCode>();
     for (const code of CODES) {
       for (const system of SYSTEMS) {
         for (const browser of BROWSERS) {
@@ -79,7 +79,7 @@ describe('what to do', () => {
     expect([...used].sort()).toEqual(Object.keys(en.help.steps).sort());
   });
 
-  it.each<[HelpCode, Platform, PortInfo | null, readonly StepCode[]]>([
+  it.each<[HelpCode, Platform, PortInfo | null, readonly HelpStepCode[]]>([
     ['busy', on('windows'), FTDI, ['close-tabs', 'programs-windows', 'replug']],
     ['busy', on('mac'), FTDI, ['close-tabs', 'programs-mac', 'holder-mac', 'replug']],
     [

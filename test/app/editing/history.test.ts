@@ -6,7 +6,7 @@ import {
   type History,
   MAX_STEPS,
   mapStates,
-  record,
+  recordStep,
   redo,
   type StepName,
   settle,
@@ -22,7 +22,7 @@ class Screen {
   state = 'start';
 
   do(state: string, group: string | null = null): this {
-    this.history = record(this.history, named(state), this.state, group);
+    this.history = recordStep(this.history, named(state), this.state, group);
     this.state = state;
     return this;
   }
@@ -88,7 +88,7 @@ describe('undo and redo', () => {
   it('leave the history that they were given as it was', () => {
     const history = new Screen().do('a').do('b', 'g').undo().history;
     const before = structuredClone(history);
-    record(history, named('x'), 'y', 'g');
+    recordStep(history, named('x'), 'y', 'g');
     undo(history, 'x');
     redo(history, 'x');
     mapStates(history, String);

@@ -6,9 +6,9 @@ import {
   parseInterval,
   parseSteps,
   parseTime,
-  type Reading,
   readInterval,
   readTime,
+  type TypedText,
 } from '../../../src/app/editing/units.js';
 import { figureText, presetText, spokenTime } from '../../../src/app/messages/index.js';
 import { slotCount } from '../../../src/protocol/index.js';
@@ -114,7 +114,7 @@ const steps: [text: string, parsed: number | string][] = [
   ['9999999', 'not-a-whole-number'],
 ];
 
-function plain(parsed: Reading): number | string {
+function plain(parsed: TypedText): number | string {
   if ('value' in parsed) return parsed.value;
   return 'either' in parsed ? parsed.either.join(' or ') : parsed.unreadable;
 }

@@ -9,7 +9,7 @@ import {
   modelsOf,
   placesOf,
   rangeOf,
-  timeOf,
+  timeOfDay,
   totalsOf,
 } from '../../../src/app/flights/flight-list.js';
 import { anyLog, recordOf } from './flights.js';
@@ -109,10 +109,10 @@ describe('the log by days', () => {
 
   it('ends at the midnight of the pilot, also where a clock is changed', () => {
     const evening = new Date(2026, 2, 28, 23, 59).getTime();
-    expect([dayOf(evening), timeOf(evening)]).toEqual(['2026-03-28', '23:59']);
+    expect([dayOf(evening), timeOfDay(evening)]).toEqual(['2026-03-28', '23:59']);
     expect(dayOf(midnight(evening, 1))).toBe('2026-03-29');
-    expect(timeOf(midnight(evening, 1))).toBe('00:00');
-    expect(timeOf(midnight(evening, 2))).toBe('00:00');
+    expect(timeOfDay(midnight(evening, 1))).toBe('00:00');
+    expect(timeOfDay(midnight(evening, 2))).toBe('00:00');
   });
 });
 

@@ -6,7 +6,7 @@ import {
   measureText,
   RANGES,
   readMeasure,
-  stepped,
+  steppedMeasure,
 } from '../../../src/app/flights/measures.js';
 
 describe('a number of a flight', () => {
@@ -64,7 +64,13 @@ describe('a number of a flight', () => {
   });
 
   it('steps to the next whole one, and never out of its range', () => {
-    expect([stepped('wind', 3.5, 1), stepped('wind', 3.5, -1), stepped('wind', 3, -1)]).toEqual([4, 3, 2]);
-    expect([stepped('wind', 0, -1), stepped('wind', 50, 1), stepped('temperature', -0.5, 1)]).toEqual([0, 50, 0]);
+    expect([steppedMeasure('wind', 3.5, 1), steppedMeasure('wind', 3.5, -1), steppedMeasure('wind', 3, -1)]).toEqual([
+      4, 3, 2,
+    ]);
+    expect([
+      steppedMeasure('wind', 0, -1),
+      steppedMeasure('wind', 50, 1),
+      steppedMeasure('temperature', -0.5, 1),
+    ]).toEqual([0, 50, 0]);
   });
 });

@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, it, onTestFinished, vi } from 'vitest';
 import { limited, SHELF_CALLS, SHELVES } from '../../../src/app/storage/index.js';
-import { StorageError, type StorageErrorCode, within } from '../../../src/app/storage/limit.js';
+import { StorageError, type StorageErrorCode, withinLimit } from '../../../src/app/storage/limit.js';
 import { MemoryStore } from '../bench/bench.js';
 
 beforeEach(() => {
@@ -20,14 +20,14 @@ function watched(promise: Promise<unknown>): { said: unknown } {
 
 describe('what the storage is asked for', () => {
   it('is given as it comes, and no clock runs on', async () => {
-    expect(await within(Promise.resolve(7))).toBe(7);
-    expect(await within(async () => 8)).toBe(8);
+    expect(await withinLimit(Promise.resolve(7))).toBe(7);
+    expect(await withinLimit(async () => 8)).toBe(8);
     expect(vi.getTimerCount()).toBe(0);
   });
 
   it('has five seconds, or as long as is said', async () => {
-    const usual = watched(within(new Promise(() => {})));
-    const short = watched(within(() => new Promise(() => {}), 100));
+    const usual = watched(withinLimit(new Promise(() => {})));
+    const short = watched(withinLimit(() => new Promise(() => {}), 100));
     await vi.advanceTimersByTimeAsync(99);
     expect([usual.said, short.said]).toEqual(['open', 'open']);
     await vi.advanceTimersByTimeAsync(1);
@@ -46,7 +46,7 @@ describe('what the storage is asked for', () => {
     const work = new Promise<void>((resolve, reject) => {
       end = () => settle(resolve, reject);
     });
-    const late = watched(within(work, 10));
+    const late = watched(withinLimit(work, 10));
     await vi.advanceTimersByTimeAsync(10);
     end();
     await vi.advanceTimersByTimeAsync(0);
@@ -62,8 +62,8 @@ describe('what the storage is asked for', () => {
     ['failed', new DOMException('the disk', 'UnknownError')],
     ['failed', 'a text'],
   ])('fails by code: %s', async (code, cause) => {
-    const rejected = await within(Promise.reject(cause)).catch((error) => error);
-    const thrown = await within(() => {
+    const rejected = await withinLimit(Promise.reject(cause)).catch((error) => error);
+    const thrown = await withinLimit(() => {
       throw cause;
     }).catch((error) => error);
     expect([rejected, thrown]).toMatchObject([{ code }, { code }]);

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { limitsOf, snapped, stepped, timeStep } from '../../../src/app/timeline/drag.js';
 import { spread } from '../../../src/app/timeline/layout.js';
-import { endOf, eventsBetween, reachedAt, stagesOf } from '../../../src/app/timeline/preview/flight.js';
+import { eventsBetween, flightEnd, reachedAt, stagesOf } from '../../../src/app/timeline/preview/flight.js';
 import { evenScale, RUN_OUT, Scale, stretchedScale } from '../../../src/app/timeline/scale.js';
 import { shortTime, ticks } from '../../../src/app/timeline/ticks.js';
 import { TimelineModel } from '../../../src/app/timeline/view-model.js';
@@ -64,7 +64,7 @@ describe('times that no timer has', () => {
     expect(stagesOf(program).every(({ from, until }) => Number.isFinite(from) && Number.isFinite(until ?? 0))).toBe(
       true,
     );
-    expect(endOf(program)).toBe(1e9 + RUN_OUT);
+    expect(flightEnd(program)).toBe(1e9 + RUN_OUT);
   });
 });
 
@@ -366,8 +366,8 @@ describe('a flight', () => {
   });
 
   it('ends after the last event', () => {
-    expect(endOf(rising)).toBe(18000 + RUN_OUT);
-    expect(endOf(programOf('Q', [20000, 200, 18000]))).toBe(20000 + RUN_OUT);
-    expect(endOf(programOf('B', [20000, 200, 18000])), 'slot 0 is reserved').toBe(18000 + RUN_OUT);
+    expect(flightEnd(rising)).toBe(18000 + RUN_OUT);
+    expect(flightEnd(programOf('Q', [20000, 200, 18000]))).toBe(20000 + RUN_OUT);
+    expect(flightEnd(programOf('B', [20000, 200, 18000])), 'slot 0 is reserved').toBe(18000 + RUN_OUT);
   });
 });

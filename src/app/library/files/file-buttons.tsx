@@ -1,12 +1,12 @@
 import { useRef } from 'preact/hooks';
 import { filesMessages } from '../../messages/files.js';
 import { ALL_NAME, type LibraryFiles } from './library-files.js';
-import type { Part } from './library-text.js';
+import type { FilePart } from './library-text.js';
 import './file-buttons.css';
 
 interface ExportButtonProps {
   readonly files: LibraryFiles;
-  readonly part: Part;
+  readonly part: FilePart;
   /** What the file is called before its date. */
   readonly title: string;
 }
@@ -56,7 +56,7 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
   );
 }
 
-const ALL: Part = { kind: 'all' };
+const ALL: FilePart = { kind: 'all' };
 
 /** The word that it is time for an export: once, and then for a while no more. */
 export function ExportReminder({ files }: { readonly files: LibraryFiles }) {

@@ -5,7 +5,7 @@ import { dateText, dayText } from '../../messages/index.js';
 import { Modal } from '../../ui/modal.js';
 import { SegmentChoice } from '../../ui/segment-choice.js';
 import { countOf, type Entry, type Group, takenOf, WAYS, type Way } from './import-plan.js';
-import type { ImportStep, LibraryFiles, Refusal } from './library-files.js';
+import type { FileRefusal, ImportStep, LibraryFiles } from './library-files.js';
 import './import-dialog.css';
 
 interface ImportDialogProps {
@@ -50,7 +50,7 @@ function CloseButton({ files, text }: { readonly files: LibraryFiles; readonly t
 }
 
 /** Why a file is not taken, and where in it that stands. */
-function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: Refusal }) {
+function Refused({ files, why }: { readonly files: LibraryFiles; readonly why: FileRefusal }) {
   const { refused: words, import: more } = filesMessages.value;
   return (
     <>

@@ -43,7 +43,7 @@ export interface Group {
 }
 
 /** How many entries of each kind. */
-export type Counts = Readonly<Record<Kind, number>>;
+export type EntryCounts = Readonly<Record<Kind, number>>;
 
 /** What a file would bring, model by model in its order. */
 export function groupsOf({ library, facts, writtenAt }: LibraryFile, held: Records): Group[] {
@@ -154,7 +154,7 @@ export function recordsOf(
 }
 
 /** How many of them there are, by kind. */
-export function countOf(entries: readonly { readonly kind: Kind }[]): Counts {
+export function countOf(entries: readonly { readonly kind: Kind }[]): EntryCounts {
   const count = (wanted: Kind): number => entries.filter(({ kind }) => kind === wanted).length;
   return { models: count('models'), settings: count('settings'), flights: count('flights') };
 }

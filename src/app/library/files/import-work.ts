@@ -1,14 +1,14 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { parseLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { type Counts, type Group, groupsOf, isSame, type Records } from './import-plan.js';
+import { type EntryCounts, type Group, groupsOf, isSame, type Records } from './import-plan.js';
 
 /** What a file is found to hold. */
 interface Found {
   readonly writtenAt: number;
   readonly writtenBy: string;
   readonly ignored: number;
-  readonly holds: Counts;
+  readonly holds: EntryCounts;
   readonly groups: ReadonlySignal<readonly Group[]>;
 }
 

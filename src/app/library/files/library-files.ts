@@ -7,22 +7,22 @@ import type { Collection } from '../../session/collection.js';
 import { type Library, newId } from '../../session/library.js';
 import type { StorageErrorCode } from '../../storage/index.js';
 import { ExportMarks } from './export-marks.js';
-import { type Counts, type Group, type Records, recordsOf, type Way } from './import-plan.js';
+import { type EntryCounts, type Group, type Records, recordsOf, type Way } from './import-plan.js';
 import { lookInto, undoOf } from './import-work.js';
-import { type Made, type Part, partOf, textOf } from './library-text.js';
+import { type FilePart, type Made, partOf, textOf } from './library-text.js';
 
 /** What is imported just now. */
 export type ImportStep =
   | { readonly step: 'reading'; readonly name: string }
-  | { readonly step: 'refused'; readonly name: string; readonly why: Refusal }
+  | { readonly step: 'refused'; readonly name: string; readonly why: FileRefusal }
   | ({ readonly step: 'plan'; readonly name: string; readonly writtenAt: number; readonly writtenBy: string } & {
       readonly ignored: number;
-      readonly holds: Counts;
+      readonly holds: EntryCounts;
       /** What the file would bring, beside what the library holds at this moment. */
       readonly groups: ReadonlySignal<readonly Group[]>;
       readonly ways: ReadonlySignal<Ways>;
     });
-export type Refusal = UnreadableFile | 'several' | 'failed' | CodecError;
+export type FileRefusal = UnreadableFile | 'several' | 'failed' | CodecError;
 
 /** What becomes of what differs: for all, and for some models by themselves. */
 export interface Ways {
@@ -34,9 +34,9 @@ export interface Ways {
 export type FileWord =
   | { readonly kind: 'saving'; readonly name: string }
   | { readonly kind: 'importing'; readonly name: string; readonly done: number; readonly of: number }
-  | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: Counts }
+  | { readonly kind: 'saved' | 'downloaded' | 'not-written'; readonly name: string; readonly holds: EntryCounts }
   | { readonly kind: 'too-large' | 'nothing' | 'failed' | 'undone' | 'partly-undone' }
-  | { readonly kind: 'imported'; readonly name: string; readonly holds: Counts; readonly kept: boolean };
+  | { readonly kind: 'imported'; readonly name: string; readonly holds: EntryCounts; readonly kept: boolean };
 
 /** What a file of everything is called before its date. */
 export const ALL_NAME = 'Sidus library';
@@ -79,7 +79,7 @@ export class LibraryFiles {
   }
 
   /** The file that this part was saved to, as long as the page is open. */
-  chosen(part: Part): ChosenFile | null {
+  chosen(part: FilePart): ChosenFile | null {
     return this.#chosen.value.get(keyOf(part)) ?? null;
   }
 
@@ -89,7 +89,7 @@ export class LibraryFiles {
    * @param another asks for a file in any case.
    * @param title what the file is called before its date.
    */
-  async export(part: Part, title: string, another = false): Promise<void> {
+  async export(part: FilePart, title: string, another = false): Promise<void> {
     this.#done = null;
     this.#say(null);
     const fileName = `${safeName(title)} ${dayName(new Date())}${ENDING}`;
@@ -237,14 +237,14 @@ export class LibraryFiles {
     this.#said.value = word;
   }
 
-  #remember(part: Part, file: ChosenFile | null): void {
+  #remember(part: FilePart, file: ChosenFile | null): void {
     const chosen = new Map(this.#chosen.peek());
     if (file) chosen.set(keyOf(part), file);
     else chosen.delete(keyOf(part));
     this.#chosen.value = chosen;
   }
 
-  async #textOf(part: Part, now: number): Promise<Made | 'failed'> {
+  async #textOf(part: FilePart, now: number): Promise<Made | 'failed'> {
     try {
       await this.#load();
       return textOf(partOf(this.#records(), part), part.kind === 'all', version, now);
@@ -274,7 +274,7 @@ export class LibraryFiles {
   }
 }
 
-function keyOf(part: Part): string {
+function keyOf(part: FilePart): string {
   return part.kind === 'all' ? 'all' : `${part.kind}/${part.id}`;
 }
 

@@ -1,12 +1,12 @@
 import { type EntryFacts, type Flight, formatLibraryFile, type Model, type Setting } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import type { Counts, Records } from './import-plan.js';
+import type { EntryCounts, Records } from './import-plan.js';
 
 /** What a file is made of: everything, one model with what belongs to it, or one setting with its model. */
-export type Part = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
+export type FilePart = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
 
 /** The records that belong to a part of the library, in their order. */
-export function partOf({ models, settings, flights }: Records, part: Part): Records {
+export function partOf({ models, settings, flights }: Records, part: FilePart): Records {
   if (part.kind === 'all') return { models, settings, flights };
   if (part.kind === 'model') {
     return {
@@ -24,7 +24,7 @@ export function partOf({ models, settings, flights }: Records, part: Part): Reco
 }
 
 /** What a file holds, and its text; or why there is none. */
-export type Made = { readonly text: string; readonly holds: Counts } | 'too-large' | 'nothing';
+export type Made = { readonly text: string; readonly holds: EntryCounts } | 'too-large' | 'nothing';
 
 /**
  * Makes a library file.

@@ -17,7 +17,7 @@ interface OfferProps {
 }
 
 /** A setting as a link, and as a QR code for the device beside this one. */
-export function Offer({ sharing, shared, page }: OfferProps) {
+export function SettingOffer({ sharing, shared, page }: OfferProps) {
   const { offer: words } = share;
   const id = useId();
   const link = useMemo(() => linkOf(shared, page), [shared, page]);

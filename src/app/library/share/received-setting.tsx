@@ -8,7 +8,8 @@ import { keyFigures } from '../../messages/key-figures.js';
 import type { Session } from '../../session/session.js';
 import { SmallLanes } from '../../timeline/small-lanes.js';
 import { SlotTable } from '../../ui/slot-table.js';
-import { NEW_MODEL, NO_MODEL, Received } from './received.js';
+import { NO_MODEL } from '../place.js';
+import { NEW_MODEL, Received } from './received.js';
 import type { Sharing } from './sharing.js';
 import './received-setting.css';
 

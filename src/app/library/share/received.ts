@@ -5,16 +5,16 @@ import { share } from '../../messages/en-share.js';
 import { newId } from '../../session/library.js';
 import type { Session } from '../../session/session.js';
 import type { SettingRecord } from '../../storage/index.js';
+import { NO_MODEL } from '../place.js';
 
-/** Where a setting that came goes: under a model, by its key; under a new one; or under none. */
+/** In the place of a model's id: a setting that came goes under a new one. */
 export const NEW_MODEL = 'new model';
-export const NO_MODEL = 'no model';
 
 /** Why a link says nothing. */
 export type DamageCode = keyof typeof share.damaged.codes;
 
 /** What became of it. */
-export interface Kept {
+export interface KeptSetting {
   readonly setting: Setting;
   /** Whether it would be there after a reload. */
   readonly isSaved: boolean;
@@ -27,11 +27,11 @@ export class Received {
   readonly shared: SharedSetting | null;
   readonly damage: DamageCode | null;
   readonly #place = signal<string | null>(null);
-  readonly #kept = signal<Kept | null>(null);
+  readonly #kept = signal<KeptSetting | null>(null);
   readonly #keeping = signal(false);
   /** Where it would be kept: under the model of this name, if there is one. */
   readonly place: ReadonlySignal<string>;
-  readonly kept: ReadonlySignal<Kept | null> = this.#kept;
+  readonly kept: ReadonlySignal<KeptSetting | null> = this.#kept;
   /** It is on its way into the library. */
   readonly keeping: ReadonlySignal<boolean> = this.#keeping;
   /** A setting of the library that holds the same values under the same name; null if there is none. */

@@ -2,7 +2,7 @@ import { type ReadonlySignal, useComputed } from '@preact/signals';
 import { share } from '../../messages/en-share.js';
 import type { Session } from '../../session/session.js';
 import { Modal } from '../../ui/modal.js';
-import { Offer } from './offer.js';
+import { SettingOffer } from './offer.js';
 import { ReadCode } from './read-code.js';
 import { ReceivedSetting } from './received-setting.js';
 import type { Sharing } from './sharing.js';
@@ -41,7 +41,7 @@ export function SharingDialog({ session, sharing, asked, page, onProgram, onLibr
       held={false}
       onEscape={() => sharing.close()}
     >
-      {current?.step === 'offer' && <Offer sharing={sharing} shared={current.shared} page={page} />}
+      {current?.step === 'offer' && <SettingOffer sharing={sharing} shared={current.shared} page={page} />}
       {current?.step === 'read' && <ReadCode sharing={sharing} />}
       {current?.step === 'received' && (
         <ReceivedSetting key={current.link} {...{ session, sharing, onProgram, onLibrary }} link={current.link} />

@@ -4,8 +4,8 @@ import { useEffect, useId, useLayoutEffect, useMemo } from 'preact/hooks';
 import type { ServoUse, TimerProgram } from '../../../program/index.js';
 import { dutyName, messages, momentText, slotLabel } from '../../messages/index.js';
 import { servoClass } from '../servo-class.js';
-import { endOf, eventsBetween, type FlightEvent, motorStopOf, reachedAt } from './flight.js';
-import { ModelSketch, type Turned } from './model-sketch.js';
+import { eventsBetween, type FlightEvent, flightEnd, motorStopOf, reachedAt } from './flight.js';
+import { ModelSketch, type SurfaceAngle } from './model-sketch.js';
 import { Player } from './player.js';
 import { PlayerControls } from './player-controls.js';
 import { ServoDialog } from './servo-dialog.js';
@@ -31,7 +31,7 @@ export function FlightPreview({ program, player: given, named, onName }: FlightP
   const player = useMemo(() => given ?? new Player(), [given]);
   const naming = useSignal(false);
   const guess = useMemo(() => guessedUses(program), [program]);
-  useLayoutEffect(() => player.setEnd(endOf(program)), [player, program]);
+  useLayoutEffect(() => player.setEnd(flightEnd(program)), [player, program]);
   useEffect(() => () => player.pause(), [player]);
   const uses = named ?? guess;
   return (
@@ -90,7 +90,7 @@ function Flight({ program, player, uses, children }: FlightProps) {
       const degrees = turnOf(program, slot, surface, uses);
       return [surface, degrees === null ? null : { degrees, servo: servoOf(surface, uses) }];
     }),
-  ) as Record<Surface, Turned | null>;
+  ) as Record<Surface, SurfaceAngle | null>;
   return (
     <>
       <div class="preview-model">

@@ -45,7 +45,7 @@ export function marksOf(program: TimerProgram): number[] {
 }
 
 /** The time at which there is nothing more to show: a few seconds after the last event. */
-export function endOf(program: TimerProgram): number {
+export function flightEnd(program: TimerProgram): number {
   return Math.max(0, ...marksOf(program)) + RUN_OUT;
 }
 

@@ -5,14 +5,14 @@ import type { Surface } from './surfaces.js';
 import './model-sketch.css';
 
 /** How a surface stands: degrees, above 0 its trailing edge is up or to the right, and the servo that turns it. */
-export interface Turned {
+export interface SurfaceAngle {
   readonly degrees: number;
   readonly servo: number;
 }
 
 export interface ModelSketchProps {
   /** Null where nothing turns it. */
-  readonly turned: Readonly<Record<Surface, Turned | null>>;
+  readonly turned: Readonly<Record<Surface, SurfaceAngle | null>>;
   /** Whether the model has a propeller: all but those of class E. */
   readonly propeller: boolean;
   /** Null where nobody knows: the motor of an F1B is of rubber. */

@@ -4,7 +4,7 @@ import type { TimerProgram } from '../../../program/index.js';
 import { messages, momentText } from '../../messages/index.js';
 import { stretchedScale } from '../scale.js';
 import { Icon } from '../tools.js';
-import { endOf, eventsBetween, marksOf } from './flight.js';
+import { eventsBetween, flightEnd, marksOf } from './flight.js';
 import { type Player, SPEEDS, type Speed } from './player.js';
 import { TickSound } from './tick-sound.js';
 import './player-controls.css';
@@ -23,7 +23,7 @@ export function PlayerControls({ program, player }: PlayerControlsProps) {
   };
   const forward = (): void => {
     player.pause();
-    player.seek(eventsBetween(program, player.shown.peek(), endOf(program))[0]?.time ?? endOf(program));
+    player.seek(eventsBetween(program, player.shown.peek(), flightEnd(program))[0]?.time ?? flightEnd(program));
   };
   return (
     <div class="preview-controls">

@@ -2,11 +2,11 @@ import { TimerError } from '../../client/index.js';
 import type { TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { JobOptions } from '../session/job-runner.js';
+import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 
 /** Away from the memory that is current and back to it: what is noted on the way, and what is known at its end. */
-export class MemoryRoundTrip {
+export class NotedRoundTrip {
   /** Whether the browser has kept which memory to come back to. */
   kept = true;
   readonly #session: Session;
@@ -20,7 +20,7 @@ export class MemoryRoundTrip {
   /** Reads some memories, or all; the one that was current is so again. */
   async read(
     { client, identity }: TimerConnection,
-    options: JobOptions & { readonly memories?: readonly number[] },
+    options: JobContext & { readonly memories?: readonly number[] },
   ): Promise<readonly TimerProgram[]> {
     const onOriginal = (original: number): Promise<void> => this.leave(identity, original);
     const { programs, original } = await client
