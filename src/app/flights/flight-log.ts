@@ -63,6 +63,8 @@ export class FlightLog {
       this.#verified.value = held && untracked(() => this.#flown(held));
       if (held && this.#puttingBack !== null) void this.change(this.#puttingBack, { program: held });
       if (held || step === null) this.#puttingBack = null;
+      // What was logged before a write is not said under its result, as if that were logged.
+      if (step?.step === 'review') this.#logged.value = null;
     });
   }
 

@@ -163,6 +163,17 @@ describe('one tap', () => {
     expect(kept(app)).toEqual(logged(app));
   });
 
+  it('does not say under the result of a write that what was flown before it is logged', async () => {
+    const app = await connectedBench();
+    await write(app, '4:00');
+    app.flights.flyAgain(PLAIN);
+    expect(app.flights.logged.value).not.toBeNull();
+    app.editor.type(DT, '3:30');
+    await run(app.write.open());
+    await run(app.write.start());
+    expect([app.write.current.value?.step, app.flights.logged.value]).toEqual(['done', null]);
+  });
+
   it('once more needs no timer', async () => {
     const app = await connectedBench();
     app.flights.flying();

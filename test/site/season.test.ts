@@ -1,0 +1,418 @@
+import { readFile } from 'node:fs/promises';
+import type { Locator } from 'playwright';
+import { expect, test } from 'vitest';
+import { type LibraryFile, parseLibraryFile } from '../../src/program/index.js';
+import { exampleMemories } from '../../src/simulator/index.js';
+import { AppPage } from './app-page.js';
+
+/*
+ * A pilot's season through the screen alone: three models, twelve settings, thirty flights; then the device is lost,
+ * and another one gets all of it back from one file.
+ */
+
+/** What the timer of a model holds before the season: trimmed, so that its contents tell whose it is. */
+function memoriesOf(model: number) {
+  return exampleMemories('Q').map(({ times, positions }, memory) => ({
+    times: times.map((time, slot) => time + (slot > 0 && slot < 10 ? 5 * model + memory : 0)),
+    positions: positions.map((row, servo) =>
+      row.map((position, slot) => Math.min(130, position + 1 + ((model * (slot + 3) + 7 * servo * model) % 31))),
+    ),
+  }));
+}
+type Memories = ReturnType<typeof memoriesOf>;
+
+/** The season of one model: what it is called, and what the pilot types. */
+interface Kept {
+  readonly name: string;
+  readonly dt: string;
+  readonly tags: string;
+  readonly note: string;
+}
+const LANCER: readonly Kept[] = [
+  { name: 'calm', dt: '3:10', tags: 'calm, round', note: 'Turns left after 12 s.' },
+  { name: 'windy', dt: '3:20', tags: 'windy', note: 'Bunts a little: 2 steps less.' },
+  { name: 'fly-off', dt: '6:00', tags: 'fly-off', note: 'Hűvös reggel, 6 min.' },
+  { name: 'morning', dt: '4:00', tags: '', note: '' },
+  { name: 'new propeller', dt: '3:30', tags: 'test', note: 'From 5 November on.\nSecond line.' },
+];
+const VEGA: readonly Kept[] = [
+  { name: 'first trim', dt: '2:30', tags: 'trim', note: '' },
+  { name: 'calm', dt: '3:05', tags: 'calm', note: 'As Lancer, but slower.' },
+  { name: 'thermal', dt: '3:40', tags: 'thermal, noon', note: '' },
+  { name: 'fly-off', dt: '8:00', tags: 'fly-off', note: '8 min.' },
+];
+const RIDGE: readonly Pick<Kept, 'name' | 'tags' | 'note'>[] = [
+  { name: 'slope, light', tags: 'light', note: 'By hand, from the notebook.' },
+  { name: 'slope, strong', tags: 'strong', note: '' },
+  { name: 'slope, evening', tags: '', note: 'Sun low: start early.' },
+];
+const FLIGHTS = { lancer: 13, vega: 11, ridge: 6 };
+
+/** A device of the pilot, at a bench of its own. */
+class Device {
+  readonly app: AppPage;
+
+  constructor(app: AppPage) {
+    this.app = app;
+  }
+
+  static async open(): Promise<Device> {
+    // A browser that has no question where a file is to lie.
+    const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
+    const app = await AppPage.open({
+      bench: {},
+      before,
+      acceptDownloads: true,
+      viewport: { width: 1280, height: 800 },
+    });
+    return new Device(app);
+  }
+
+  /** Puts the timer of another model before the adapter. */
+  async hold(memories: Memories): Promise<void> {
+    await this.app.page.evaluate((held) => {
+      const { core } = window.workbench.adapter.timer;
+      core.memories.splice(0, core.memories.length, ...held);
+      core.memory = 0;
+    }, memories);
+  }
+
+  /** What the timer holds now. */
+  held(): Promise<Memories> {
+    return this.app.bench(({ adapter }) => adapter.timer.core.memories) as Promise<Memories>;
+  }
+
+  async disconnect(): Promise<void> {
+    await this.app.button('Disconnect').first().click();
+    await this.app.button('Connect').waitFor();
+  }
+
+  /** Goes to a model, or one of its settings, as a pilot does: through the list. */
+  async goTo(model: string, setting?: string): Promise<Locator> {
+    const { app } = this;
+    await app.page.evaluate(() => location.assign('#library'));
+    await app.page
+      .locator('.library-models')
+      .getByRole('link', { name: new RegExp(`^${model}`) })
+      .click();
+    const column = app.page.getByRole('region', { name: model, exact: true });
+    await column.waitFor();
+    if (setting === undefined) return column;
+    await column
+      .locator('.library-settings')
+      .getByRole('link', { name: new RegExp(`^${setting}`) })
+      .first()
+      .click();
+    const page = app.page.getByRole('article', { name: setting, exact: true });
+    await page.waitFor();
+    return page;
+  }
+
+  async toProgram(): Promise<void> {
+    await this.app.page.evaluate(() => location.assign('#program'));
+    await this.app.table.waitFor();
+  }
+
+  /** Keeps what is on the screen under a name. */
+  async saveAs(name: string, model: string, note: string): Promise<void> {
+    const { app } = this;
+    const first = app.button('Save to library…');
+    await first.or(app.button('Save as new…')).first().click();
+    const dialog = app.page.getByRole('dialog', { name: 'Save to library' });
+    await dialog.getByRole('textbox', { name: 'Name of the setting' }).fill(name);
+    await dialog.getByRole('combobox', { name: 'Model' }).selectOption({ label: model });
+    await dialog.getByRole('textbox', { name: 'Note' }).fill(note);
+    await dialog.getByRole('button', { name: 'Save', exact: true }).click();
+    await dialog.waitFor({ state: 'hidden' });
+  }
+
+  /** Tags are given in the library. */
+  async tag(model: string, settings: readonly Pick<Kept, 'name' | 'tags'>[]): Promise<void> {
+    for (const { name, tags } of settings) {
+      const page = await this.goTo(model, name);
+      await page.getByRole('textbox', { name: 'Tags' }).fill(tags);
+    }
+  }
+
+  async writeAndLog(): Promise<void> {
+    await this.app.write();
+    await this.app.result('Verified.');
+    await this.app.dialog.getByRole('button', { name: 'Flying this' }).click();
+    await this.app.dialog.getByText(/^Flight logged \d\d:\d\d/).waitFor();
+  }
+
+  get form(): Locator {
+    return this.app.page.getByRole('dialog', { name: 'Flight' });
+  }
+
+  /** Fills in the flight that is open, then flies again: so many flights in all. */
+  async fly(count: number, firstResult: number, place: string): Promise<void> {
+    const { form } = this;
+    for (let at = 0; at < count; at++) {
+      const result = form.getByRole('textbox', { name: 'Result' });
+      await expect.poll(() => result.inputValue()).toBe('');
+      await result.fill(String(firstResult + at));
+      if (at === 0) {
+        await form.getByRole('button', { name: '1', exact: true }).click();
+        await form.getByRole('button', { name: 'Wind: more' }).click();
+        await form.getByRole('textbox', { name: 'Temperature °C' }).fill('-2,5');
+        await form.getByRole('textbox', { name: 'Note' }).fill(`First of ${count} at ${place}`);
+        await form.getByText('Date, place, model').click();
+        await form.getByRole('combobox', { name: 'Place' }).fill(place);
+      }
+      const isLast = at === count - 1;
+      await form.getByRole('button', { name: isLast ? 'Done' : 'Fly this again' }).click();
+    }
+    await form.waitFor({ state: 'hidden' });
+  }
+
+  async toStart(): Promise<void> {
+    await this.app.page.evaluate(() => location.assign('#program'));
+    await this.app.button('Connect').waitFor();
+  }
+
+  /** Brings a file in, by what it shows of it before. */
+  async takeFile(text: string): Promise<void> {
+    const { page } = this.app;
+    await page.evaluate(() => location.assign('#library'));
+    await this.app.text('No model yet').waitFor();
+    await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
+      name: 'from the lost one.sidus.json',
+      mimeType: 'application/json',
+      buffer: Buffer.from(text),
+    });
+    await this.app.text('In it: 3 models, 12 settings, 30 flights.').waitFor();
+    await this.app.button('Import 45').click();
+    await this.app.text(/^Imported from .*: 3 models, 12 settings, 30 flights\.$/).waitFor();
+  }
+
+  /** What the pilot sees of it: the order of his models and settings, and what he has said of them. */
+  async showsTheSeason(): Promise<void> {
+    const { page } = this.app;
+    const about = await this.goTo('Lancer 07');
+    const names = (list: string) => page.locator(`${list} .library-item b`).allInnerTexts();
+    await expect.poll(() => names('.library-models')).toEqual(['Lancer 07', 'Vega 12', 'Ridge 3']);
+    await expect
+      .poll(() => names('.library-settings'))
+      .toEqual(['calm', 'windy', 'fly-off', 'new propeller', 'morning']);
+    const memories = page.getByRole('group', { name: 'Names of its memories' });
+    await expect.poll(() => memories.getByRole('textbox', { name: 'M2' }).inputValue()).toBe('fly-off');
+    await expect
+      .poll(() => page.locator('.model-page').getByRole('textbox', { name: 'Note' }).inputValue())
+      .toBe('Wing from 2019, 412 g.');
+    const photo = page.getByRole('img', { name: 'Picture of Lancer 07' });
+    await expect.poll(() => photo.evaluate((canvas: HTMLCanvasElement) => canvas.width)).toBeGreaterThan(400);
+    await about.getByText(`${FLIGHTS.lancer} flights`).first().waitFor();
+    const flyOff = await this.goTo('Vega 12', 'fly-off');
+    await flyOff.getByText('8:00 min').first().waitFor();
+    await expect.poll(() => flyOff.getByRole('textbox', { name: 'Tags' }).inputValue()).toBe('fly-off');
+    await page.evaluate(() => location.assign('#library/flights'));
+    await this.app.text('30 flights').first().waitFor();
+  }
+
+  /** All of it in one file, as it lies in the downloads. */
+  async exportAll(): Promise<string> {
+    const { app } = this;
+    await app.page.evaluate(() => location.assign('#library'));
+    const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Export all…').click()]);
+    return readFile(await download.path(), 'utf8');
+  }
+}
+
+/** What a file says of the season, as the pilot has typed it. */
+function seasonOf({ library }: LibraryFile) {
+  const settings = library.settings.map(({ name, tags, note, program }) => {
+    const typed = { name, tags: tags.join(', '), note };
+    const { timerClass, functions } = program.identity;
+    const dt = (program.times[functions] as number) / 100;
+    const text = `${Math.floor(dt / 60)}:${String(dt % 60).padStart(2, '0')}`;
+    return timerClass === 'E' ? typed : { ...typed, dt: text };
+  });
+  const results = (at: string): (number | null)[] =>
+    library.flights
+      .filter(({ place }) => place === at)
+      .map(({ result }) => result)
+      .sort((a, b) => (a ?? 0) - (b ?? 0));
+  return {
+    models: library.models.map(({ name }) => name),
+    settings,
+    flights: { Gyula: results('Gyula'), Salonta: results('Salonta'), Turda: results('Turda') },
+  };
+}
+
+function upFrom(first: number, count: number): number[] {
+  return Array.from({ length: count }, (_, at) => first + at);
+}
+
+/** A picture as a phone takes it: in many colours, and larger than what is kept. */
+async function picture({ page }: AppPage): Promise<Buffer> {
+  const bytes = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(1600, 1200);
+    const pen = canvas.getContext('2d') as OffscreenCanvasRenderingContext2D;
+    for (let at = 0; at < 400; at++) {
+      pen.fillStyle = `hsl(${(at * 47) % 360} 80% ${(at * 13) % 100}%)`;
+      pen.fillRect((at * 131) % 1600, (at * 197) % 1200, 170, 130);
+    }
+    return Array.from(new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer()));
+  });
+  return Buffer.from(bytes);
+}
+
+test('a season of three models is flown, and a lost device comes back on another one from one file', async () => {
+  const first = await Device.open();
+  const { app } = first;
+  const { page } = app;
+
+  // Lancer 07: read from its timer.
+  await first.hold(memoriesOf(1));
+  await app.connect();
+  await app.button('Which model?').click();
+  await page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill('Lancer 07');
+  await app.button('Keep as a new model').click();
+  await app.button('Model Lancer 07: say which model it is').waitFor();
+  for (const { name, dt, note } of LANCER) {
+    await app.type('DT time', dt);
+    await first.saveAs(name, 'Lancer 07', note);
+  }
+  await first.writeAndLog();
+  await app.button('Fill in').click();
+  await first.fly(FLIGHTS.lancer - 2, 170, 'Gyula');
+
+  // A short DT for trimming, and back before he goes.
+  await app.type('DT time', '25 s');
+  await first.writeAndLog();
+  await app.close();
+  await app.button('Disconnect').first().click();
+  await app.button('Put back to 3:30 min…').click();
+  await app.dialog.waitFor();
+  expect(await app.difference()).toEqual(['DT time | 25 s | 3:30 min']);
+  await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
+  await app.result('Verified.');
+  await app.dialog.getByRole('button', { name: 'Flying this' }).click();
+  await app.dialog.getByRole('button', { name: 'Disconnect' }).click();
+  await app.button('Connect').waitFor();
+
+  // What he says of it when he is at home.
+  const about = await first.goTo('Lancer 07');
+  for (const [memory, name] of [
+    ['M1', 'calm'],
+    ['M2', 'fly-off'],
+  ] as const) {
+    await page.getByRole('group', { name: 'Names of its memories' }).getByRole('textbox', { name: memory }).fill(name);
+  }
+  await page.locator('.model-page').getByRole('textbox', { name: 'Note' }).fill('Wing from 2019, 412 g.');
+  await page.locator('.model-photo input[type=file]').setInputFiles({
+    name: 'lancer.png',
+    mimeType: 'image/png',
+    buffer: await picture(app),
+  });
+  await page.getByRole('img', { name: 'Picture of Lancer 07' }).waitFor();
+  await about.getByText('Backups').waitFor();
+  await first.tag('Lancer 07', LANCER);
+  await about.getByRole('button', { name: 'Arrange' }).click();
+  await about.getByRole('button', { name: 'Move new propeller up' }).click();
+  await about.getByRole('button', { name: 'Done' }).click();
+
+  // Vega 12: another timer before the same adapter, with its settings and flights.
+  const lancer = await first.held();
+  await first.hold(memoriesOf(2));
+  await page.evaluate(() => location.assign('#program'));
+  await app.connect();
+  await app.text('This timer is not known here. Which model is it?').waitFor();
+  await app.button('Choose…').click();
+  await page.getByRole('dialog').getByRole('textbox', { name: 'Name' }).fill('Vega 12');
+  await app.button('Keep as a new model').click();
+  for (const { name, dt, note } of VEGA) {
+    await app.type('DT time', dt);
+    await first.saveAs(name, 'Vega 12', note);
+  }
+  await first.writeAndLog();
+  await app.button('Fill in').click();
+  await first.fly(FLIGHTS.vega, 200, 'Salonta');
+  await first.disconnect();
+  await first.tag('Vega 12', VEGA);
+
+  // Ridge 3: by hand; its timer comes later.
+  await app.button('New model…').click();
+  const make = page.getByRole('dialog', { name: 'New model' });
+  await make.getByRole('textbox', { name: 'Name' }).fill('Ridge 3');
+  await make.getByText('F1E', { exact: true }).click();
+  await app.button('Make the model').click();
+  for (const { name, note } of RIDGE) {
+    await (await first.goTo('Ridge 3')).getByRole('button', { name: 'New setting…' }).click();
+    await page.getByRole('textbox', { name: 'Name of the setting' }).fill(name);
+    await app.button('Make the setting').click();
+    await page.getByRole('article', { name, exact: true }).getByRole('textbox', { name: 'Note' }).fill(note);
+  }
+  await first.tag('Ridge 3', RIDGE);
+  await first.toProgram();
+  await app.button('Close program').click();
+  await app.trySimulated('F1E');
+  await app.button('Choose…').click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Ridge 3' }).click();
+  const light = await first.goTo('Ridge 3', 'slope, light');
+  await light.getByRole('button', { name: 'Load into the table' }).click();
+  await app.table.waitFor();
+  await app.type('Function 2, S1', '71');
+  await app.button('Save').click();
+  await app.button('Save').waitFor({ state: 'hidden' });
+  await first.writeAndLog();
+  await app.button('Fill in').click();
+  await first.fly(FLIGHTS.ridge, 90, 'Turda');
+  await first.disconnect();
+
+  // Lancer comes back, and is known.
+  await first.hold(lancer);
+  await app.connect();
+  await app.text(/^This is Lancer 07, as seen /).waitFor();
+  await first.disconnect();
+
+  const lost = await first.exportAll();
+  const before = parseLibraryFile(lost);
+  expect(seasonOf(before)).toEqual({
+    models: ['Lancer 07', 'Vega 12', 'Ridge 3'],
+    settings: [...LANCER.slice(0, 3), LANCER[4], LANCER[3], ...VEGA, ...RIDGE],
+    flights: { Gyula: [null, null, ...upFrom(170, 11)], Salonta: upFrom(200, 11), Turda: upFrom(90, 6) },
+  });
+  expect(before.ignored).toEqual([]);
+  expect(before.library.flights.find(({ note }) => note === 'First of 11 at Gyula')).toMatchObject({
+    model: before.library.models[0]?.id,
+    modelName: 'Lancer 07',
+    settingName: 'new propeller',
+    round: '1',
+    wind: 2,
+    temperature: -2.5,
+    result: 170,
+  });
+  await page.context().close();
+
+  // Another device, with nothing on it but this page.
+  const second = await Device.open();
+  await second.takeFile(lost);
+  await second.app.reload();
+  const after = parseLibraryFile(await second.exportAll());
+  expect(after.library).toEqual(before.library);
+  const factsOf = ({ library, facts }: LibraryFile) =>
+    [...library.models, ...library.settings, ...library.flights].map((entry) => facts.get(entry));
+  expect(factsOf(after), 'also what its models were seen to hold').toEqual(factsOf(before));
+  await second.showsTheSeason();
+
+  // The timer of Lancer is known there, too, and takes another of its settings.
+  await second.hold(lancer);
+  await second.toStart();
+  await second.app.connect();
+  await second.app.text(/^This is Lancer 07, as seen /).waitFor();
+  await second.app.button('OK').click();
+  const windy = await second.goTo('Lancer 07', 'windy');
+  await windy.getByRole('button', { name: 'Load into the table' }).click();
+  await second.app.table.waitFor();
+  await second.app.review();
+  await second.app.text('This is what changes in M1 “calm” of Lancer 07. Everything else stays as it is.').waitFor();
+  expect(await second.app.difference()).toEqual(['DT time | 3:30 min | 3:20 min']);
+  await second.app.tickSafety();
+  await second.app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
+  await second.app.result('Verified.');
+  expect((await second.held())[0]?.times.at(-1)).toBe(20_000);
+  await second.app.dialog.getByRole('button', { name: 'Flying this' }).click();
+  await second.app.dialog.getByText(/^Flight logged \d\d:\d\d · Lancer 07 · /).waitFor();
+});
