@@ -19,7 +19,7 @@ export interface ServoUse {
   readonly duty: Duty;
   /** Of an `other` duty, up to 16 characters; else empty. */
   readonly name: string;
-  /** The ends of the way that it uses, in steps 0..130, `low` below `high`. */
+  /** The ends of the way that it uses, in steps 0..130, `low` not above `high`. */
   readonly low: number;
   readonly high: number;
   /** More steps turn the trailing edge down, of a rudder to the left; else up, or to the right. */
@@ -259,11 +259,12 @@ export function identityOf(value: unknown, path: string): Identity {
 
 function servoUse(value: unknown, path: string): ServoUse {
   const of = record<ServoUse>(value, path);
+  const high = whole(of.high, `${path}.high`, 0, MAX_POSITION);
   return {
     duty: word(of.duty, `${path}.duty`, DUTIES),
     name: text(of.name, `${path}.name`, LIMITS.servoName),
-    low: whole(of.low, `${path}.low`, 0, MAX_POSITION),
-    high: whole(of.high, `${path}.high`, 0, MAX_POSITION),
+    low: whole(of.low, `${path}.low`, 0, high),
+    high,
     reversed: flag(of.reversed, `${path}.reversed`),
   };
 }

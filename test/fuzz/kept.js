@@ -78,13 +78,15 @@ export const model = fc.record({
   timerClass: orNull(fc.constantFrom('B', 'Q', 'E', '"', '\\', '~')),
   note: words(200),
   servos: fc.array(
-    fc.record({
-      duty: fc.constantFrom('rudder', 'tailplane', 'wing', 'release', 'other', 'none'),
-      name: words(16),
-      low: step,
-      high: step,
-      reversed: fc.boolean(),
-    }),
+    fc
+      .record({
+        duty: fc.constantFrom('rudder', 'tailplane', 'wing', 'release', 'other', 'none'),
+        name: words(16),
+        low: step,
+        high: step,
+        reversed: fc.boolean(),
+      })
+      .map((use) => ({ ...use, low: Math.min(use.low, use.high), high: Math.max(use.low, use.high) })),
     { maxLength: 4 },
   ),
   memoryNames: fc.array(words(60), { maxLength: 5 }),

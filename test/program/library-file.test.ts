@@ -126,6 +126,11 @@ describe('a library file', () => {
     ['no name', changed('"name": "Lancer 07"', '"nam": "Lancer 07"'), 'wrong-type models[0].name 7:5'],
     ['a wrong class', changed('"timerClass": "Q"', '"timerClass": "QQ"'), 'wrong-type models[0].timerClass 10:21'],
     ['a time as a number', changed('"0.30"', '0.30'), 'wrong-type settings[0].program.slots[1].time 36:34'],
+    [
+      'ends of a servo in the wrong order',
+      changed('"low": 20', '"low": 96'),
+      'out-of-range models[0].servos[0].low 13:51',
+    ],
     ['a finer time', changed('"0.30"', '"0.305"'), 'wrong-type settings[0].program.slots[1].time 36:34'],
     ['a longer time', changed('"0.30"', '"655.36"'), 'out-of-range settings[0].program.slots[1].time 36:34'],
     ['no motor stop', changed('"motorStop"', '"reserved"'), 'wrong-type settings[0].program.motorStop 29:18'],

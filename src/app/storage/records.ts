@@ -1,5 +1,13 @@
 import * as v from 'valibot';
-import { requireFlight, requireModel, requireSetting, sameLayout, type TimerProgram } from '../../program/index.js';
+import {
+  type Model,
+  requireFlight,
+  requireModel,
+  requireSetting,
+  type ServoUse,
+  sameLayout,
+  type TimerProgram,
+} from '../../program/index.js';
 import { type Identity, MAX_TIME, requireIdentity, slotCount } from '../../protocol/index.js';
 import type { Content } from '../editing/content.js';
 import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
@@ -187,13 +195,28 @@ const checked = <T>(require: (value: unknown) => T): v.GenericSchema<unknown, T>
       }
     }),
   );
+/** Until now nobody looked whether the ends of a servo stand in order: a model from a file may have them otherwise. */
+function withEndsInOrder(model: unknown): unknown {
+  const { servos } = { ...(model as Partial<Model> | null) };
+  if (!Array.isArray(servos) || !servos.some((use: Partial<ServoUse> | null) => isTurned(use))) return model;
+  return {
+    ...(model as Model),
+    servos: servos.map((use: ServoUse) => (isTurned(use) ? { ...use, low: use.high, high: use.low } : use)),
+  };
+}
+
+function isTurned(use: Partial<ServoUse> | null): boolean {
+  const { low, high } = { ...use };
+  return typeof low === 'number' && typeof high === 'number' && low > high;
+}
+
 /** The place in the order that the pilot has given: smaller comes first. */
 const order = v.pipe(v.number(), v.finite());
 
 /** A model of the library, under its id. */
 export const modelSchema = v.object({
   key,
-  model: checked(requireModel),
+  model: v.pipe(v.unknown(), v.transform(withEndsInOrder), checked(requireModel)),
   order,
   /** Milliseconds since 1970. */
   changedAt: date,

@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
-import { backupSchema, draftSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
+import { backupSchema, draftSchema, modelSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
+import { MODEL } from '../../program/library-examples.js';
 import { programOf } from '../programs.js';
 
 const PROGRAM = programOf('Q', [1000, 0, 100, 18000]);
@@ -114,4 +115,19 @@ it.each<[string, object]>([
 
 it('a write between two layouts is refused', () => {
   expect(v.is(unfinishedSchema, { ...WRITE, goal: programOf('Q', [0, 1, 2]) })).toBe(false);
+});
+
+describe('a model', () => {
+  const stored = (servos: unknown) => ({ key: 'm', model: { ...MODEL, servos }, order: 1, changedAt: 5, verified: [] });
+  const [use] = MODEL.servos;
+
+  it('that was kept with the ends of a servo in the wrong order is read with them in order', () => {
+    const { output } = v.safeParse(modelSchema, stored([use, { ...use, low: 95, high: 20 }]));
+    expect(output).toEqual(stored([use, { ...use, low: 20, high: 95 }]));
+  });
+
+  it.each([null, {}, [null], [{ ...use, low: '95', high: 20 }], [{ ...use, low: 131, high: 20 }]])(
+    'with servos %o is none',
+    (servos) => expect(v.is(modelSchema, stored(servos))).toBe(false),
+  );
 });
