@@ -146,8 +146,10 @@ export function isNoPositionKept({ asked }: WritePlan, held: TimerProgram): bool
 
 /** Whether it keeps positions of two functions although nothing moved: then the servos need not stand there. */
 export function arePositionsKept({ asked }: WritePlan, held: TimerProgram): boolean {
-  const kept = asked.filter(({ field, to }) => field.kind === 'position' && valueAt(held, field) === to);
-  return new Set(kept.map(({ field }) => field.kind === 'position' && field.slot)).size > 1;
+  const slots = asked.flatMap(({ field, to }) =>
+    field.kind === 'position' && valueAt(held, field) === to ? [field.slot] : [],
+  );
+  return new Set(slots).size > 1;
 }
 
 /**
@@ -187,10 +189,14 @@ export function repairRequests(
 function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly Change[]): Request[] {
   const kept = new Set(changes.map(({ field }) => fieldKey(field)));
   return changeRequests(held, goal).filter((request) => {
-    if (request.name === 'SETSERVO' && request.position > MAX_POSITION) return false;
-    if (request.name === 'SETTIMERS') return changes.some(({ field }) => field.kind === 'time');
-    if (request.name === 'SETLOWRPM') return kept.has('idleThrottle');
-    return request.name === 'SETSERVO' && kept.has(`position:${request.servo}:${request.function}`);
+    switch (request.name) {
+      case 'SETTIMERS':
+        return changes.some(({ field }) => field.kind === 'time');
+      case 'SETSERVO':
+        return request.position <= MAX_POSITION && kept.has(`position:${request.servo}:${request.function}`);
+      default:
+        return kept.has('idleThrottle');
+    }
   });
 }
 

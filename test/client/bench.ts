@@ -38,6 +38,17 @@ export function contentOf({ core }: VirtualTimer): TimerProgram {
   };
 }
 
+/** What one memory of the virtual timer holds, as a program. */
+export function memoryOf(timer: VirtualTimer, memory: number): TimerProgram {
+  const { times, positions } = timer.core.memories[memory] as { times: number[]; positions: number[][] };
+  return structuredClone({ ...contentOf(timer), memory, times, positions });
+}
+
+/** What each of its memories holds. */
+export function memoriesOf(timer: VirtualTimer): TimerProgram[] {
+  return timer.core.memories.map((_, memory) => memoryOf(timer, memory));
+}
+
 /** A copy of the program with other times and positions, given as `[slot, time]` and `[servo, slot, position]`. */
 export function edited(
   program: TimerProgram,

@@ -1,26 +1,9 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  type MemoriesRead,
-  type MemoriesReport,
-  type Progress,
-  TimerClient,
-  TimerError,
-} from '../../src/client/index.js';
+import type { Progress } from '../../src/client/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import type { VirtualTimer } from '../../src/simulator/index.js';
-import { bench, contentOf, edited, names } from './bench.js';
-import { type Direction, type Fault, FieldLine } from './field-line.js';
-import { everyValueChanged, FAULTS } from './matrix.js';
-import { damage, numbers } from './noise.js';
+import { bench, contentOf, edited, memoriesOf, memoryOf, names } from './bench.js';
+import { everyValueChanged } from './matrix.js';
 
-/** What one memory of the virtual timer holds, as a program. */
-function memoryOf(timer: VirtualTimer, memory: number): TimerProgram {
-  const { times, positions } = timer.core.memories[memory] as { times: number[]; positions: number[][] };
-  return structuredClone({ ...contentOf(timer), memory, times, positions });
-}
-
-const all = (timer: VirtualTimer): TimerProgram[] => timer.core.memories.map((_, memory) => memoryOf(timer, memory));
 const isSelect = (name: string): boolean => name === 'SETMEMORY';
 
 describe('reading several memories', () => {
@@ -32,7 +15,7 @@ describe('reading several memories', () => {
       expect(names(timer.core.answered)).not.toContain('SETMEMORY');
       told.push(original);
     };
-    expect(await run(client.readMemories({ onOriginal }))).toEqual({ original: 2, programs: all(timer) });
+    expect(await run(client.readMemories({ onOriginal }))).toEqual({ original: 2, programs: memoriesOf(timer) });
     expect(timer.core.memory).toBe(2);
     expect(told).toEqual([2]);
     const selected = timer.core.answered.flatMap((request) => (request.name === 'SETMEMORY' ? [request.memory] : []));
@@ -78,7 +61,7 @@ describe('reading several memories', () => {
   it('fits a timer that counts its memories from 1, once that has shown', async () => {
     const { client, timer, run } = bench({ quirks: { memoriesFromOne: true } });
     timer.core.memory = 3;
-    expect(await run(client.readMemories())).toEqual({ original: 3, programs: all(timer) });
+    expect(await run(client.readMemories())).toEqual({ original: 3, programs: memoriesOf(timer) });
   });
 
   it('goes back when asked to stop, and says that it was stopped', async () => {
@@ -103,7 +86,7 @@ describe('reading several memories', () => {
     const { client, timer, run } = bench({ fromTimer: { fault: (byte, index) => (index === 2 * 150 ? [] : [byte]) } });
     const told: Progress[] = [];
     const { programs } = await run(client.readMemories({ onProgress: (progress) => told.push(progress) }));
-    expect(programs).toEqual(all(timer));
+    expect(programs).toEqual(memoriesOf(timer));
     expect(client.damageSeen).toBe(true);
     const times = { first: 0, last: 0 };
     let memory = 0;
@@ -219,7 +202,7 @@ describe('writing several memories', () => {
   it('writes each into its own, hands over what it held before, and goes back', async () => {
     const { client, timer, run } = bench();
     timer.core.memory = 1;
-    const before = all(timer);
+    const before = memoriesOf(timer);
     const copy = (memory: number): TimerProgram => ({ ...(before[1] as TimerProgram), memory });
     const goals = [edited(copy(0), [[10, 30000]]), copy(3)];
     const backups: [TimerProgram, TimerProgram][] = [];
@@ -238,7 +221,7 @@ describe('writing several memories', () => {
       [before[0], goals[0]],
       [before[3], goals[1]],
     ]);
-    expect(all(timer).map((program) => ({ ...program, memory: 0 }))).toEqual(
+    expect(memoriesOf(timer).map((program) => ({ ...program, memory: 0 }))).toEqual(
       [goals[0], before[1], before[2], goals[1]].map((program) => ({ ...program, memory: 0 })),
     );
     expect(timer.core.memory).toBe(1);
@@ -246,17 +229,17 @@ describe('writing several memories', () => {
 
   it('writes nothing into a memory that holds something else than was believed, and gives what it holds', async () => {
     const { client, timer, run } = bench();
-    const [, first, second] = all(timer) as [TimerProgram, TimerProgram, TimerProgram];
+    const [, first, second] = memoriesOf(timer) as [TimerProgram, TimerProgram, TimerProgram];
     const baselines = [second, first];
     timer.core.memories[2]?.times.splice(10, 1, 12345);
-    const before = all(timer);
+    const before = memoriesOf(timer);
     const report = await run(client.writeMemories([first, second].map(everyValueChanged), { baselines }));
     expect(report).toMatchObject({
       restored: true,
       memories: [{ memory: 1, report: { result: 'verified' } }],
       stopped: { code: 'stale', details: { held: before[2] } },
     });
-    expect(all(timer)).toEqual([before[0], everyValueChanged(first), before[2], before[3]]);
+    expect(memoriesOf(timer)).toEqual([before[0], everyValueChanged(first), before[2], before[3]]);
     const other = { ...first, identity: { ...first.identity, firmware: '537' } };
     await expect(run(client.writeMemories([first], { baselines: [other] }))).rejects.toMatchObject({
       code: 'other-timer',
@@ -265,7 +248,7 @@ describe('writing several memories', () => {
 
   it('writes nothing into a memory that changed while its backup was kept', async () => {
     const { client, timer, run } = bench();
-    const before = all(timer);
+    const before = memoriesOf(timer);
     const onMemory = (): void => void timer.core.content.positions[0]?.splice(0, 1, 99);
     const goal = everyValueChanged(before[1] as TimerProgram);
     const report = await run(client.writeMemories([goal], { onMemory }));
@@ -276,7 +259,7 @@ describe('writing several memories', () => {
 
   it('writes nothing into a memory whose backup could not be kept, and goes back', async () => {
     const { client, timer, run } = bench();
-    const before = all(timer);
+    const before = memoriesOf(timer);
     const goals = before.slice(1, 3).map(everyValueChanged);
     let kept = 0;
     const onMemory = (): void => {
@@ -284,13 +267,13 @@ describe('writing several memories', () => {
       if (kept === 2) throw new Error('the store is full');
     };
     await expect(run(client.writeMemories(goals, { onMemory }))).rejects.toThrow('the store is full');
-    expect(all(timer)).toEqual([before[0], goals[0], before[2], before[3]]);
+    expect(memoriesOf(timer)).toEqual([before[0], goals[0], before[2], before[3]]);
     expect(timer.core.memory).toBe(0);
   });
 
   it('writes nothing when any goal cannot be written', async () => {
     const { client, timer, run } = bench();
-    const [, first, second] = all(timer) as [TimerProgram, TimerProgram, TimerProgram, TimerProgram];
+    const [, first, second] = memoriesOf(timer) as [TimerProgram, TimerProgram, TimerProgram, TimerProgram];
     await run(client.identify());
     timer.core.answered.length = 0;
     for (const [wrong, error] of [
@@ -315,7 +298,7 @@ describe('writing several memories', () => {
 
   it('tells what was written when a later goal cannot be, and when it is asked to stop', async () => {
     const { client, timer, run } = bench();
-    const [, first, second] = all(timer).map(everyValueChanged) as [TimerProgram, TimerProgram, TimerProgram];
+    const [, first, second] = memoriesOf(timer).map(everyValueChanged) as [TimerProgram, TimerProgram, TimerProgram];
     // Past the last step: only where the timer holds the same.
     const report = await run(client.writeMemories([first, edited(second, [], [[0, 0, 200]])]));
     expect(report).toMatchObject({
@@ -341,7 +324,7 @@ describe('writing several memories', () => {
 
   it('goes on to the next memory when the timer rounds, and stops at one that was changed by something else', async () => {
     const { client, timer, run } = bench({ quirks: { timeStep: 10 } });
-    const before = all(timer);
+    const before = memoriesOf(timer);
     const goals = before.slice(1, 3).map((program) => edited(program, [[1, 123]]));
     const rounded = await run(client.writeMemories(goals));
     expect(rounded.memories.map(({ report }) => report.result)).toEqual(['differs', 'differs']);
@@ -372,7 +355,7 @@ describe('writing several memories', () => {
 
   it('says loudly which memory is left behind when the cable is pulled, with what is known of each', async () => {
     const { client, timer, run } = bench();
-    const goals = all(timer).slice(1, 3).map(everyValueChanged);
+    const goals = memoriesOf(timer).slice(1, 3).map(everyValueChanged);
     timer.core.onAnswer = ({ name }) => {
       if (name === 'SETTIMERS' && timer.core.memory === 2) timer.cut();
     };
@@ -389,7 +372,7 @@ describe('writing several memories', () => {
 describe('the progress of several memories', () => {
   it('is that of the whole way: it never falls, comes to its end, and says the memory and the time', async () => {
     const { client, timer, run, clock } = bench();
-    const goals = all(timer).map((program) => edited(program, [[10, 40000]]));
+    const goals = memoriesOf(timer).map((program) => edited(program, [[10, 40000]]));
     const jobs: ((onProgress: (progress: Progress) => void) => Promise<unknown>)[] = [
       (onProgress) => client.readMemories({ onProgress }),
       (onProgress) => client.writeMemories(goals, { onProgress }),
@@ -419,99 +402,5 @@ describe('the progress of several memories', () => {
       }),
     );
     expect((told.at(-1) as Progress).endsBy - (told[0] as Progress).endsBy).toBe(90_000);
-  });
-});
-
-/** Whatever is said of memories must be so. */
-function expectTruth(
-  timer: VirtualTimer,
-  result: unknown,
-  goals: readonly TimerProgram[],
-  original: number,
-  text: string,
-): void {
-  const { stopped, restored, memories } = result as Partial<MemoriesReport>;
-  const error = result instanceof TimerError ? result : stopped;
-  if (error?.code === 'memory-left') {
-    expect(error.details.expected, text).toBe(original);
-    const { found } = error.details as { found: number | null };
-    if (found !== null) expect(timer.core.memory, text).toBe(found);
-  } else {
-    expect(timer.core.memory, text).toBe(original);
-  }
-  if (restored !== undefined) expect(restored, text).toBe(error?.code !== 'memory-left');
-  const { programs } = result as Partial<MemoriesRead>;
-  for (const program of programs ?? []) expect(program, text).toEqual(memoryOf(timer, program.memory as number));
-  for (const { memory, report } of memories ?? []) {
-    const goal = goals.find((each) => each.memory === memory);
-    if (report.result === 'verified') expect(memoryOf(timer, memory), text).toEqual(goal);
-  }
-}
-
-describe('several memories on a bad line', () => {
-  const jobs: Record<'read' | 'write', (client: TimerClient, goals: readonly TimerProgram[]) => Promise<unknown>> = {
-    read: (client) => client.readMemories(),
-    write: (client, goals) => client.writeMemories(goals),
-  };
-
-  it.each([
-    ['read', 4563],
-    ['write', 11979],
-  ] as const)(
-    '%s: whatever befalls whichever byte, the first memory is current again or it is said that it is not: %i cases',
-    async (job, count) => {
-      const meet = async () => {
-        const { clock, timer, run } = bench({ identity: { functions: 2, memories: 2, servos: 1 }, baudRate: 9600 });
-        const line = new FieldLine(timer, clock);
-        const client = new TimerClient(line.open(), { clock });
-        await run(client.identify());
-        return { timer, run, line, client, goals: all(timer).map(everyValueChanged) };
-      };
-      const quiet = await meet();
-      const begin = quiet.line.counts;
-      await quiet.run(jobs[job](quiet.client, quiet.goals));
-      const end = quiet.line.counts;
-      let cases = 0;
-      for (const direction of ['out', 'in'] satisfies Direction[]) {
-        for (let index = 0; index < end[direction] - begin[direction]; index++) {
-          for (const [name, faultAt] of Object.entries(FAULTS)) {
-            const fault: Fault = faultAt(index);
-            if (fault.event === 'gone') continue;
-            const { timer, run, line, client, goals } = await meet();
-            line.arm(direction, index, fault);
-            const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
-            expectTruth(timer, result, goals, 0, `${job}, byte ${index} ${direction}, ${name}`);
-            if (!fault.event) expect(result, name).not.toBeInstanceOf(Error);
-            cases++;
-          }
-        }
-      }
-      expect(cases).toBe(count);
-    },
-  );
-
-  it('1 % of all bytes damaged: it always succeeds; 5 %: what is said is so', async () => {
-    await fc.assert(
-      fc.asyncProperty(
-        fc.integer({ min: 0, max: 2 ** 31 }),
-        fc.constantFrom(0.01, 0.05),
-        fc.constantFrom('read' as const, 'write' as const),
-        async (seed, share, job) => {
-          const hurt = damage(share, numbers(seed));
-          let noisy = false;
-          const line = { fault: (byte: number): number[] => (noisy ? hurt(byte) : [byte]) };
-          const { client, timer, run } = bench({ baudRate: 9600, toTimer: line, fromTimer: line });
-          await run(client.identify());
-          noisy = true;
-          const goals = all(timer).map(everyValueChanged);
-          const result = await run(jobs[job](client, goals).catch((error: unknown) => error));
-          if (client.damageSeen) expectTruth(timer, result, goals, 0, job);
-          if (share > 0.01) return;
-          if (job === 'read') expect(result).not.toBeInstanceOf(Error);
-          else expect(result).toMatchObject({ restored: true, stopped: null });
-        },
-      ),
-      { numRuns: 100 },
-    );
   });
 });

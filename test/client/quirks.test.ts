@@ -1,6 +1,5 @@
-import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type AssumedQuirks, type QuirkCode, TimerClient } from '../../src/client/index.js';
+import { type QuirkCode, TimerClient } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
 import {
@@ -184,6 +183,16 @@ describe('an answer that makes no sense', () => {
     expect(client.damageSeen).toBe(false);
   });
 
+  it('an acknowledgement of SETSERVO with data is none, and what the timer holds is read all the same', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    answering(timer, 'SETSERVO', () => [1, 2, 3]);
+    const goal = edited(baseline, [], [[0, 3, 70]]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report).toMatchObject({ held: goal, acknowledged: 0, stopped: null, result: 'verified' });
+    expect(found(client)).toEqual([]);
+  });
+
   it('one reply that says the number of memories does not tell that they count from 1', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [4] : undefined));
@@ -211,8 +220,12 @@ describe('times with their high byte first', () => {
     const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } });
     const read = await run(client.readProgram());
     expect(found(client)).toEqual(['times-big-endian']);
-    const wrong = edited(read, [[10, 30000]]);
-    await expect(run(client.writeProgram(wrong, { baseline: read }))).rejects.toMatchObject({ code: 'undecided' });
+    for (const wrong of [edited(read, [[10, 30000]]), edited(read, [[10, 30000]], [[0, 0, 1]])]) {
+      await expect(run(client.writeProgram(wrong, { baseline: read }))).rejects.toMatchObject({
+        code: 'undecided',
+        details: { request: 'SETTIMERS' },
+      });
+    }
     // Positions do not depend on it.
     const positions = edited(read, [], [[0, 0, 1]]);
     expect((await run(client.writeProgram(positions, { baseline: read }))).result).toBe('verified');
@@ -261,6 +274,41 @@ describe('servo before function', () => {
     expect(contentOf(timer)).toEqual(goal);
   });
 
+  it('is contradicted in the same way: the other cell is put back in the usual order', async () => {
+    const { client, timer, run } = bench({}, { quirks: { servoFirst: true } });
+    const baseline = await run(client.readProgram());
+    const goal = edited(baseline, [], [[2, 1, 99]]);
+    const report = await run(client.writeProgram(goal, { baseline }));
+    expect(report.values).toMatchObject([
+      { field: { kind: 'position', servo: 2, slot: 1 }, status: 'differs', asked: true },
+      { field: { kind: 'position', servo: 1, slot: 2 }, status: 'verified', asked: false },
+    ]);
+    expect(contentOf(timer)).toEqual(baseline);
+    expect(client.quirksAssumed).toEqual({ servoFirst: true });
+  });
+
+  it('is not suspected when a write ends at a function that is no servo for another reason', async () => {
+    const cases: [string, (timer: VirtualTimer, stop: AbortController) => unknown, CommandName][] = [
+      ['aborted', (_, stop) => stop.abort(), 'SETSERVO'],
+      ['no-answer', ({ core }) => core.sleep(), 'SETTIMERS'],
+      ['no-answer', ({ core }) => core.sleep(), 'MOVETOFUNC'],
+    ];
+    for (const [code, happen, at] of cases) {
+      const { client, timer, run } = bench();
+      const baseline = await run(client.readProgram());
+      const stop = new AbortController();
+      const moveServos = at === 'MOVETOFUNC';
+      const goal = moveServos ? edited(baseline, [], [[1, 5, 99]]) : edited(baseline, [[10, 30000]], [[1, 5, 99]]);
+      const answer = timer.core.answer.bind(timer.core);
+      timer.core.answer = (frame, bare) => {
+        if (frame.code === COMMANDS[at].request) happen(timer, stop);
+        return answer(frame, bare);
+      };
+      const report = await run(client.writeProgram(goal, { baseline, moveServos, signal: stop.signal }));
+      expect([at, report.stopped?.code, found(client)]).toEqual([at, code, []]);
+    }
+  });
+
   it('is suspected when a function that is no servo gets no answer, and nothing is said to be written', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
@@ -302,6 +350,34 @@ describe('positions that are kept only where the servos stand', () => {
     expect([report.result, names(timer.core.answered).includes('MOVETOFUNC')]).toEqual(['verified', false]);
   });
 
+  it.each<[servosMoved: boolean, slots: [number, number], dropped: boolean]>([
+    [false, [1, 4], true],
+    [false, [1, 1], false],
+    [true, [1, 4], false],
+  ])(
+    'are suspected no longer once two functions kept theirs unmoved (moved: %s, functions %o: %s)',
+    async (moveServos, slots, dropped) => {
+      const { client, timer, run } = bench();
+      const baseline = await run(client.readProgram());
+      const kept = structuredClone(timer.core.content.positions);
+      timer.core.onAnswer = ({ name }) => {
+        if (name === 'SETSERVO') timer.core.content.positions = structuredClone(kept);
+      };
+      await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
+      timer.core.onAnswer = undefined;
+      expect([found(client), client.quirksAssumed]).toEqual([['positions-unchanged'], { positionsNeedMove: true }]);
+      const goal = edited(
+        baseline,
+        [],
+        slots.map((slot, servo) => [servo, slot, 90 + servo]),
+      );
+      expect((await run(client.writeProgram(goal, { baseline, moveServos }))).result).toBe('verified');
+      expect([found(client), client.quirksAssumed]).toEqual(
+        dropped ? [[], {}] : [['positions-unchanged'], { positionsNeedMove: true }],
+      );
+    },
+  );
+
   it('are written when the pilot agreed that the servos move: once to each function', async () => {
     const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
     const baseline = await run(client.readProgram());
@@ -316,7 +392,7 @@ describe('positions that are kept only where the servos stand', () => {
     );
     timer.core.answered.length = 0;
     const report = await run(client.writeProgram(goal, { baseline, moveServos: true }));
-    expect(report.result).toBe('verified');
+    expect([report.result, report.acknowledged]).toEqual(['verified', 3]);
     expect(names(timer.core.answered).slice(6, 11)).toEqual([
       'MOVETOFUNC',
       'SETSERVO',
@@ -335,101 +411,5 @@ describe('what a version reply may say', () => {
     const goal = edited(baseline, [[10, 30000]]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(contentOf(timer)).toEqual(goal);
-  });
-});
-
-describe('all quirks together', () => {
-  const switches = [
-    'timersReplyAs66',
-    'unlockReplyAs6A',
-    'memoryReplyEmpty',
-    'bareChecksumReply',
-    'bigEndianTimes',
-    'servoFirst',
-    'memoriesFromOne',
-    'servoNeedsMove',
-    'bareChecksumRequests',
-    'echo',
-  ] as const satisfies readonly (keyof TimerQuirks)[];
-
-  it('whatever a timer does differently, verified is never said wrongly; with the right choices the goal is reached, in all 1024 combinations', async () => {
-    for (let bits = 0; bits < 2 ** switches.length; bits++) {
-      const quirks: TimerQuirks = Object.fromEntries(switches.map((name, bit) => [name, (bits & (1 << bit)) !== 0]));
-      const { client, timer, run } = bench({ identity: { timerClass: 'Q', functions: 4, servos: 3 }, quirks });
-      const label = JSON.stringify(quirks);
-
-      const first = await run(client.readProgram());
-      const blind = edited(first, [[4, 30000]], [[1, 2, 99]]);
-      const report = await run(client.writeProgram(blind, { baseline: first }).catch(() => null));
-      if (report?.result === 'verified') {
-        expect({ ...contentOf(timer), memory: first.memory }, label).toEqual(blind);
-      }
-      expect(names(timer.core.answered), label).not.toContain('MOVETOFUNC');
-
-      const { bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne } = quirks;
-      const choices: AssumedQuirks = {
-        bigEndianTimes: bigEndianTimes === true,
-        servoFirst: servoFirst === true,
-        bareChecksumRequests: bareChecksumRequests === true,
-        memoriesFromOne: memoriesFromOne === true,
-      };
-      client.assume(choices);
-      const baseline = await run(client.readProgram());
-      expect({ ...baseline, memory: 0 }, label).toEqual(contentOf(timer));
-      const goal = edited(baseline, [[4, 20000]], [[2, 3, 98]]);
-      const moveServos = quirks.servoNeedsMove === true;
-      expect((await run(client.writeProgram(goal, { baseline, moveServos }))).result, label).toBe('verified');
-      expect({ ...contentOf(timer), memory: baseline.memory }, label).toEqual(goal);
-      await run(client.unlockMotor());
-      expect(timer.core.motorLocked, label).toBe(false);
-      await run(client.selectMemory(2));
-      expect(timer.core.memory, label).toBe(2);
-
-      // What can be told from the line was found, and nothing else.
-      const expected = new Set<QuirkCode>();
-      if (quirks.timersReplyAs66) expected.add('timers-reply-66');
-      if (quirks.unlockReplyAs6A) expected.add('unlock-reply-6a');
-      if (quirks.memoryReplyEmpty) expected.add('memory-unknown');
-      if (quirks.bareChecksumReply) expected.add('bare-checksum');
-      if (quirks.bigEndianTimes) expected.add('times-big-endian');
-      if (quirks.echo) expected.add('echo');
-      // While the byte order is open the first write is refused, so its read-back tells nothing.
-      if (!quirks.bigEndianTimes && quirks.servoNeedsMove) expected.add('positions-unchanged');
-      else if (!quirks.bigEndianTimes && quirks.servoFirst) expected.add('servo-first');
-      for (const code of expected) expect(found(client), `${label} finds ${code}`).toContain(code);
-    }
-  });
-
-  it('a damaged line on top of it changes nothing of that', async () => {
-    const quirks = fc
-      .subarray([...switches])
-      .map((on): TimerQuirks => Object.fromEntries(on.map((name) => [name, true])));
-    await fc.assert(
-      fc.asyncProperty(
-        quirks,
-        fc.array(fc.integer({ min: 0, max: 300 }), { maxLength: 4 }),
-        async (timerQuirks, lost) => {
-          const { client, timer, run } = bench({
-            identity: { timerClass: 'Q', functions: 3, servos: 2 },
-            quirks: timerQuirks,
-            fromTimer: { fault: (byte, index) => (lost.includes(index) ? [] : [byte]) },
-          });
-          const { bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne, servoNeedsMove } = timerQuirks;
-          client.assume({ bigEndianTimes, servoFirst, bareChecksumRequests, memoriesFromOne } as AssumedQuirks);
-          const baseline = await run(client.readProgram().catch(() => null));
-          if (!baseline) return;
-          const goal = edited(baseline, [[3, 20000]], [[1, 2, 98]]);
-          const report = await run(
-            client.writeProgram(goal, { baseline, moveServos: servoNeedsMove === true }).catch(() => null),
-          );
-          if (report?.result !== 'verified') return;
-          // What was never read, because each of its replies was lost, was not wanted to be anything.
-          const { memory, idleThrottle } = goal;
-          const held = contentOf(timer);
-          expect({ ...held, memory, idleThrottle: idleThrottle === null ? null : held.idleThrottle }).toEqual(goal);
-        },
-      ),
-      { numRuns: 200 },
-    );
   });
 });

@@ -108,7 +108,8 @@ describe('what is counted and noted for each write', () => {
   it('a rounded time is noted at the first slot, too', async () => {
     const { client, run } = bench({ identity: { timerClass: 'Q' }, quirks: { timeStep: 10 } });
     const baseline = await run(client.readProgram());
-    await run(client.writeProgram(edited(baseline, [[0, 1005]]), { baseline }));
+    // A position behind it says nothing of times.
+    await run(client.writeProgram(edited(baseline, [[0, 1005]], [[0, 3, 70]]), { baseline }));
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 0, sent: 1005, held: 1000 });
   });
 

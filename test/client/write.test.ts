@@ -134,7 +134,10 @@ describe('write program', () => {
       (timer.core.content.positions[1] as number[])[5] = 99;
     };
     const goal = edited(baseline, [[10, 30000]]);
-    const report = await run(client.writeProgram(goal, { baseline }));
+    const stages: string[] = [];
+    const onProgress = ({ stage }: { stage: string }): void => void (stages.at(-1) !== stage && stages.push(stage));
+    const report = await run(client.writeProgram(goal, { baseline, onProgress }));
+    expect(stages).toEqual(['read', 'write', 'verify', 'repair', 'verify']);
     expect(report.result).toBe('verified');
     expect(report.values).toContainEqual({
       field: { kind: 'position', servo: 1, slot: 5 },
@@ -242,6 +245,20 @@ describe('write program', () => {
     const held = await run(client.readProgram());
     expect(held).toEqual(edited(goal, [], [[2, 9, 1]]));
     expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
+  });
+
+  it('takes nothing for its own doing that it has not sent yet', async () => {
+    let lose = false;
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
+    const baseline = await run(client.readProgram());
+    timer.core.onAnswer = ({ name }) => {
+      lose = name === 'SETTIMERS';
+      // The value of the SETSERVO that is still to come, where a timer puts it that takes the servo first.
+      if (lose) (timer.core.content.positions[1] as number[])[2] = 99;
+    };
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]], [[2, 1, 99]]), { baseline }));
+    expect(report).toMatchObject({ result: 'unknown', stopped: { code: 'changed' } });
+    expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS']);
   });
 
   it('goes on after silence with a timer that rounds, or takes the servo first', async () => {
