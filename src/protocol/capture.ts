@@ -28,7 +28,7 @@ const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
 export function formatCapture(entries: readonly CaptureEntry[]): string {
   let previous = 0;
   const lines = entries.map(({ time, direction, bytes }, index) => {
-    if (!(time >= previous && time < LONGEST_CAPTURE)) {
+    if (!(time >= previous && time <= LONGEST_CAPTURE)) {
       throw entryRefusal(index, 'its time must be a time since the capture began, and none before the one above it');
     }
     if (!(bytes?.length > 0)) throw entryRefusal(index, 'it must have bytes');
@@ -46,8 +46,9 @@ export function formatCapture(entries: readonly CaptureEntry[]): string {
  * above it.
  */
 export function parseCapture(text: string): CaptureEntry[] {
-  const lines = text.replace(/^\uFEFF/, '').split(/\r\n|\r|\n/);
-  if (lines[0]?.trim() !== HEADER) throw refusal(1, `the first line must be “${HEADER}”`);
+  const lines = text.split(/\r\n|\r|\n/);
+  // Without the byte order mark too, which counts as a blank.
+  if ((lines[0] as string).trim() !== HEADER) throw refusal(1, `the first line must be “${HEADER}”`);
   const entries: CaptureEntry[] = [];
   lines.forEach((line, index) => {
     const trimmed = line.trim();

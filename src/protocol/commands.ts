@@ -39,7 +39,7 @@ const idleThrottleField = byteField('idleThrottle', () => 255);
 /** A table that nobody can change, down to its lists: everybody shares it. */
 function frozen<const T extends object>(table: T): T {
   for (const value of Object.values(table)) {
-    if (typeof value === 'object' && value !== null) frozen(value);
+    if (typeof value === 'object') frozen(value);
   }
   return Object.freeze(table);
 }

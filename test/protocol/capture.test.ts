@@ -27,6 +27,9 @@ describe('a capture as text', () => {
     expect(parseCapture(other.replaceAll('\n', '\r\n'))).toEqual(example);
     expect(parseCapture(other.replaceAll('\n', '\r'))).toEqual(example);
     expect(parseCapture('# Sidus capture 1')).toEqual([]);
+    expect(parseCapture(' # Sidus capture 1 \n  # a remark\n \n 5 > 00 ')).toEqual([
+      { time: 5000, direction: 'out', bytes: fromHex('00') },
+    ]);
   });
 
   it.each([
@@ -93,10 +96,17 @@ describe('what cannot be a capture', () => {
     ['a time longer than a capture can be', [entry, { ...entry, time: 1e12 }], 'entry 1'],
     ['a negative time', [{ ...entry, time: -1 }], 'entry 0'],
     ['no time', [{ ...entry, time: Number.NaN }], 'entry 0'],
+    ['a time that rounds to one', [{ ...entry, time: 1e12 - 0.4 }], 'entry 0'],
     ['no bytes', [entry, { ...entry, bytes: new Uint8Array() }], 'entry 1'],
+    ['no list of bytes', [{ time: 0, direction: 'in' } as CaptureEntry], 'entry 0'],
     ['no direction', [{ ...entry, direction: 'up' as 'in' }], 'entry 0'],
   ])('is not written: %s', (_, entries, field) => {
     expect(() => formatCapture(entries)).toThrow(expect.objectContaining({ code: 'bad-capture', field }));
+  });
+
+  it('is not the longest time that has nine digits of seconds', () => {
+    const longest = [{ ...entry, time: 999_999_999_999 }];
+    expect(parseCapture(formatCapture(longest))).toEqual(longest);
   });
 
   it('becomes one: entries of a line with the time of day, errors of the line and a clock that was put back', () => {

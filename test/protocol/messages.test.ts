@@ -171,6 +171,12 @@ describe('the size of an exchange', () => {
   it.each(ofB536(table.replies))('reply to $name', ({ hex, message }) => {
     expect(exchangeSize(message.name, B536).reply).toBe(fromHex(hex).length);
   });
+  it('counts what may be missing, and what the timer says of itself', () => {
+    expect([exchangeSize('GETSWVER', B536), exchangeSize('GETLOWRPM', B536)]).toEqual([
+      { request: 9, reply: 18 },
+      { request: 9, reply: 10 },
+    ]);
+  });
   it('fits the longest frame for the largest timer', () => {
     expect(exchangeSize('SETTIMERS', LARGE).request).toBe(261);
   });
