@@ -107,7 +107,8 @@ async function judge(job: ClientJob, reply: ReplyOf<'GETMEMORY'>, agreed: boolea
   await exchange.requireIdentity(signal);
   if (memory < 0) {
     // No timer that counts from 1 has a memory 0.
-    quirks.drop('memories-from-one', 'memoriesFromOne');
+    quirks.drop('memories-from-one');
+    quirks.unassume('memoriesFromOne');
     return 0;
   }
   if (memory === identity.memories && !quirks.assumed.memoriesFromOne) {

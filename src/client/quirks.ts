@@ -94,9 +94,12 @@ export class Quirks {
   }
 
   /** Takes back what the timer has contradicted. */
-  drop(code: QuirkCode, assumption?: keyof AssumedQuirks): void {
+  drop(code: QuirkCode): void {
     this.found.delete(code);
-    if (!assumption || this.assumed[assumption] === undefined) return;
+  }
+
+  /** Assumes nothing of it any more. */
+  unassume(assumption: keyof AssumedQuirks): void {
     const { [assumption]: _, ...others } = this.assumed;
     this.assumed = others;
   }

@@ -129,7 +129,10 @@ class Write {
       if (slot !== null) {
         quirks.note('times-rounded', { slot, sent: goal.times[slot] as number, held: held.times[slot] as number });
       }
-      if (!moveServos && arePositionsKept(this.#plan, held)) quirks.drop('positions-unchanged', 'positionsNeedMove');
+      if (!moveServos && arePositionsKept(this.#plan, held)) {
+        quirks.drop('positions-unchanged');
+        quirks.unassume('positionsNeedMove');
+      }
     });
   }
 

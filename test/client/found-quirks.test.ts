@@ -1,0 +1,91 @@
+import { describe, expect, it } from 'vitest';
+import { Quirks } from '../../src/client/quirks.js';
+
+describe('what a timer was found to do differently', () => {
+  it('keeps the facts of the first time', () => {
+    const quirks = new Quirks({});
+    quirks.note('memory-impossible', { index: 7 });
+    quirks.note('memory-impossible', { index: 8 });
+    expect(quirks.found.get('memory-impossible')).toEqual({ index: 7 });
+  });
+
+  it('is forgotten when another timer is there, and what was said beforehand is not', () => {
+    const quirks = new Quirks({ servoFirst: true });
+    quirks.note('echo');
+    quirks.assume({ memoriesFromOne: true });
+    quirks.noteForm('GETTIMERS', 'misprint');
+    quirks.noteForm('GETTIMERS', 'misprint');
+    quirks.reset();
+    expect([quirks.found.size, quirks.assumed]).toEqual([0, { servoFirst: true }]);
+    expect(quirks.mayMisprint('GETTIMERS', 'known')).toBe(false);
+  });
+
+  it('is forgotten with all that is assumed when the pilot says so', () => {
+    const quirks = new Quirks({ servoFirst: true });
+    quirks.note('echo');
+    quirks.forget();
+    expect([quirks.found.size, quirks.assumed]).toEqual([0, {}]);
+  });
+
+  it('is dropped when the timer contradicts it, and only that', () => {
+    const quirks = new Quirks({ servoFirst: true, memoriesFromOne: true });
+    quirks.note('memories-from-one');
+    quirks.note('echo');
+    quirks.drop('memories-from-one');
+    quirks.unassume('memoriesFromOne');
+    expect([[...quirks.found.keys()], quirks.assumed]).toEqual([['echo'], { servoFirst: true }]);
+  });
+});
+
+describe('the misprinted form of a reply', () => {
+  it('is believed when it came twice, and no longer once the right one came', () => {
+    const quirks = new Quirks({});
+    const seen = () => [
+      quirks.mayMisprint('GETTIMERS', 'yes'),
+      quirks.mayMisprint('GETTIMERS', 'known'),
+      quirks.isMisprintNew('GETTIMERS'),
+      quirks.found.has('timers-reply-66'),
+    ];
+    expect(seen()).toEqual([true, false, false, false]);
+    quirks.noteForm('GETTIMERS', 'misprint');
+    expect(seen()).toEqual([true, false, true, false]);
+    quirks.noteForm('GETTIMERS', 'misprint');
+    expect(seen()).toEqual([true, true, false, true]);
+    quirks.noteForm('GETTIMERS', 'exact');
+    expect(seen()).toEqual([false, false, false, false]);
+    quirks.noteForm('GETTIMERS', 'misprint');
+    expect(seen()).toEqual([false, false, false, false]);
+  });
+
+  it('of UNLOCK is believed at once: it is not sent again to see', () => {
+    const quirks = new Quirks({});
+    quirks.noteForm('UNLOCK', 'misprint');
+    expect([...quirks.found.keys()]).toEqual(['unlock-reply-6a']);
+  });
+});
+
+describe('bare checksums of requests', () => {
+  it('are for SETMEMORY and SETLOWRPM, and only when assumed', () => {
+    const requests = [
+      { name: 'SETMEMORY', memory: 1 },
+      { name: 'SETLOWRPM', idleThrottle: 1 },
+      { name: 'GETSWVER' },
+    ] as const;
+    const bare = (quirks: Quirks) => requests.map((request) => quirks.isBare(request));
+    expect(bare(new Quirks({ bareChecksumRequests: true }))).toEqual([true, true, false]);
+    expect(bare(new Quirks({}))).toEqual([false, false, false]);
+    expect(bare(new Quirks({ bareChecksumRequests: false }))).toEqual([false, false, false]);
+  });
+});
+
+describe('the byte order of times', () => {
+  it('is open when it is suspected, until somebody decides', () => {
+    const quirks = new Quirks({});
+    const open = [quirks.byteOrderOpen];
+    quirks.note('times-big-endian');
+    open.push(quirks.byteOrderOpen);
+    quirks.assume({ bigEndianTimes: false });
+    open.push(quirks.byteOrderOpen);
+    expect(open).toEqual([false, true, false]);
+  });
+});
