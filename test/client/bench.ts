@@ -1,7 +1,7 @@
 import { type LineEntry, TimerClient, type TimerClientOptions } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import type { Request } from '../../src/protocol/index.js';
+import { COMMANDS, type CommandName, encodeFrame, type Request } from '../../src/protocol/index.js';
 import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
 
 /** A virtual timer and a client on one clock that is turned by hand. */
@@ -60,4 +60,23 @@ export function edited(
   const rows = program.positions.map((row) => [...row]);
   for (const [servo, slot, position] of positions) (rows[servo] as number[])[slot] = position;
   return { ...program, times, positions: rows };
+}
+
+/**
+ * Lets the timer answer some requests with other data than it would.
+ * @param data by how often it was asked; undefined: its own; null: it keeps silent.
+ */
+export function answering(
+  { core }: VirtualTimer,
+  name: CommandName,
+  data: (count: number) => readonly number[] | null | undefined,
+): void {
+  const answer = core.answer.bind(core);
+  let count = 0;
+  core.answer = (frame, bare) => {
+    const other = frame.code === COMMANDS[name].request ? data(count++) : undefined;
+    if (other === null) return undefined;
+    const reply = answer(frame, bare);
+    return other ? encodeFrame(COMMANDS[name].reply, other) : reply;
+  };
 }

@@ -6,13 +6,12 @@ import {
   COMMANDS,
   type CommandName,
   commandOf,
-  encodeFrame,
   encodeReply,
   type Identity,
   type Reply,
 } from '../../src/protocol/index.js';
 import type { TimerQuirks, VirtualTimer } from '../../src/simulator/index.js';
-import { bench, contentOf, edited, names } from './bench.js';
+import { answering, bench, contentOf, edited, names } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
 
@@ -140,17 +139,6 @@ describe('a timer that departs from the usual reading', () => {
 });
 
 describe('an answer that makes no sense', () => {
-  /** Lets the timer answer some requests with other data than it would. */
-  function answering({ core }: VirtualTimer, name: CommandName, data: (count: number) => number[] | undefined): void {
-    const answer = core.answer.bind(core);
-    let count = 0;
-    core.answer = (frame, bare) => {
-      const other = frame.code === COMMANDS[name].request ? data(count++) : undefined;
-      const reply = answer(frame, bare);
-      return other ? encodeFrame(COMMANDS[name].reply, other) : reply;
-    };
-  }
-
   it('an impossible current memory is not known, and the rest is shown and can be written', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', () => [200]);

@@ -1,0 +1,148 @@
+import { describe, expect, it } from 'vitest';
+import { isNoAnswer, policyFor } from '../../src/client/current-memory.js';
+import { TimerError } from '../../src/client/index.js';
+import { COMMANDS } from '../../src/protocol/index.js';
+import { answering, type Bench, bench, contentOf, edited, names } from './bench.js';
+
+/** How often the timer was asked which memory is current. */
+function counting({ line }: Bench): () => number {
+  const asked = (): number =>
+    line.filter(({ direction, frame }) => direction === 'out' && frame?.code === COMMANDS.GETMEMORY.request).length;
+  let before = 0;
+  return () => {
+    const now = asked() - before;
+    before += now;
+    return now;
+  };
+}
+
+describe('a timer that does not answer which memory is current', () => {
+  it('is read all the same; the question goes out six times, and twice from then on', async () => {
+    const made = bench();
+    const { client, timer, run } = made;
+    await run(client.identify());
+    answering(timer, 'GETMEMORY', () => null);
+    const count = counting(made);
+    expect(await run(client.readProgram())).toEqual({ ...contentOf(timer), memory: null });
+    expect([[...client.quirksFound.keys()], count()]).toEqual([['memory-unknown'], 6]);
+    await run(client.readProgram());
+    expect(count()).toBe(2);
+  });
+
+  it('can be written: that it does not say so is what was read', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', () => null);
+    const baseline = await run(client.readProgram());
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect([report.result, report.held?.memory]).toEqual(['verified', null]);
+  });
+
+  it('is not taken for one when a memory is to be selected, or several are to be read', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    answering(timer, 'GETMEMORY', () => null);
+    const silent = { code: 'no-answer', details: { request: 'GETMEMORY', sent: 10 } };
+    await expect(run(client.selectMemory(2))).rejects.toMatchObject(silent);
+    await expect(run(client.readMemories())).rejects.toMatchObject(silent);
+    expect([...client.quirksFound.keys()]).toEqual([]);
+  });
+});
+
+describe('an answer that names another memory than the one that was read', () => {
+  it('is not believed alone', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    answering(timer, 'GETMEMORY', (count) => (count === 0 ? [1] : undefined));
+    const report = await run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    expect(report.result).toBe('verified');
+  });
+
+  it('is believed when it came twice, and told with both numbers', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    answering(timer, 'GETMEMORY', () => [1]);
+    const writing = run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    await expect(writing).rejects.toMatchObject({
+      code: 'other-memory',
+      message: 'memory 1 is current, not 0',
+      details: { expected: 0, found: 1 },
+    });
+    expect(names(timer.core.answered)).not.toContain('SETTIMERS');
+  });
+
+  it('that names none any more stops a write before its first value', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    answering(timer, 'GETMEMORY', () => []);
+    const writing = run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }));
+    await expect(writing).rejects.toMatchObject({ code: 'memory-unknown', details: { expected: 0, found: null } });
+  });
+
+  it('that names no memory at all is asked for again', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', (count) => (count === 0 ? [] : undefined));
+    expect((await run(client.readProgram())).memory).toBe(0);
+    expect([...client.quirksFound.keys()]).toEqual([]);
+  });
+});
+
+describe('an impossible memory', () => {
+  it('one beyond the last, counted from 0, is the last of a timer that counts from 1', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', () => [4]);
+    expect((await run(client.readProgram())).memory).toBe(3);
+    expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([
+      ['memories-from-one'],
+      { memoriesFromOne: true },
+    ]);
+  });
+
+  it.each([
+    [5, false, 5],
+    [5, true, 5],
+    [6, true, 6],
+  ])('%i, where memories count from 1: %s, is told as it stood on the wire', async (index, memoriesFromOne, told) => {
+    const { client, timer, run } = bench({}, { quirks: { memoriesFromOne } });
+    answering(timer, 'GETMEMORY', () => [index]);
+    expect((await run(client.readProgram())).memory).toBeNull();
+    expect(client.quirksFound.get('memory-impossible')).toEqual({ index: told });
+    expect([client.quirksFound.has('memories-from-one'), client.quirksAssumed]).toEqual([false, { memoriesFromOne }]);
+  });
+
+  it('0, which no timer has that counts from 1, takes that back', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', (count) => (count < 2 ? [4] : [0]));
+    expect((await run(client.readProgram())).memory).toBe(0);
+    expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([[], {}]);
+  });
+
+  it('is asked for once more where one answer was enough, and not where two have agreed', async () => {
+    const made = bench();
+    const { client, timer, run } = made;
+    await run(client.identify());
+    answering(timer, 'GETMEMORY', () => [200]);
+    const count = counting(made);
+    await run(client.request({ name: 'GETTIMERS' }));
+    expect(count()).toBe(0);
+    await expect(run(client.readMemories())).rejects.toMatchObject({ code: 'memory-unknown' });
+    expect(count(), 'asked for twice').toBe(2);
+    await run(client.readProgram());
+    expect(count(), 'twice at the beginning, and twice at the end').toBe(4);
+  });
+});
+
+describe('whether a question stays unanswered', () => {
+  it.each<[string, unknown, boolean, boolean]>([
+    ['no answer came', new TimerError('no-answer', ''), true, true],
+    ['none that made sense', new TimerError('bad-reply', ''), true, true],
+    ['damage only, which says so of a timer that is known to be silent', new TimerError('unstable', ''), false, true],
+    ['the port is lost', new TimerError('port-lost', ''), false, false],
+    ['something else is broken', new RangeError('no-answer'), false, false],
+  ])('%s', (_, error, unknown, known) => {
+    expect([isNoAnswer(error, false), isNoAnswer(error, true)]).toEqual([unknown, known]);
+  });
+
+  it('is tried six times, and twice where it is known', () => {
+    expect([policyFor(false), policyFor(true)]).toEqual([{ unanswered: 6 }, { tries: 2 }]);
+  });
+});
