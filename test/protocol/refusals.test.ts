@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import {
   type CaptureEntry,
+  COMMANDS,
   CodecError,
   type CodecErrorDetails,
   decodeReply,
@@ -85,7 +86,7 @@ describe('a refusal names the place and the figures', () => {
     ],
     [
       'data too short for its values, whatever the first of them is',
-      () => decodeRequest({ code: 0x67, data: bytes(200) }, { identity }),
+      () => decodeRequest({ code: COMMANDS.SETSERVO.request, data: bytes(200) }, { identity }),
       ['wrong-length', 'data', '1 bytes do not fit this command', { bytes: bytes(200) }],
     ],
     [
