@@ -18,6 +18,8 @@ declare global {
 
 /** The longer edge of a picture that is searched, in pixels: more takes longer and finds no more. */
 const EDGES = [1000, 1800, 500];
+/** No picture is looked at with more pixels in one direction. */
+export const WIDEST_LOOK = Math.max(...EDGES);
 
 /** Finds the texts of QR codes: with what the browser has for it, else with a library that is fetched when needed. */
 export class QrReader {

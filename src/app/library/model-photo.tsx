@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useRef } from 'preact/hooks';
 import type { Model } from '../../program/index.js';
+import type { PictureFault } from '../browser/picture.js';
 import { libraryMessages } from '../messages/library.js';
 import { drawPhoto, scaledPhoto } from './photo.js';
 import './model-photo.css';
@@ -15,7 +16,7 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
   const { model: words } = libraryMessages.value;
   const id = useId();
   const canvas = useRef<HTMLCanvasElement>(null);
-  const failed = useSignal(false);
+  const fault = useSignal<PictureFault | null>(null);
   const busy = useSignal(false);
   const { photo } = model;
   useEffect(() => {
@@ -23,19 +24,23 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
     if (!place || photo === null) return;
     let isOld = false;
     // What cannot be drawn any more is said; it stays where it is.
-    void drawPhoto(photo, place, () => isOld).catch(() => (failed.value = true));
+    void drawPhoto(photo, place, () => isOld)
+      .catch(() => 'unreadable' as const)
+      .then((found) => {
+        if (found && !isOld) fault.value = found;
+      });
     return () => {
       isOld = true;
     };
-  }, [photo, failed]);
+  }, [photo, fault]);
   const take = async (file: File | undefined): Promise<void> => {
     if (!file) return;
     busy.value = true;
-    failed.value = false;
-    const scaled = await scaledPhoto(file).catch(() => null);
+    fault.value = null;
+    const scaled = await scaledPhoto(file).catch(() => ({ fault: 'unreadable' as const }));
     busy.value = false;
-    failed.value = scaled === null;
-    if (scaled !== null) onChange(scaled);
+    if ('photo' in scaled) onChange(scaled.photo);
+    else fault.value = scaled.fault;
   };
   return (
     <div class="model-photo">
@@ -63,9 +68,9 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
           </button>
         )}
       </div>
-      {failed.value && (
+      {fault.value !== null && (
         <p class="bad-text" role="alert">
-          {words.photoFailed}
+          {words.photoFaults[fault.value]}
         </p>
       )}
     </div>

@@ -1,18 +1,15 @@
 import { LIMITS } from '../../program/index.js';
+import { decodedPicture, type PictureFault } from '../browser/picture.js';
+import { tried } from '../browser/services.js';
 
 /** The longer side of a picture that is kept, in pixels; smaller ones where that takes too much room. */
-const SIDES = [1280, 1024, 800, 640, 480];
+const SIDES = [1280, 1024, 800, 640, 480] as const;
 const QUALITIES = [0.82, 0.7, 0.55];
-/** Nobody has a picture of this size; a browser would choke on it. Bytes. */
-const LARGEST_FILE = 50_000_000;
 
-/**
- * A picture as it is kept: scaled down, as base64 of a JPEG file within the limit of a model.
- * @throws when it is no picture that the browser can read.
- */
-export async function scaledPhoto(file: Blob): Promise<string> {
-  if (file.size > LARGEST_FILE) throw new Error('the file is too large for a picture');
-  const picture = await createImageBitmap(file);
+/** A picture as it is kept: scaled down, as base64 of a JPEG file within the limit of a model; or why there is none. */
+export async function scaledPhoto(file: Blob): Promise<{ readonly photo: string } | { readonly fault: PictureFault }> {
+  const picture = await decodedPicture(file, SIDES[0]);
+  if (typeof picture === 'string') return { fault: picture };
   try {
     for (const side of SIDES) {
       const canvas = document.createElement('canvas');
@@ -20,24 +17,31 @@ export async function scaledPhoto(file: Blob): Promise<string> {
       for (const quality of QUALITIES) {
         const jpeg = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/jpeg', quality));
         const text = jpeg && base64Of(new Uint8Array(await jpeg.arrayBuffer()));
-        if (text && text.length <= LIMITS.photo) return text;
+        if (text && text.length <= LIMITS.photo) return { photo: text };
       }
     }
   } finally {
     picture.close();
   }
-  throw new Error('the picture does not become small enough');
+  return { fault: 'unreadable' };
 }
 
 /**
- * Draws a picture that was kept.
+ * Draws a picture that was kept, perhaps from a file of somebody else.
  * @param isOld asked when it was read, which takes its time: whether another one has taken its place.
- * @throws when it is none.
+ * @returns why nothing was drawn.
  */
-export async function drawPhoto(photo: string, canvas: HTMLCanvasElement, isOld: () => boolean): Promise<void> {
-  const picture = await createImageBitmap(new Blob([bytesOf(photo)], { type: 'image/jpeg' }));
-  if (!isOld()) draw(picture, canvas, SIDES[0] as number);
+export async function drawPhoto(
+  photo: string,
+  canvas: HTMLCanvasElement,
+  isOld: () => boolean,
+): Promise<PictureFault | null> {
+  const bytes = tried(() => bytesOf(photo));
+  const picture = bytes ? await decodedPicture(new Blob([bytes], { type: 'image/jpeg' }), SIDES[0]) : 'unreadable';
+  if (typeof picture === 'string') return picture;
+  if (!isOld()) draw(picture, canvas, SIDES[0]);
   picture.close();
+  return null;
 }
 
 function draw(picture: ImageBitmap, canvas: HTMLCanvasElement, side: number): void {

@@ -65,7 +65,10 @@ export const library = {
     takePhoto: 'Add a picture…',
     changePhoto: 'Change the picture…',
     removePhoto: 'Remove the picture',
-    photoFailed: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
+    photoFaults: {
+      unreadable: 'This file could not be read as a picture. Choose a JPEG or PNG file.',
+      'too-large': 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
+    },
     archive: 'Archive',
     unarchive: 'Take out of the archive',
     remove: 'Delete the model',

@@ -81,6 +81,7 @@ export const share = {
       missing: 'This browser gives no camera to pages. Choose a picture of the QR code.',
       failed: 'The camera could not be started. Choose a picture of the QR code.',
       picture: 'This file is no picture that the browser can read.',
+      large: 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
       nothing: 'No QR code was found in this picture. Take it from nearer, straight from the front.',
       reader: 'The part of the page that reads QR codes could not be loaded. Go online and try again.',
     },

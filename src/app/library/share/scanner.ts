@@ -1,10 +1,11 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { LINK_MARK } from '../../../program/index.js';
 import { type Camera, type CameraFault, openCamera } from '../../browser/camera.js';
-import { QrReader } from '../../browser/qr-reader.js';
+import { decodedPicture } from '../../browser/picture.js';
+import { QrReader, WIDEST_LOOK } from '../../browser/qr-reader.js';
 
 /** Why nothing was read. */
-export type ScanFault = CameraFault | 'picture' | 'nothing' | 'reader';
+export type ScanFault = CameraFault | 'picture' | 'large' | 'nothing' | 'reader';
 
 /** What is said of it. */
 export type ScanState =
@@ -77,8 +78,10 @@ export class Scanner {
   async readPicture(file: Blob): Promise<void> {
     const turn = this.#begin({ kind: 'picture' });
     const isLate = (): boolean => turn !== this.#turn;
-    const picture = await createImageBitmap(file).catch(() => null);
-    if (!picture) return isLate() ? undefined : this.#fail('picture');
+    const picture = await decodedPicture(file, WIDEST_LOOK);
+    if (typeof picture === 'string') {
+      return isLate() ? undefined : this.#fail(picture === 'too-large' ? 'large' : 'picture');
+    }
     const isReady = await this.#reader.prepare().then(
       () => true,
       () => false,
