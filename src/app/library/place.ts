@@ -5,6 +5,9 @@
  * - `ID`: a model
  * - `ID/ID`: a model and one of its settings
  * - `none`, `none/ID`: the settings that belong to no model
+ *
+ * An id of letters alone may come in a file, and could be such a word, or the address of the flights: `/` before it
+ * tells it apart.
  */
 export interface LibraryPlace {
   /** `NO_MODEL` for the settings that belong to none; null where none is chosen. */
@@ -12,17 +15,21 @@ export interface LibraryPlace {
   readonly setting: string | null;
 }
 
-/** In the place of a model's id. */
-export const NO_MODEL = 'none';
+/** In the place of a model's id, and no id. */
+export const NO_MODEL = ' none';
+const NONE = 'none';
 
 export function placeOf(path: string): LibraryPlace {
-  const [model = '', setting = ''] = path.split('/');
-  return { model: model || null, setting: setting || null };
+  const isId = path.startsWith('/');
+  const [model = '', setting = ''] = (isId ? path.slice(1) : path).split('/');
+  return { model: !isId && model === NONE ? NO_MODEL : model || null, setting: setting || null };
 }
 
 /** The place of a model, or of one of the settings. */
 export function addressPath(model: string | null, setting: string | null = null): string {
-  return [model ?? NO_MODEL, setting].filter(Boolean).join('/');
+  const isNone = model === null || model === NO_MODEL;
+  const place = isNone ? NONE : /^[a-z]+$/.test(model) ? `/${model}` : model;
+  return [place, setting].filter(Boolean).join('/');
 }
 
 /** The address of a model, or of one of the settings. */

@@ -33,7 +33,8 @@ export function SaveDialog({ session, saveSetting }: SaveDialogProps) {
   );
 }
 
-const NEW = 'new';
+/** No id of a model. */
+const NEW = ' new';
 const NONE = '';
 
 function NameForm({ session, saveSetting }: SaveDialogProps) {

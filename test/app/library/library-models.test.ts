@@ -192,6 +192,12 @@ it('has an address for every place', () => {
     expect(placeOf(address?.path ?? '')).toEqual({ model: model ?? NO_MODEL, setting });
   }
   expect(addressAt('#library')).toEqual({ view: 'library', path: '' });
+  for (const word of ['none', 'flights', 'compare', 'a']) {
+    const path = addressAt(addressOf(word, word))?.path ?? '';
+    expect(placeOf(path), 'an id that comes in a file').toEqual({ model: word, setting: word });
+    expect(['none', 'flights', 'compare']).not.toContain(addressAt(addressOf(word))?.path);
+    expect(placeOf(`${word}/x`).model, 'as an address was before').toBe(word === 'none' ? NO_MODEL : word);
+  }
   expect([addressAt('#library/<b>'), addressAt(`#library/${'x'.repeat(400)}`), addressAt('#nothing/a')]).toEqual([
     null,
     null,
