@@ -30,6 +30,8 @@ export interface Content {
   readonly texts: Readonly<Record<string, string>>;
   /** The setting that it belongs to; undefined: to none. */
   readonly of?: SettingOf | undefined;
+  /** The model of which a backup was loaded into it, by its id; undefined: of none, or a setting has come since. */
+  readonly backupOf?: string | undefined;
 }
 
 /** A setting of the library, by its id, and what it held when it was opened or saved here last. */
@@ -110,7 +112,7 @@ export function inTheWay(unreadable: ReadonlyMap<string, unknown>, edit: EditVal
 }
 
 /** What an edit makes of it; the same objects where that is what was there. */
-export function applied({ working, texts, of }: Content, edit: EditValues): Content {
+export function applied({ working, texts, of, backupOf }: Content, edit: EditValues): Content {
   const changes = edit.values.filter(({ field, value }) => valueAt(working, field) !== value);
   const replaced = edit.texts ?? {};
   const left = without(texts, [...edit.values.map(({ field }) => fieldKey(field)), ...Object.keys(replaced)]);
@@ -119,6 +121,7 @@ export function applied({ working, texts, of }: Content, edit: EditValues): Cont
     working: withValues(working, changes),
     texts: typed.length > 0 ? { ...left, ...Object.fromEntries(typed) } : left,
     of: edit.of ?? of,
+    backupOf: edit.backupOf ?? (edit.of ? undefined : backupOf),
   };
 }
 
@@ -127,7 +130,8 @@ export function applied({ working, texts, of }: Content, edit: EditValues): Cont
  * holds something else by now, it belongs to no setting any more: it may be another timer.
  * @param held what it held by the one before.
  */
-export function ontoReading({ working, texts, of }: Content, held: TimerProgram, read: TimerProgram): Content {
+export function ontoReading(content: Content, held: TimerProgram, read: TimerProgram): Content {
+  const { working, texts, of, backupOf } = content;
   const edits = differences(held, working).flatMap(({ field, to }): FieldValue[] =>
     to === null ? [] : [{ field, value: to }],
   );
@@ -137,11 +141,12 @@ export function ontoReading({ working, texts, of }: Content, held: TimerProgram,
   const stays = new Set([...unreadableIn({ working: wanted, texts }).keys(), ...changed]);
   const drops = Object.keys(texts).filter((key) => !stays.has(key));
   const isOther = edits.length === 0 && differences(held, read).length > 0;
-  return { working: wanted, texts: without(texts, drops), of: isOther ? undefined : of };
+  return { working: wanted, texts: without(texts, drops), ...(isOther ? {} : { of, backupOf }) };
 }
 
 /** Fields that nobody had touched follow the timer to what it holds now, and so do texts that say what it held. */
-export function followed({ working, texts, of }: Content, moved: readonly Change[], read: TimerProgram): Content {
+export function followed(content: Content, moved: readonly Change[], read: TimerProgram): Content {
+  const { working, texts } = content;
   const untouched = moved.flatMap(({ field, from, to }): FieldValue[] =>
     to !== null && valueAt(working, field) === from ? [{ field, value: to }] : [],
   );
@@ -149,7 +154,11 @@ export function followed({ working, texts, of }: Content, moved: readonly Change
   const said = untouched.map(({ field }) => fieldKey(field)).filter((key) => !unreadable.has(key));
   const { memory } = read;
   const idleThrottle = working.idleThrottle ?? read.idleThrottle;
-  return { working: { ...withValues(working, untouched), memory, idleThrottle }, texts: without(texts, said), of };
+  return {
+    ...content,
+    working: { ...withValues(working, untouched), memory, idleThrottle },
+    texts: without(texts, said),
+  };
 }
 
 /** Conflicts by field, after another reading: what counts is what was held when the edits were made. */

@@ -60,6 +60,8 @@ export interface EditValues {
   readonly texts?: Readonly<Record<string, string | null>>;
   /** The setting that the program belongs to from then on. Default: the one that it belongs to. */
   readonly of?: SettingOf | undefined;
+  /** The model whose backup it is, by its id. Default: the one that it was of. */
+  readonly backupOf?: string | undefined;
 }
 
 /** What an edit does, or why it does nothing. It is done whole or not at all: no value is bent to fit. */

@@ -12,7 +12,7 @@ import {
   valueAt,
 } from '../../program/index.js';
 import { computedList } from './computed-list.js';
-import { type Content, conflictsWith, followed, ontoReading, type SettingOf, textsFor } from './content.js';
+import { type Content, conflictsWith, followed, ontoReading, textsFor } from './content.js';
 import { putBack, replaceAll, withValues } from './edit.js';
 import { EMPTY_HISTORY, groupOf, type History, mapStates, type StepName, settle } from './history.js';
 import { WorkingCopy } from './working-copy.js';
@@ -201,12 +201,12 @@ export class Editor extends WorkingCopy {
    * Comes back to what was kept. Texts of fields that do not exist are dropped, and a history that does not fit.
    * @returns false, and nothing is changed, when the two programs do not fit together.
    */
-  restore({ baseline, working, texts, of, history = EMPTY_HISTORY, madeAt }: EditorContent): boolean {
+  restore({ baseline, working, texts, of, backupOf, history = EMPTY_HISTORY, madeAt }: EditorContent): boolean {
     if (!sameLayout(baseline.identity, working.identity)) return false;
     const steps = [...history.past, ...history.future];
     const fits = steps.every(({ state }) => sameLayout(baseline.identity, state.working.identity));
     const isOf = of && sameLayout(of.saved.identity, working.identity);
-    const content = { working, texts: textsFor(working, texts), of: isOf ? of : undefined };
+    const content = { working, texts: textsFor(working, texts), of: isOf ? of : undefined, backupOf };
     const made = madeAt === undefined ? null : { at: madeAt, from: baseline };
     this.#begin(made ? null : baseline, false, content, fits ? settle(history) : EMPTY_HISTORY, made);
     return true;
@@ -214,12 +214,12 @@ export class Editor extends WorkingCopy {
 
   /**
    * A new program, of no timer.
-   * @param of the setting that it is opened from.
+   * @param from the setting that it is opened from, or the model whose backup it is.
    */
-  make(program: TimerProgram, of?: SettingOf): void {
+  make(program: TimerProgram, from: Partial<Pick<Content, 'of' | 'backupOf'>> = {}): void {
     const at = Math.max(Date.now(), this.#lastMade + 1);
     this.#lastMade = at;
-    this.#begin(null, false, { working: program, texts: {}, of }, EMPTY_HISTORY, { at, from: program });
+    this.#begin(null, false, { working: program, texts: {}, ...from }, EMPTY_HISTORY, { at, from: program });
   }
 
   /** Nothing on the screen. */

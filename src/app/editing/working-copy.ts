@@ -27,6 +27,7 @@ export class WorkingCopy {
   readonly #working = signal<TimerProgram | null>(null, { name: 'working' });
   readonly #texts = signal<Content['texts']>({}, { name: 'texts' });
   readonly #of = signal<SettingOf | undefined>(undefined, { name: 'of' });
+  readonly #backupOf = signal<string | undefined>(undefined, { name: 'backupOf' });
   readonly #history = signal<History<Content>>(EMPTY_HISTORY, { name: 'history' });
   /** The field in which a text is being typed. */
   readonly #typing = signal<string | null>(null, { name: 'typing' });
@@ -36,10 +37,12 @@ export class WorkingCopy {
   readonly identity: ReadonlySignal<Identity | null> = computed(() => this.#working.value?.identity ?? null);
   /** The setting of the library that it belongs to; undefined: to none. */
   readonly of: ReadonlySignal<SettingOf | undefined> = this.#of;
+  /** The model whose backup it is, by its id, as far as it is one: see `Content`. */
+  readonly backupOf: ReadonlySignal<string | undefined> = this.#backupOf;
   /** What it is now, with what was typed, and how it came to that. */
   protected readonly content: ReadonlySignal<Content | null> = computed(() => {
     const working = this.#working.value;
-    return working && { working, texts: this.#texts.value, of: this.#of.value };
+    return working && { working, texts: this.#texts.value, of: this.#of.value, backupOf: this.#backupOf.value };
   });
   protected readonly history: ReadonlySignal<History<Content>> = this.#history;
 
@@ -189,7 +192,8 @@ export class WorkingCopy {
     const history = histories.mapStates(this.#history.value, (state) =>
       state.of?.id === of.id ? { ...state, of } : state,
     );
-    this.show({ ...now, of }, history);
+    // By the pilot's word it is of that setting.
+    this.show({ ...now, of, backupOf: undefined }, history);
   }
 
   /** Puts another content in place of all there is; null: there is none. */
@@ -198,6 +202,7 @@ export class WorkingCopy {
       this.#working.value = content?.working ?? null;
       this.#texts.value = content?.texts ?? {};
       this.#of.value = content?.of;
+      this.#backupOf.value = content?.backupOf;
       this.#history.value = history;
     });
   }

@@ -1,7 +1,7 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
-import type { SettingOf } from '../editing/content.js';
+import type { Content } from '../editing/content.js';
 import { replaceAll } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { isOfOneShape } from '../editing/shape.js';
@@ -36,14 +36,14 @@ export class OnScreen {
 
   /**
    * A program that was made on this device comes to the screen, to be edited without a timer.
-   * @param of the setting that it is opened from.
+   * @param from the setting that it is opened from, or the model whose backup it is.
    */
-  make(program: TimerProgram, of?: SettingOf): void {
+  make(program: TimerProgram, from?: Partial<Pick<Content, 'of' | 'backupOf'>>): void {
     if (!this.#isFree()) return;
     this.#parts.notices.dismiss();
     this.clear();
     batch(() => {
-      this.#parts.editor.make(program, of);
+      this.#parts.editor.make(program, from);
       this.#simulated.value = false;
     });
   }
@@ -85,16 +85,15 @@ export class OnScreen {
   /** What was kept becomes what the pilot wants; nothing is written. */
   showBackup({ program, model }: Backup): void {
     if (!this.canLoad(program)) return;
-    const { editor, origin } = this.#parts;
+    const { editor } = this.#parts;
     const working = editor.working.value;
     if (!working || !isOfOneShape(working.identity, program.identity)) {
-      this.make({ ...program, memory: null });
+      this.make({ ...program, memory: null }, { backupOf: model });
       return;
     }
     const idleThrottle = program.idleThrottle ?? working.idleThrottle;
     const wanted = { ...working, times: program.times, positions: program.positions, idleThrottle };
-    editor.apply(replaceAll({ code: 'restore', params: {} }, wanted));
-    origin.take(model);
+    editor.apply({ ...replaceAll({ code: 'restore', params: {} }, wanted), backupOf: model });
   }
 
   /** Nothing is on the screen any more. What the pilot wants is kept. */

@@ -126,7 +126,7 @@ export class OpenSetting {
     if (this.obstacle(setting.program) || connection.value) return false;
     // It is of no memory: what is known of one says nothing about it.
     if (kept) onScreen.showKept(kept);
-    else onScreen.make({ ...setting.program, memory: null }, of);
+    else onScreen.make({ ...setting.program, memory: null }, { of });
     return true;
   }
 

@@ -35,9 +35,16 @@ export class Origin {
   readonly #taken = signal<Taken | null>(null, { name: 'origin' });
 
   constructor({ editor, library, recognition, opened }: OriginParts) {
-    this.key = computed(() => this.#taken.value?.model ?? null);
-    // A setting says itself whose it is, through every undo.
-    this.model = computed(() => opened.shown.value?.model ?? library.models.get(this.key.value)?.model ?? null);
+    this.key = computed(() => {
+      // A backup says itself whose it is, through every undo; and so does a setting.
+      const isChanged = editor.dirty.value || editor.madeAt.value !== null;
+      return (isChanged ? editor.backupOf.value : undefined) ?? this.#taken.value?.model ?? null;
+    });
+    this.model = computed(() => {
+      const ofKey = library.models.get(this.key.value)?.model;
+      const ofSetting = opened.shown.value?.model;
+      return (editor.backupOf.value === undefined ? ofSetting : (ofKey ?? ofSetting)) ?? ofKey ?? null;
+    });
     this.#editor = editor;
     this.crossing = computed(() => crossingOf(this.model.value, recognition.found.value));
     effect(() => {

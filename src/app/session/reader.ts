@@ -125,7 +125,7 @@ export class Reader {
     const before = editor.working.value;
     // What was made here is wanted of whatever timer can take it: it is laid over what that holds.
     const made = editor.madeAt.value === null ? null : before;
-    const of = editor.of.value;
+    const from = { of: editor.of.value, backupOf: editor.backupOf.value };
     const laid = made && isOfOneShape(made.identity, read.identity) && editor.unreadable.value.size === 0 ? made : null;
     const held = editor.baseline.value;
     const same = before !== null && programKey(before, wasSimulated) === programKey(read, simulated);
@@ -151,7 +151,7 @@ export class Reader {
       if (draft) editor.restore(draft);
       const moved = editor.rebase(read);
       if (draft) origin.take(draft.model);
-      if (laid) editor.apply({ ...replaceAll({ code: 'lay-over', params: {} }, laid), of });
+      if (laid) editor.apply({ ...replaceAll({ code: 'lay-over', params: {} }, laid), ...from });
       nextFlight.found(read.memory);
       this.#byteOrderOpen.value = link.connection.value?.client.byteOrderOpen ?? false;
       onScreen.wasRead(simulated);

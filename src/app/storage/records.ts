@@ -85,11 +85,12 @@ const params = v.pipe(
 );
 /** The setting that a program belongs to. One that cannot be read is no reason to lose what was typed. */
 const of = v.optional(v.fallback(v.optional(v.object({ id: key, saved: held })), undefined));
+const backupOf = v.optional(v.fallback(v.optional(key), undefined));
 const steps = v.pipe(
   v.array(
     v.object({
       name: v.object({ code: v.picklist(STEP_CODES), params }),
-      state: v.object({ working: wanted, texts, of }),
+      state: v.object({ working: wanted, texts, of, backupOf }),
     }),
   ),
   v.maxLength(MAX_STEPS),
@@ -110,6 +111,7 @@ export const draftSchema = v.pipe(
     /** Texts in fields that are no values yet, by field. */
     texts,
     of,
+    backupOf,
     /**
      * What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft.
      */

@@ -100,6 +100,39 @@ describe('a write into the timer of another model', () => {
     expect(bench.session.modelAtHand.value?.name).toBe('Lancer');
   });
 
+  it('is asked for where a backup of another model was undone and redone, also past a reading', async () => {
+    const bench = await lancer();
+    bench.editor.type(S2, '77');
+    bench.session.onScreen.showBackup(BACKUP);
+    bench.editor.undo();
+    await run(bench.write.open());
+    expect(shown(bench).from, 'what was typed before it is for the timer at hand').toBeUndefined();
+    bench.write.dismiss();
+    bench.editor.redo();
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
+    bench.write.dismiss();
+    bench.editor.undo();
+    bench.editor.undo();
+    await run(bench.session.reader.read().then(() => {}));
+    bench.editor.redo();
+    bench.editor.redo();
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
+  });
+
+  it('is asked for where a backup of another model was loaded before the timer came', async () => {
+    const store = new MemoryStore();
+    store.models.records.set('Lancer', record('Lancer', LANCER[0] as Content));
+    store.models.records.set('Magpie', record('Magpie', MAGPIE[0] as Content));
+    const bench = await appBench({ store, identity: IDENTITY });
+    hold(bench, LANCER);
+    bench.session.onScreen.showBackup(BACKUP);
+    await run(bench.session.timer.connect());
+    await run(bench.write.open());
+    expect(shown(bench)).toMatchObject({ from: 'Magpie', to: ['Lancer'] });
+  });
+
   it('is asked for where a setting of another model was opened over it', async () => {
     const bench = await lancer();
     const program = programOf(MAGPIE[0] as Content);
