@@ -133,9 +133,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
           </tbody>
         </table>
       </div>
-      <p class="hint keys-hint" id="table-keys">
-        {edits.table.keys}
-      </p>
+      <KeysHint selection={selection} />
       <div class="range-foot" ref={foot}>
         <RangeBar
           {...{ identity, selection }}
@@ -159,5 +157,14 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
         }}
       />
     </div>
+  );
+}
+
+/** What a range brings stands in its place, so that little moves. */
+function KeysHint({ selection }: { readonly selection: Selection }) {
+  return (
+    <p class="hint keys-hint" id="table-keys" hidden={selection.shown.value !== null}>
+      {messages.value.edits.table.keys}
+    </p>
   );
 }

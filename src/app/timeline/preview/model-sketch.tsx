@@ -17,7 +17,7 @@ export interface ModelSketchProps {
   readonly propeller: boolean;
   /** Null where nobody knows: the motor of an F1B is of rubber. */
   readonly motorRuns: boolean | null;
-  /** Whether the propeller turns now: while it is played. */
+  /** Whether the propeller turns now, and surfaces go gently to where they shall stand: while it is played. */
   readonly turning: boolean;
   /** It comes down: DT was reached, and something moved. */
   readonly comesDown: boolean;
@@ -34,7 +34,12 @@ const LET_GO = 42;
  */
 export function ModelSketch(props: ModelSketchProps) {
   return (
-    <svg class="sketch" viewBox="28 30 276 102" role="img" aria-label={messages.value.preview.sketch}>
+    <svg
+      class={`sketch ${props.turning ? 'plays' : ''}`}
+      viewBox="28 30 276 102"
+      role="img"
+      aria-label={messages.value.preview.sketch}
+    >
       <g class={props.comesDown ? 'down' : ''}>
         <FromTheSide {...props} />
         {props.comesDown && <path class="fall" d="M72 80V97M66 91L72 97L78 91M196 80V97M190 91L196 97L202 91" />}
