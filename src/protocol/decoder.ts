@@ -43,6 +43,8 @@ export interface FrameDecoderOptions {
 const LONGEST = MAX_LENGTH + 1;
 /** The longest piece of a chunk that the data of its frames share, in bytes. */
 const SHARED = 4096;
+/** Sums that are kept: a power of two, and more than a frame inside another can ask for. */
+const SUMS = 2 * LONGEST;
 const NO_DATA = new Uint8Array(0);
 /** The one reply for which the source prints a checksum that leaves the data out: to GETLOWRPM. */
 const BARE_CHECKSUM: readonly number[] = [0x76];
@@ -82,6 +84,12 @@ export class FrameDecoder {
   #whole = 0;
   /** Zeros directly before the next byte to be looked at, or before the held frame. */
   #zeros = 0;
+  /**
+   * Sums of the bytes up to each place, from one header on whose sum was wrong to `#summed`, in a ring: the headers
+   * that stand inside its frame need no byte added up again.
+   */
+  readonly #sums = new Uint8Array(SUMS);
+  #summed = 0;
 
   constructor(options: FrameDecoderOptions = {}) {
     this.#onRejected = options.onRejected;
@@ -112,6 +120,7 @@ export class FrameDecoder {
     let zeros = this.#zeros;
     for (; at < chunk.length && chunk[at] === 0; at++) zeros++;
     this.#zeros = zeros;
+    this.#summed = 0;
     if (at < chunk.length) this.#scan(chunk, at, chunk.length, frames);
     return frames;
   }
@@ -163,6 +172,7 @@ export class FrameDecoder {
     // keeps no large chunk.
     let own: ArrayBuffer | undefined;
     let ownFrom = 0;
+    let ownEnd = 0;
     if (givenUp) {
       zeros = 0;
       at++;
@@ -170,8 +180,9 @@ export class FrameDecoder {
     while (at < end) {
       const length = bytes[at] as number;
       if (length === 0) {
-        zeros++;
-        at++;
+        const first = at++;
+        while (at < end && bytes[at] === 0) at++;
+        zeros += at - first;
         continue;
       }
       if (zeros >= ZEROS_NEEDED) {
@@ -190,9 +201,10 @@ export class FrameDecoder {
             if (held) {
               data = bytes.slice(at + 2, at + length - 1);
             } else {
-              if (!own || at + length > ownFrom + own.byteLength) {
+              if (!own || at + length > ownEnd) {
                 ownFrom = at;
-                own = new Uint8Array(bytes.subarray(at, Math.min(end, at + SHARED))).buffer;
+                ownEnd = Math.min(end, at + SHARED);
+                own = new Uint8Array(bytes.subarray(ownFrom, ownEnd)).buffer;
               }
               data = new Uint8Array(own, at + 2 - ownFrom, length - MIN_LENGTH);
             }
@@ -225,7 +237,9 @@ export class FrameDecoder {
     this.#from = stays ? at : 0;
     this.#to = stays ? end : 0;
     this.#whole = this.#from + size;
-    if (!stays) this.#fill(bytes, at, end);
+    if (stays) return;
+    this.#summed = 0;
+    this.#fill(bytes, at, end);
   }
 
   /** What is wrong with the whole frame whose length byte stands at `at`; undefined if nothing is. */
@@ -233,8 +247,27 @@ export class FrameDecoder {
     if (length < MIN_LENGTH) return 'length';
     if (bytes[at + length] !== TERMINATOR) return 'terminator';
     const last = at + length - 1;
-    if (sumOf(bytes, at + 1, last) === bytes[last] || this.#isBare(bytes, at, length)) return undefined;
+    if (at >= this.#summed && sumOf(bytes, at + 1, last) === bytes[last]) return undefined;
+    if (this.#sumOnce(bytes, at + 1, last) === bytes[last] || this.#isBare(bytes, at, length)) return undefined;
     return 'checksum';
+  }
+
+  /** The sum of the bytes from `from` to `to`, modulo 256; those that are in `#sums` already are not added up again. */
+  #sumOnce(bytes: Uint8Array, from: number, to: number): number {
+    const sums = this.#sums;
+    let at = this.#summed;
+    let sum = sums[at % SUMS] as number;
+    if (at <= from) {
+      at = from;
+      sum = 0;
+      sums[at % SUMS] = 0;
+    }
+    while (at < to) {
+      sum += bytes[at++] as number;
+      sums[at % SUMS] = sum;
+    }
+    this.#summed = at;
+    return ((sums[to % SUMS] as number) - (sums[from % SUMS] as number)) & 0xff;
   }
 
   #isBare(bytes: Uint8Array, at: number, length: number): boolean {

@@ -38,6 +38,7 @@ import { version } from 'node:process';
 export function tables(results, sieges, wires, missing) {
   const clean = results.filter(({ stream }) => stream === 'clean');
   const damaged = results.filter(({ stream, floor }) => stream === 'damaged' && !floor);
+  const besieged = results.filter(({ stream, floor }) => stream === 'hostile' && !floor);
   const load = loadavg().map((value) => value.toFixed(1));
   return [
     `Node ${version}, ${cpus()[0]?.model ?? 'unknown processor'}, load ${load.join(' ')}`,
@@ -53,6 +54,10 @@ export function tables(results, sieges, wires, missing) {
     ),
     table('1 % of bytes damaged: wrong frames passed as good', damaged, ({ wrong }) => String(wrong)),
     hostile(sieges),
+    table('The slowest of these megabytes: megabytes a second, frames delivered of forty', besieged, (result) =>
+      [result.mbPerSecond.toFixed(result.mbPerSecond < 10 ? 1 : 0), result.framesDelivered].join(', '),
+    ),
+    lead(besieged),
     grid('Client, time of a job as a multiple of the time of its bytes', [
       [
         '',
@@ -110,6 +115,29 @@ function ratios(clean) {
     'Clean, ours as a multiple',
     titles.map((title, i) => [title, ...slots.map((cells) => cells[i] ?? '')]),
   );
+}
+
+/**
+ * Ours against those that deliver all frames behind the hostile megabytes, and against those that do not.
+ * @param {readonly Result[]} besieged
+ */
+function lead(besieged) {
+  /** @param {(peer: Result) => boolean} counts @param {string} at */
+  const over = (counts, at) => {
+    const here = besieged.filter((result) => slot(result) === at);
+    const ours = /** @type {Result} */ (here.find((result) => result.ours));
+    const peers = here.filter((result) => !result.ours && counts(result));
+    const [first] = peers.sort((a, b) => b.mbPerSecond - a.mbPerSecond);
+    return first ? `${(ours.mbPerSecond / first.mbPerSecond).toFixed(1)} (${first.name})` : 'there is none';
+  };
+  const slots = [...new Set(besieged.map(slot))];
+  /** @param {Result} peer */
+  const all = (peer) => peer.framesDelivered === peer.framesIntact;
+  return grid('Hostile, ours as a multiple of the fastest peer', [
+    ['', ...slots],
+    ['that delivers all forty frames', ...slots.map((at) => over(all, at))],
+    ['that does not', ...slots.map((at) => over((peer) => !all(peer), at))],
+  ]);
 }
 
 /** @param {readonly Siege[]} sieges */
