@@ -4,7 +4,10 @@ import { resolve } from 'node:path';
 import preact from '@preact/preset-vite';
 import { defineConfig, type Plugin } from 'vite';
 import { VitePWA } from 'vite-plugin-pwa';
+import { LICENCES_FILE, licences, ownWorkOnly } from './test/tools/licences.js';
 import { newsOf } from './test/tools/news.js';
+
+const root = import.meta.dirname;
 
 /** Where the built page lies: in dist/site, but where `--outDir` says otherwise. */
 let site = '';
@@ -60,17 +63,10 @@ const firstPicture: Plugin = {
   },
 };
 
-/**
- * The letters that every screen needs come with the page; those of other languages when one is written. The licence
- * goes with the files, as it demands.
- */
+/** The letters that every screen needs come with the page; those of other languages when one is written. */
 const font: Plugin = {
   name: 'font',
   apply: 'build',
-  generateBundle() {
-    const source = readFileSync(new URL('node_modules/@fontsource-variable/inter/LICENSE', import.meta.url));
-    this.emitFile({ type: 'asset', fileName: 'inter-license.txt', source });
-  },
   transformIndexHtml: {
     order: 'post',
     handler: (_, { bundle = {} }) =>
@@ -103,9 +99,10 @@ const offline = VitePWA({
   srcDir: '.',
   filename: 'sw.ts',
   injectManifest: {
+    buildPlugins: { vite: [ownWorkOnly(root)] },
     globPatterns: ['**/*'],
     // The way out for whoever publishes the page, and what the page itself never asks for.
-    globIgnores: ['kill-sw.js', 'library.schema.json', 'inter-license.txt', '*.png', 'screenshots/*'],
+    globIgnores: ['kill-sw.js', 'library.schema.json', LICENCES_FILE, '*.png', 'screenshots/*'],
     manifestTransforms: [
       async (entries) => ({
         manifest: entries.map(({ url, size }) => ({
@@ -136,7 +133,7 @@ export default defineConfig({
     'import.meta.env.VITE_VERSION': JSON.stringify(version),
     'import.meta.env.VITE_NEWS': JSON.stringify(news),
   },
-  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, firstPicture, securityPolicy, font, offline],
+  plugins: [preact({ include: [/\.tsx$/] }), whereBuilt, firstPicture, securityPolicy, font, licences(root), offline],
   build: {
     outDir: '../../dist/site',
     emptyOutDir: true,

@@ -1,5 +1,6 @@
 import { fetchRule } from './session/recognition.js';
 import { modelLine } from './shell/header.js';
+import { licenceList } from './shell/licence-part.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
@@ -49,6 +50,7 @@ export async function fetchParts(): Promise<void> {
     help,
     firstSteps,
     compare,
+    licenceList,
   ])
     await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.

@@ -39,4 +39,7 @@ test('after one visit a whole day on the field needs no network: connect, edit, 
   await app.text('All of it is on this device').waitFor();
   await app.text('What is new').click();
   await page.getByRole('heading', { level: 3, name: /^Version / }).waitFor();
+  await app.text('Licences').click();
+  await app.text(/^preact \d/).click();
+  await app.text('Copyright (c) 2015-present Jason Miller').waitFor();
 });

@@ -21,7 +21,7 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     const { nodeId } = await devtools.send('DOM.querySelector', { nodeId: root.nodeId, selector: 'button' });
     const { fonts } = await devtools.send('CSS.getPlatformFontsForNode', { nodeId });
     expect(fonts.map(({ familyName, isCustomFont }) => [familyName, isCustomFont])).toEqual([['Inter', true]]);
-    expect(await (await fetch(new URL('inter-license.txt', inject(site)))).text()).toContain('SIL OPEN FONT LICENSE');
+    expect(await (await fetch(new URL('LICENSES.txt', inject(site)))).text()).toContain('SIL OPEN FONT LICENSE');
   });
 
   test(`all that the page at ${new URL(inject(site)).pathname} and its manifest name is there`, async () => {

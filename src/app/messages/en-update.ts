@@ -25,4 +25,7 @@ export const aboutPage = {
   notOffline: 'It is not kept on this device yet: open it once with a network.',
   take: (version: string | null) =>
     version === null ? 'Use the new version now' : `Use the new version ${version} now`,
+  licences: 'Licences',
+  madeWith: 'This page, and the work of others that it contains. Each opens with its licence in full.',
+  package: (name: string, version: string, licence: string) => `${name} ${version}, ${licence}`,
 };

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { news } from '../browser/news.js';
 import type { Installation } from '../connect/installation.js';
 import { messages } from '../messages/index.js';
+import { licenceList } from './licence-part.js';
 import { ReleaseList } from './release-list.js';
 import type { UpdateOffer } from './update-offer.js';
 
@@ -10,10 +11,11 @@ interface AboutPageProps {
   readonly update: UpdateOffer;
 }
 
-/** Which version this is, what is new in it, whether it works without a network, and where help is. */
+/** Which version this is, what is new in it, whether it works without a network, and with whose work it is made. */
 export function AboutPage({ installation, update }: AboutPageProps) {
   const { aboutPage: words, update: updateWords, start } = messages.value;
   const isRead = useSignal(false);
+  const isAsked = useSignal(false);
   const install = installation.install.value;
   const take = update.take.value;
   return (
@@ -28,6 +30,11 @@ export function AboutPage({ installation, update }: AboutPageProps) {
           {isRead.value && <ReleaseList releases={news.releases} />}
         </details>
       )}
+      <details onToggle={({ currentTarget }) => (isAsked.value = currentTarget.open)}>
+        <summary>{words.licences}</summary>
+        <p>{words.madeWith}</p>
+        {isAsked.value && <licenceList.Part />}
+      </details>
       <div class="buttons">
         {take && (
           <button type="button" onClick={take}>
