@@ -55,7 +55,6 @@ export class Wire {
   #waiting: Waiting | undefined;
   #lost: TimerError | undefined;
   #lastByteAt = Number.NEGATIVE_INFINITY;
-  #asked = false;
   #damage = 0;
   #strays = 0;
   #lastSent: Frame | undefined;
@@ -196,7 +195,6 @@ export class Wire {
     if (this.#lost) throw this.#lost;
     this.#requireFree();
     this.#reader.start();
-    this.#asked = true;
     this.#came = { kind: 'silent' };
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
     const ended = new Promise<Outcome<T>>((settle) => {
@@ -295,7 +293,7 @@ export class Wire {
       const damage = this.#damage;
       if (this.#waiting?.take(frame) || this.#damage > damage) continue;
       if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
-      else if (!this.unanswered.take(frame, inTime) && this.#asked) this.#strays++;
+      else if (!this.unanswered.take(frame, inTime)) this.#strays++;
     }
   }
 
@@ -305,10 +303,9 @@ export class Wire {
     this.#heard?.();
   }
 
-  /** What was on the line before the first request, such as the noise of plugging in, says nothing about replies. */
   #noteDamage(): void {
     this.#noteSign('damaged');
-    if (this.#asked) this.#damage++;
+    this.#damage++;
   }
 
   #noteLineError(error: LineErrorKind): void {

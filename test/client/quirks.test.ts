@@ -35,7 +35,7 @@ describe('a timer that departs from the usual reading', () => {
     await run(client.selectMemory(1));
     expect(timer.core.memory).toBe(1);
     expect(found(client)).toEqual(expected);
-    expect(client.damageSeen).toBe(false);
+    expect([client.damageSeen, client.strays]).toEqual([false, 0]);
   });
 
   it('no index of the memory: unknown, never memory 0; reading and writing go on', async () => {
@@ -206,8 +206,9 @@ describe('an answer that makes no sense', () => {
 describe('times with their high byte first', () => {
   it('are suspected when they fall and would rise, and are not written before the pilot has chosen', async () => {
     const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } });
+    expect(client.byteOrderOpen).toBe(false);
     const read = await run(client.readProgram());
-    expect(found(client)).toEqual(['times-big-endian']);
+    expect([found(client), client.byteOrderOpen]).toEqual([['times-big-endian'], true]);
     for (const wrong of [edited(read, [[10, 30000]]), edited(read, [[10, 30000]], [[0, 0, 1]])]) {
       await expect(run(client.writeProgram(wrong, { baseline: read }))).rejects.toMatchObject({
         code: 'undecided',
@@ -389,6 +390,34 @@ describe('positions that are kept only where the servos stand', () => {
       'SETSERVO',
     ]);
     expect(contentOf(timer)).toEqual(goal);
+  });
+});
+
+describe('what was found of a timer', () => {
+  it('is kept while a timer of the same kind answers, and not when another one does', async () => {
+    const { client, timer, run } = bench(
+      { identity: { timerClass: 'Q' }, quirks: { echo: true } },
+      { quirks: { servoFirst: false } },
+    );
+    await run(client.identify());
+    client.assume({ memoriesFromOne: false });
+    await run(client.identify());
+    expect([found(client), client.quirksAssumed]).toEqual([['echo'], { servoFirst: false, memoriesFromOne: false }]);
+    timer.core.answer = ((answer) => (frame, bare) => {
+      const reply = answer(frame, bare);
+      return frame.code === COMMANDS.GETSWVER.request && reply
+        ? encodeReply({ name: 'GETSWVER', identity: { ...timer.core.identity, timerClass: 'E' } })
+        : reply;
+    })(timer.core.answer.bind(timer.core));
+    await run(client.identify());
+    expect(client.quirksAssumed).toEqual({ servoFirst: false });
+  });
+
+  it('is forgotten with all that is assumed when the pilot says so', async () => {
+    const { client, run } = bench({ quirks: { echo: true } }, { quirks: { servoFirst: true } });
+    await run(client.identify());
+    client.forgetQuirks();
+    expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
   });
 });
 

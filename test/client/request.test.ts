@@ -2,7 +2,7 @@ import { describe, expect, expectTypeOf, it } from 'vitest';
 import { type Progress, TimerClient, TimerError } from '../../src/client/index.js';
 import { VirtualClock } from '../../src/line/index.js';
 import { VirtualTimer } from '../../src/simulator/index.js';
-import { bench, edited, names } from './bench.js';
+import { answering, bench, edited, names } from './bench.js';
 
 describe('one request', () => {
   it('gives the values of its reply, typed by its name', async () => {
@@ -22,6 +22,15 @@ describe('one request', () => {
     await run(client.request({ name: 'GETMEMORY' }));
     expect(client.damageSeen).toBe(true);
     expect(names(timer.core.answered)).toEqual(['GETMEMORY', 'GETMEMORY']);
+  });
+
+  it('is a question only where it reads: what it stores is sent once, also where one answer is not believed', async () => {
+    let lost = 1;
+    const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lost-- > 0 ? [0xff] : [byte]) } });
+    await run(client.identify());
+    timer.core.answered.length = 0;
+    await run(client.request({ name: 'SETSERVO', servo: 0, function: 2, position: 41 }));
+    expect(names(timer.core.answered)).toEqual(['SETSERVO']);
   });
 
   it('goes out once when it moves something, and stays unanswered', async () => {
@@ -68,6 +77,26 @@ describe('a port that somebody else holds', () => {
     other.releaseLock();
     expect(timer.core.answered).toEqual([]);
     expect(await run(client.readProgram())).toMatchObject({ memory: timer.core.memory });
+  });
+});
+
+describe('the idle throttle', () => {
+  it('is set, and read back twice', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    await run(client.identify());
+    timer.core.answered.length = 0;
+    expect(await run(client.setIdleThrottle(44))).toBe(44);
+    const version = 'GETSWVER';
+    expect(names(timer.core.answered)).toEqual([version, 'SETLOWRPM', version, 'GETLOWRPM', 'GETLOWRPM', version]);
+  });
+
+  it('is not said to be set when the timer does not say what it holds', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    answering(timer, 'GETLOWRPM', () => []);
+    await expect(run(client.setIdleThrottle(44))).rejects.toMatchObject({
+      code: 'bad-reply',
+      details: { request: 'GETLOWRPM' },
+    });
   });
 });
 
