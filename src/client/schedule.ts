@@ -96,8 +96,13 @@ export class Schedule {
     this.#report();
   }
 
-  /** A request was answered. */
+  /** A request was answered. Behind a part that is done begins one of which no stage is told, such as the way back. */
   answered(name: CommandName): void {
+    const next = this.#job.parts[this.#at + 1];
+    if (this.#left.length === 0 && next && next.stage === undefined) {
+      this.#at++;
+      this.#left = [...next.names];
+    }
     const index = this.#left.indexOf(name);
     if (index >= 0) this.#left.splice(index, 1);
     this.#report();

@@ -1,0 +1,249 @@
+import { describe, expect, it } from 'vitest';
+import { TimerClient } from '../../src/client/index.js';
+import { BAD_REPLIES, READS } from '../../src/client/retry-policy.js';
+import { VirtualClock } from '../../src/line/index.js';
+import { FrameDecoder } from '../../src/protocol/index.js';
+import { VirtualTimer } from '../../src/simulator/index.js';
+import { answering, type Bench, bench, contentOf, edited, memoryOf, names } from './bench.js';
+import { crowd } from './crowd.js';
+
+/** A client that has seen damage, so that it believes no single answer. */
+async function suspicious(timerClass = 'B'): Promise<Bench> {
+  let lost = 1;
+  const made = bench({ identity: { timerClass }, fromTimer: { fault: (byte) => (lost-- > 0 ? [0xff] : [byte]) } });
+  await made.run(made.client.identify());
+  made.timer.core.answered.length = 0;
+  return made;
+}
+
+describe('answers of which no two agree', () => {
+  it('to one question: it is given up after six', async () => {
+    const { client, timer, run } = await suspicious();
+    answering(timer, 'GETMEMORY', (count) => [count % 2]);
+    await expect(run(client.request({ name: 'GETMEMORY' }))).rejects.toMatchObject({
+      code: 'unstable',
+      message: `no two of ${READS} replies agreed`,
+      details: { request: 'GETMEMORY' },
+    });
+    expect(names(timer.core.answered)).toEqual(Array(READS).fill('GETMEMORY'));
+  });
+
+  it.each<['GETTIMERS' | 'GETSERVOPOS' | 'GETLOWRPM', (core: Bench['timer']['core']) => unknown]>([
+    ['GETTIMERS', ({ content }) => content.times.splice(3, 1, (content.times[3] as number) ^ 1)],
+    ['GETSERVOPOS', ({ content }) => content.positions[1]?.splice(3, 1, (content.positions[1][3] as number) ^ 1)],
+    ['GETLOWRPM', (core) => Object.assign(core, { idleThrottle: core.idleThrottle ^ 1 })],
+  ])('to the questions for a memory: it is given up after six, and %s is named', async (request, change) => {
+    const { client, timer, run } = await suspicious('Q');
+    timer.core.onAnswer = ({ name }) => name === request && change(timer.core);
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'unstable',
+      message: `no two of ${READS} readings agreed`,
+      details: { request },
+    });
+    expect(names(timer.core.answered).filter((name) => name === request)).toHaveLength(READS);
+  });
+
+  it('which memory is current, at the beginning and at the end: it is given up after four readings', async () => {
+    const { client, timer, run } = bench();
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETSERVOPOS') timer.core.memory = 1 - timer.core.memory;
+    };
+    await expect(run(client.readProgram())).rejects.toMatchObject({
+      code: 'unstable',
+      message: 'not one of 4 readings was undisturbed',
+      details: { request: 'GETMEMORY' },
+    });
+    expect(names(timer.core.answered).filter((name) => name === 'GETSERVOPOS')).toHaveLength(4);
+  });
+
+  it('what was read of another memory does not count as a first reading of this one', async () => {
+    const { client, timer, run } = await suspicious();
+    let left = 2;
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETSERVOPOS' && --left === 0) timer.core.memory = 1;
+    };
+    expect(await run(client.readProgram())).toEqual(memoryOf(timer, 1));
+  });
+
+  it.each([
+    ['frames came that nobody asked for: somebody else is in the beam', false, 'crowded'],
+    ['damage came as well: the line is bad', true, 'unstable'],
+  ])('and %s', async (_, damage, code) => {
+    const clock = new VirtualClock();
+    const timer = new VirtualTimer({ clock });
+    const port = crowd(timer);
+    const client = new TimerClient(port, { clock });
+    await clock.run(client.identify());
+    answering(timer, 'GETMEMORY', (count) => [count % 2]);
+    const stray = timer.core.answer(
+      new FrameDecoder().push(Uint8Array.of(0, 0, 0, 0, 0, 3, 0x61, 0x61, 0x45))[0] as never,
+    );
+    port.stray = (_index, _code, moment) =>
+      moment === 'after' ? (damage ? Uint8Array.of(...(stray ?? []), 7) : stray) : undefined;
+    await expect(clock.run(client.request({ name: 'GETMEMORY' }))).rejects.toMatchObject({ code });
+  });
+});
+
+describe('what an error says of the request', () => {
+  it('no reply came', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    timer.core.sleep();
+    await expect(run(client.request({ name: 'GETTIMERS' }))).rejects.toMatchObject({
+      message: 'no reply to GETTIMERS',
+      details: { request: 'GETTIMERS', answersOthers: false },
+    });
+  });
+
+  it('what came was damaged, each time', async () => {
+    const { client, run } = bench({ fromTimer: { fault: (byte) => [byte === 0x62 ? 0x60 : byte] } });
+    await expect(run(client.request({ name: 'GETTIMERS' }))).rejects.toMatchObject({
+      code: 'unstable',
+      message: 'too much damage to get a reply to GETTIMERS',
+    });
+  });
+
+  it.each([
+    ['each time', 0],
+    ['as often, with silence before', 2],
+  ])('the reply came with a content that cannot be, %s', async (_, silences) => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    answering(timer, 'GETTIMERS', (count) => (count < silences ? null : [1]));
+    await expect(run(client.request({ name: 'GETTIMERS' }))).rejects.toMatchObject({
+      code: 'bad-reply',
+      message: 'the reply to GETTIMERS cannot be right',
+      details: { request: 'GETTIMERS', sent: silences + BAD_REPLIES },
+      cause: { code: 'wrong-length' },
+    });
+  });
+
+  it('a question that was silent before and is answered badly now is malformed, after two tries', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    let isSilent = true;
+    answering(timer, 'GETLOWRPM', () => (isSilent ? null : [1, 2]));
+    await run(client.readProgram());
+    isSilent = false;
+    expect((await run(client.readProgram())).idleThrottle).toBeNull();
+    expect([...client.quirksFound.keys()]).toEqual(['idle-throttle-unanswered', 'idle-throttle-malformed']);
+  });
+
+  it('a dangerous request was sent once, whatever the line did to its reply', async () => {
+    let bad = false;
+    const { client, run } = bench({ fromTimer: { fault: (byte) => [bad ? byte ^ 0xff : byte] } });
+    await run(client.identify());
+    bad = true;
+    await expect(run(client.moveToFunction(1))).rejects.toMatchObject({
+      code: 'no-answer',
+      details: { request: 'MOVETOFUNC', sent: 1, answersOthers: true },
+    });
+  });
+
+  it('a timer that fell silent on a line that was damaged before is silent, and soon told so again', async () => {
+    const { client, timer, run, line } = await suspicious();
+    timer.core.sleep();
+    await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'no-answer' });
+    line.length = 0;
+    await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'no-answer' });
+    expect(line).toHaveLength(3);
+  });
+});
+
+describe('a client that is closed', () => {
+  it('lets the request under way come to its end', async () => {
+    const { client, timer, run } = bench({ latency: 50 });
+    await run(client.identify());
+    const asked = client.request({ name: 'GETTIMERS' });
+    await run(Promise.resolve());
+    const closed = client.close();
+    expect((await run(asked)).times).toEqual(timer.core.content.times);
+    await run(closed);
+    expect(timer.writable.locked).toBe(false);
+  });
+
+  it('asks nothing more, and goes to no other memory', async () => {
+    const { client, timer, run } = bench({ latency: 50 });
+    await run(client.identify());
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETTIMERS') void client.close();
+    };
+    const failed = client.readMemories({ memories: [1] }).catch((error: unknown) => error);
+    expect(await run(failed)).toMatchObject({ code: 'memory-left', cause: { code: 'closed' } });
+    expect(names(timer.core.answered).at(-1)).toBe('GETTIMERS');
+  });
+});
+
+describe('a selected memory', () => {
+  it('that is not the one that was asked for is told with both numbers', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    answering(timer, 'GETMEMORY', () => [1]);
+    await expect(run(client.selectMemory(2))).rejects.toMatchObject({
+      code: 'other-memory',
+      message: 'memory 1 is current, not 2',
+    });
+  });
+
+  it('that the timer does not name is uncertain: the job stops, and so is the way back', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    answering(timer, 'GETMEMORY', (count) => (count < 2 ? undefined : []));
+    const failed = await run(client.readMemories({ memories: [1] }).catch((error: unknown) => error));
+    expect(failed).toMatchObject({ code: 'memory-left', details: { expected: 0, found: null } });
+    expect(failed).toMatchObject({ cause: { code: 'memory-unknown' } });
+    expect(failed).not.toHaveProperty('details.request');
+    expect(names(timer.core.answered)).not.toContain('GETTIMERS');
+  });
+
+  it('is asked for twice before the first other one, and after each', async () => {
+    const { client, timer, run } = bench();
+    await run(client.identify());
+    timer.core.answered.length = 0;
+    const told: string[] = [];
+    await run(
+      client.readMemories({
+        memories: [1],
+        onProgress: ({ stage, done, total }) => told.push(`${stage} ${done}/${total}`),
+      }),
+    );
+    const select = ['GETSWVER', 'SETMEMORY', 'GETSWVER', 'GETMEMORY', 'GETMEMORY'];
+    const read = ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETMEMORY', 'GETSWVER'];
+    expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETMEMORY', 'GETMEMORY', ...select, ...read, ...select]);
+    const sizes = told.map((text) => text.split(/[ /]/));
+    expect(sizes.every(([stage]) => stage === 'read')).toBe(true);
+    expect(sizes.at(-1)?.[1]).toBe(sizes.at(-1)?.[2]);
+  });
+});
+
+describe('times that fall, and rise with their bytes exchanged', () => {
+  const FALLING = [0, 0x0200, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808, 0x0909];
+
+  it('are no hint when they are known to have their high byte first', async () => {
+    const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } }, { quirks: { bigEndianTimes: true } });
+    timer.core.content.times = FALLING;
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
+    expect([...client.quirksFound.keys()]).toEqual([]);
+  });
+
+  it('are none any more when a reading rises as it is', async () => {
+    const { client, timer, run } = bench();
+    const { times } = timer.core.content;
+    timer.core.content.times = FALLING;
+    await run(client.readProgram());
+    expect([...client.quirksFound.keys()]).toEqual(['times-big-endian']);
+    timer.core.content.times = times;
+    await run(client.readProgram());
+    expect([...client.quirksFound.keys()]).toEqual([]);
+  });
+
+  it('equal times are no fall', async () => {
+    const { client, timer, run } = bench();
+    const equal = edited(contentOf(timer), [
+      [4, 0x0102],
+      [5, 0x0102],
+    ]).times.map((_, slot) => (slot < 2 ? slot : 0x0102));
+    timer.core.content.times = [...equal];
+    await run(client.readProgram());
+    expect([...client.quirksFound.keys()]).toEqual([]);
+  });
+});
