@@ -16,6 +16,7 @@ import { cellProps, RowModel, type RowSources } from './row-model.js';
 import { RowNotes } from './row-notes.js';
 import type { RowTools } from './row-tools.js';
 import { ValueField } from './value-field.js';
+import './program-row.css';
 
 export interface ProgramRowProps extends Pick<RowSources, 'selection' | 'marked'> {
   readonly session: Session;

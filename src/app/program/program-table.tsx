@@ -18,6 +18,7 @@ import { cellAt } from './table-cells.js';
 import { tableClipboard } from './table-clipboard.js';
 import { TableHead } from './table-head.js';
 import './program-table.css';
+import './table-box.css';
 
 interface ProgramTableProps extends Pick<ProgramRowProps, 'session' | 'bench' | 'follow' | 'marked'> {
   /** Those of the rows, where they are opened from elsewhere too. Default: its own. */

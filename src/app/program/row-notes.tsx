@@ -2,6 +2,7 @@ import { fieldKey } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 import { fieldLabel, messages } from '../messages/index.js';
 import type { FieldNote } from './field-notes.js';
+import './row-notes.css';
 
 interface RowNotesProps {
   readonly identity: Identity;

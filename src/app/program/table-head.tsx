@@ -4,6 +4,7 @@ import type { Identity } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 import { messages } from '../messages/index.js';
 import { ColumnMenu } from './column-menu.js';
+import './table-head.css';
 
 interface TableHeadProps {
   readonly editor: Editor;
