@@ -1,6 +1,5 @@
 import { messages } from '../messages/index.js';
-import type { Session } from '../session/session.js';
-import { SIMULATED_CLASSES } from '../session/timer-access.js';
+import { type Session, SIMULATED_CLASSES } from '../session/session.js';
 
 interface ConnectButtonsProps {
   readonly session: Session;

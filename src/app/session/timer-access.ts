@@ -4,11 +4,7 @@ import type { CaptureEntry } from '../../protocol/index.js';
 import { type LinkState, portKey, type SerialPortLike, type Surroundings } from '../../serial/index.js';
 import type { Assumed } from './link.js';
 import type { Reader } from './reader.js';
-import type { Session } from './session.js';
-
-/** The classes of which there is a simulated timer. */
-export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
-export type SimulatedClass = (typeof SIMULATED_CLASSES)[number];
+import { type Session, SIMULATED_CLASSES, type SimulatedClass } from './session.js';
 
 /** Where the timers come from that this page can go to. */
 export interface TimerSources {
