@@ -1,5 +1,6 @@
 import type { Flight, TimerProgram } from '../../program/index.js';
 import { formatFigure } from '../editing/units.js';
+import { dateFormat } from '../messages/date-format.js';
 import { flightMessages } from '../messages/flights.js';
 import { messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
@@ -31,16 +32,6 @@ export function heldText(program: TimerProgram): string {
 
 /** A day as the head of a group: “Sun 22 Nov 2026”. */
 export function dayHeading(at: number): string {
-  return formatterOf(messages.value.locale).format(at);
-}
-
-/** Made once: a formatter is dear, and there are thousands of days. */
-const formatters = new Map<string, Intl.DateTimeFormat>();
-
-function formatterOf(locale: string): Intl.DateTimeFormat {
-  const known = formatters.get(locale);
-  if (known) return known;
-  const made = new Intl.DateTimeFormat(locale, { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric' });
-  formatters.set(locale, made);
-  return made;
+  const day = { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric' } as const;
+  return dateFormat(messages.value.locale, day).format(at);
 }

@@ -16,6 +16,7 @@ import {
   plainSeconds,
   spokenParts,
 } from '../editing/units.js';
+import { dateFormat } from './date-format.js';
 import { en } from './en.js';
 
 export type { TimelineFacts } from './en.js';
@@ -148,7 +149,7 @@ export function readable(bytes: Uint8Array): string {
 /** A day and a time of day, as they are written in this language. */
 export function dateText(time: number): string {
   const { locale, dateTime } = messages.value;
-  return new Date(time).toLocaleString(locale, dateTime);
+  return dateFormat(locale, dateTime).format(time);
 }
 
 /** A time of today as its hour and minute, any other as its day alone: “12 Nov”, “12 Nov 2025”. */
@@ -158,14 +159,14 @@ export function dayText(time: number): string {
   const now = new Date();
   if (day.toDateString() === now.toDateString()) return clockText(time);
   const year = day.getFullYear() === now.getFullYear() ? {} : ({ year: 'numeric' } as const);
-  return day.toLocaleDateString(locale, { day: 'numeric', month: 'short', ...year });
+  return dateFormat(locale, { day: 'numeric', month: 'short', ...year }).format(time);
 }
 
 /** A time of today as its hour and minute, any other with its day. */
 export function clockText(time: number): string {
   const { locale, dateTime } = messages.value;
   const isToday = new Date(time).toDateString() === new Date().toDateString();
-  return isToday ? new Date(time).toLocaleTimeString(locale, { timeStyle: dateTime.timeStyle }) : dateText(time);
+  return isToday ? dateFormat(locale, { timeStyle: dateTime.timeStyle }).format(time) : dateText(time);
 }
 
 /** A value as it is said in a sentence: “3:00”, “10.0 s”, “65”; what is not known says so. */
