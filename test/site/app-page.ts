@@ -1,6 +1,6 @@
 import type { BrowserContextOptions, Locator, Page } from 'playwright';
-import { expect, inject } from 'vitest';
-import { newPage } from './page.js';
+import { expect, inject, onTestFinished } from 'vitest';
+import { newPage, newVisit } from './page.js';
 import type { Workbench, WorkbenchOptions } from './workbench.js';
 
 declare module 'vitest' {
@@ -17,6 +17,8 @@ export interface AppOptions extends BrowserContextOptions {
   readonly bench?: WorkbenchOptions;
   /** Runs in the page before its own scripts. */
   readonly before?: () => unknown;
+  /** Nobody has been here before: the page's worker is not there yet. Default false. */
+  readonly isFirstVisit?: boolean;
 }
 
 /** The table of the example and of the one reply that is known from a real timer. */
@@ -31,16 +33,20 @@ export class AppPage {
     this.page = page;
   }
 
-  static async open({ at = 'site', bench, before, ...options }: AppOptions = {}): Promise<AppPage> {
-    const page = await newPage(options);
+  static async open({ at = 'site', bench, before, isFirstVisit, ...options }: AppOptions = {}): Promise<AppPage> {
+    const page = await (isFirstVisit ? newPage(options) : newVisit(options));
     const context = page.context();
-    if (before) await context.addInitScript(before);
-    if (bench) {
-      await context.addInitScript((given) => {
-        window.workbenchOptions = given;
-      }, bench);
-      await context.addInitScript(inject('workbench'));
-    }
+    const scripts = [
+      before && (await context.addInitScript(before)),
+      bench &&
+        (await context.addInitScript((given) => {
+          window.workbenchOptions = given;
+        }, bench)),
+      bench && (await context.addInitScript(inject('workbench'))),
+    ];
+    onTestFinished(async () => {
+      for (const script of scripts) await script?.dispose();
+    });
     await page.goto(inject(at));
     const app = new AppPage(page);
     await app.#works();

@@ -12,7 +12,7 @@ function kept({ page }: AppPage) {
 }
 
 test('everything that is kept on this device is deleted, and nothing of another program at this address', async () => {
-  const app = await AppPage.open({ bench: { granted: true } });
+  const app = await AppPage.open({ bench: { granted: true }, isFirstVisit: true });
   const { page } = app;
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   await app.connect();

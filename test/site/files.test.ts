@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright';
-import { describe, expect, onTestFinished, test } from 'vitest';
+import { describe, expect, test } from 'vitest';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
@@ -42,7 +42,6 @@ async function drop(page: Page, name: string, text: string): Promise<void> {
 
 async function opened(before?: () => void): Promise<AppPage> {
   const app = await AppPage.open({ acceptDownloads: true, ...(before && { before }) });
-  onTestFinished(() => app.page.context().close());
   await app.page.evaluate(() => location.assign('#library'));
   await app.button('Import…').waitFor();
   return app;

@@ -64,7 +64,7 @@ describe('the start stands in the page as it comes:', () => {
   });
 
   test('Connect is done when the page is there, with the right of the click that came before', async () => {
-    const app = await AppPage.open({ bench: {} });
+    const app = await AppPage.open({ bench: {}, isFirstVisit: true });
     const { asked, release } = await heldBack(app.page);
     // Not the worker of the first visit: it would answer by itself.
     await app.page.evaluate(async () => (await navigator.serviceWorker.getRegistration())?.unregister());

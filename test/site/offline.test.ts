@@ -16,7 +16,7 @@ for (const site of ['site', 'siteUnderPath'] as const) {
   });
 
   test(`without a network the page at ${new URL(inject(site)).pathname} reads, writes and verifies`, async () => {
-    const app = await AppPage.open({ at: site });
+    const app = await AppPage.open({ at: site, isFirstVisit: true });
     await app.page.waitForFunction(() => navigator.serviceWorker.controller !== null);
     await app.page.context().setOffline(true);
     await app.reload();
