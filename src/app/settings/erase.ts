@@ -17,6 +17,12 @@ export type EraseStep =
   /** Some of it could not be deleted. */
   | { readonly step: 'failed'; readonly left: readonly (KeptOutside | 'storage')[] };
 
+/**
+ * So long each of them has, in milliseconds: a slow and busy device may take its time for all of it, and who has asked
+ * for this waits. Only what hangs is given up.
+ */
+const ERASE_LIMIT = 30_000;
+
 /** Deletes everything that this page keeps on this device; it is asked for once. */
 export class Erase {
   readonly current: ReadonlySignal<EraseStep | null>;
@@ -61,7 +67,7 @@ export class Erase {
       ['storage', () => this.#storage.erase()] as const,
       ...(Object.entries(this.#erasers) as [KeptOutside, () => Promise<void>][]),
     ];
-    for (const [place, erase] of jobs) await withinLimit(erase).catch(() => left.push(place));
+    for (const [place, erase] of jobs) await withinLimit(erase, ERASE_LIMIT).catch(() => left.push(place));
     if (left.length === 0) this.#reload();
     this.#current.value = left.length === 0 ? null : { step: 'failed', left };
   }
