@@ -1,7 +1,14 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { type Browser, type BrowserContext, type BrowserContextOptions, chromium, type LaunchOptions, type Page } from 'playwright';
+import {
+  type Browser,
+  type BrowserContext,
+  type BrowserContextOptions,
+  chromium,
+  type LaunchOptions,
+  type Page,
+} from 'playwright';
 import { expect, inject, onTestFinished } from 'vitest';
 
 declare module 'vitest' {
@@ -83,6 +90,9 @@ export async function newVisit(options: BrowserContextOptions = {}): Promise<Pag
   return page;
 }
 
+/** What a page stores, in the words of the browser: all but its worker, and what that keeps. */
+export const STORED = 'cookies,file_systems,indexeddb,local_storage';
+
 /** Leaves one empty tab, and of what is stored only what the worker of the page keeps. */
 async function sweep(context: BrowserContext): Promise<Page> {
   const left = context.pages();
@@ -93,7 +103,7 @@ async function sweep(context: BrowserContext): Promise<Page> {
   for (const address of [inject('site'), inject('siteUnderPath')])
     await devTools.send('Storage.clearDataForOrigin', {
       origin: new URL(address).origin,
-      storageTypes: 'cookies,file_systems,indexeddb,local_storage',
+      storageTypes: STORED,
     });
   await devTools.detach();
   return page;
