@@ -195,23 +195,19 @@ export class AppPage {
 
   /** What the slot of a servo shows, start to DT. */
   async positions(servo: string): Promise<string[]> {
-    await this.table.waitFor();
-    const fields = this.table.getByRole('textbox', { name: new RegExp(`, ${servo}$`) });
-    return fields.evaluateAll((inputs) => inputs.map((input) => (input as HTMLInputElement).value));
+    const entries = Object.entries(await this.entries());
+    return entries.filter(([name]) => name.endsWith(`, ${servo}`)).map(([, value]) => value);
   }
 
   /** What stands in each field of the table, by name: times, intervals and positions. */
   async entries(): Promise<Readonly<Record<string, string>>> {
-    // What is said above the program can be there a picture before the table.
-    await this.table.waitFor();
-    const fields = this.table.getByRole('textbox');
-    const all = await fields.evaluateAll((inputs) =>
-      inputs
-        // The tools of a row have a field of their own.
-        .filter((input) => !input.closest('.row-menu'))
-        .map((input) => [input.ariaLabel ?? '', (input as HTMLInputElement).value] as const),
-    );
-    return Object.fromEntries(all);
+    // One question for the whole table: a journey that notes each of its steps asks it a hundred times.
+    return this.table.evaluate((table) => {
+      const inputs = [...table.querySelectorAll<HTMLInputElement>('input:is([type=text], :not([type]))')];
+      // The tools of a row have a field of their own.
+      const seen = inputs.filter((input) => !input.closest('.row-menu') && input.checkVisibility());
+      return Object.fromEntries(seen.map((input) => [input.ariaLabel ?? '', input.value]));
+    });
   }
 
   /** The reasons that are said in the table, for people who see them. */
