@@ -14,21 +14,23 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     await app.trySimulated(name);
     await app.firmware.waitFor();
     const held = HELD[name];
-    expect(await app.positions('S2')).toEqual(held.tailplane.map(String));
-    expect(await app.valueOf('DT')).toBe(held.dt);
+    await expect.poll(() => app.positions('S2')).toEqual(held.tailplane.map(String));
+    await expect.poll(() => app.valueOf('DT')).toBe(held.dt);
 
     await app.type('DT time', '5:00');
     await app.type('Function 2, S1', '0');
     await app.type('DT, S3', '130');
-    expect(await app.valueOf('DT'), 'the large figure follows').toBe('5:00');
+    await expect.poll(() => app.valueOf('DT'), { message: 'the large figure follows' }).toBe('5:00');
     await app.text('3 changes').waitFor();
 
     await app.review();
-    expect(await app.difference()).toEqual([
-      `DT time | ${held.dt} min | 5:00 min`,
-      `Function 2, S1 | ${held.rudder2} | 0`,
-      `DT, S3 | ${held.wingAtDt} | 130`,
-    ]);
+    await expect
+      .poll(() => app.difference())
+      .toEqual([
+        `DT time | ${held.dt} min | 5:00 min`,
+        `Function 2, S1 | ${held.rudder2} | 0`,
+        `DT, S3 | ${held.wingAtDt} | 130`,
+      ]);
     const start = app.dialog.getByRole('button', { name: 'Write 3 changes' });
     expect(await start.isDisabled(), 'not before the tick').toBe(true);
     expect(await app.sets(), 'nothing yet').toEqual([]);
@@ -44,27 +46,27 @@ for (const name of ['F1Q', 'F1B', 'F1E'] as const) {
     expect(sent.slice(sent.lastIndexOf('SETSERVO') + 1), 'read back').toEqual(reading);
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
     await app.readAgain();
-    expect(await app.valueOf('Function 2, S1')).toBe('0');
-    expect(await app.valueOf('DT, S3')).toBe('130');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('0');
+    await expect.poll(() => app.valueOf('DT, S3')).toBe('130');
   });
 }
 
 test('the motor stop of an F1Q stands large beside DT, and is the start time', async () => {
   const app = await AppPage.open();
   await app.trySimulated('F1Q');
-  expect(await app.valueOf('Motor stop')).toBe('10.0');
+  await expect.poll(() => app.valueOf('Motor stop')).toBe('10.0');
   await app.type('Motor stop', '9.5');
-  expect(await app.valueOf('Motor stop time')).toBe('9.5');
+  await expect.poll(() => app.valueOf('Motor stop time')).toBe('9.5');
 });
 
 test('the reserved start time of an F1B is edited only on purpose', async () => {
   const app = await AppPage.open();
   await app.trySimulated('F1B');
-  expect(await app.field('Start time').isEditable()).toBe(false);
+  await expect.poll(() => app.field('Start time').isEditable()).toBe(false);
   await app.button('Edit the reserved time').click();
-  expect(await app.field('Start time').isEditable()).toBe(true);
+  await expect.poll(() => app.field('Start time').isEditable()).toBe(true);
   await app.page.keyboard.type('1');
-  expect(await app.valueOf('Start time')).toBe('1');
+  await expect.poll(() => app.valueOf('Start time')).toBe('1');
 });
 
 test('the safety is asked for once in a connection', async () => {
@@ -76,7 +78,7 @@ test('the safety is asked for once in a connection', async () => {
   await app.close();
   await app.type('Function 1, S1', '2');
   await app.review();
-  expect(await app.dialog.getByRole('button', { name: 'Write 1 change' }).isEnabled()).toBe(true);
+  await expect.poll(() => app.dialog.getByRole('button', { name: 'Write 1 change' }).isEnabled()).toBe(true);
 });
 
 test('what may cost a model has to be acknowledged before it is written', async () => {
@@ -98,12 +100,12 @@ test('each memory is read as it is chosen, and keeps its own edits', async () =>
   await app.trySimulated('F1Q');
   await app.type('Function 3, S2', '77');
   await app.fly('M2');
-  expect(await app.valueOf('Motor stop'), 'M2 is for wind').toBe('9.5');
-  expect(await app.valueOf('Function 3, S2')).toBe('48');
+  await expect.poll(() => app.valueOf('Motor stop'), { message: 'M2 is for wind' }).toBe('9.5');
+  await expect.poll(() => app.valueOf('Function 3, S2')).toBe('48');
   await app.says('Your edits of the other memory are kept.');
   await app.fly('M1');
   await app.says('Earlier edits for this memory are back.');
-  expect(await app.valueOf('Function 3, S2')).toBe('77');
+  await expect.poll(() => app.valueOf('Function 3, S2')).toBe('77');
 });
 
 test('by keyboard alone: try, edit DT, write, verify', async () => {
@@ -139,6 +141,6 @@ test('by keyboard alone: try, edit DT, write, verify', async () => {
   await tabTo(/^Close$/);
   await keyboard.press('Enter');
   await app.dialog.waitFor({ state: 'hidden' });
-  expect(await app.valueOf('DT')).toBe('4:00');
+  await expect.poll(() => app.valueOf('DT')).toBe('4:00');
   expect(await app.sets()).toEqual(['SETTIMERS']);
 });

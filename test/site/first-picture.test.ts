@@ -72,11 +72,11 @@ describe('the start stands in the page as it comes:', () => {
     await asked;
     await app.button('New program…').click();
     await app.button('Connect').click();
-    expect(await app.button('Connect').getAttribute('aria-disabled')).toBe('true');
-    expect(await app.button('New program…').getAttribute('aria-disabled')).toBeNull();
+    await expect.poll(() => app.button('Connect').getAttribute('aria-disabled')).toBe('true');
+    await expect.poll(() => app.button('New program…').getAttribute('aria-disabled')).toBeNull();
     await release();
     await app.hasRead();
-    expect(await app.page.getByRole('dialog').count(), 'of two clicks the last counts').toBe(0);
+    await expect.poll(() => app.page.getByRole('dialog').count(), { message: 'of two clicks the last counts' }).toBe(0);
   });
 
   test('when the page cannot be loaded it says so, and is loaded again by a click', async () => {
@@ -87,7 +87,7 @@ describe('the start stands in the page as it comes:', () => {
     await page.unroute(PAGE_SCRIPT);
     await page.getByRole('button', { name: 'Load it again' }).click();
     await works(page);
-    expect(await page.getByRole('alert').count()).toBe(0);
+    await expect.poll(() => page.getByRole('alert').count()).toBe(0);
   });
 
   test('at the address of another view it is not shown', async () => {
@@ -104,6 +104,6 @@ describe('the start stands in the page as it comes:', () => {
     const page = await newPage({ javaScriptEnabled: false });
     await page.goto(inject('site'));
     expect(await page.locator('noscript').isVisible()).toBe(true);
-    expect(await page.getByRole('button').count()).toBe(0);
+    await expect.poll(() => page.getByRole('button').count()).toBe(0);
   });
 });

@@ -32,7 +32,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await leave.getByText('DT of M1 is 20 s. Put back to 3:00 min?').waitFor();
   await leave.getByRole('button', { name: 'Put back to 3:00 min…' }).click();
   await app.dialog.waitFor();
-  expect(await app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
+  await expect.poll(() => app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
   await app.result('Verified.');
   await app.dialog.getByText(/^M1 verified \d\d:\d\d · DT 3:00 min/).waitFor();
@@ -44,13 +44,13 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await page.evaluate(() => location.assign('#library/flights'));
   const rows = page.locator('.flight-row');
   await rows.nth(1).waitFor();
-  expect(await rows.count()).toBe(2);
+  await expect.poll(() => rows.count()).toBe(2);
   await page.getByText('2 flights', { exact: true }).first().waitFor();
   await page.getByText('Filter and export').click();
   await isWellMade(app, 'the log of flights');
   await page.getByRole('searchbox', { name: 'Search' }).fill('trimmed gyula');
   await rows.nth(1).waitFor({ state: 'detached' });
-  expect(await rows.innerText()).toContain('DT 20 s');
+  await expect.poll(() => rows.innerText()).toContain('DT 20 s');
 
   const download = page.waitForEvent('download');
   await app.button('Save as a table (CSV)').click();
@@ -76,9 +76,9 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await rows.click();
   await form.getByText('What was flown').click();
   const flown = form.getByRole('table', { name: 'Times and positions that the timer held' });
-  expect(await flown.getByRole('row', { name: /^DT/ }).innerText(), 'a copy, whatever was written since').toContain(
-    '20 s',
-  );
+  await expect
+    .poll(() => flown.getByRole('row', { name: /^DT/ }).innerText(), { message: 'a copy, whatever was written since' })
+    .toContain('20 s');
   await isWellMade(app, 'the form of a flight');
   await form.getByRole('button', { name: 'Delete' }).click();
   await page.getByText('No flight fits this filter.').waitFor();

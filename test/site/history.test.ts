@@ -48,11 +48,11 @@ for (const end of ['is loaded again', 'crashes']) {
     else await app.reload();
     const next = end === 'crashes' ? await app.sibling() : app;
     await next.says('Your edits are back.');
-    expect(await next.entries()).toEqual(entries);
-    expect(await steps(next)).toEqual(names);
+    await expect.poll(() => next.entries()).toEqual(entries);
+    await expect.poll(() => steps(next)).toEqual(names);
     await next.connect();
-    expect(await next.entries(), 'after reading the timer').toEqual(entries);
-    expect(await steps(next)).toEqual(names);
+    await expect.poll(() => next.entries(), { message: 'after reading the timer' }).toEqual(entries);
+    await expect.poll(() => steps(next)).toEqual(names);
 
     await next.redo.click();
     await trail.continuedBy(next).goBack(() => next.undo.click());
@@ -82,7 +82,7 @@ test('a key that is pressed just before the page is left is kept', async () => {
     }, keys);
     await loaded;
     await app.says('Your edits are back.');
-    expect(await app.valueOf('Function 2, S1')).toBe(keys.at(-1));
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe(keys.at(-1));
   }
 });
 
@@ -91,7 +91,7 @@ test('each memory keeps a history of its own, also over a reload', async () => {
   await app.connect();
   const first = await work(app);
   await app.fly('M2');
-  expect(await steps(app), 'nothing was done here').toEqual(['Undo', 'Redo']);
+  await expect.poll(() => steps(app), { message: 'nothing was done here' }).toEqual(['Undo', 'Redo']);
   const second = new Trail(app);
   await second.note();
   await app.type('Function 3, S2', '99');
@@ -118,7 +118,7 @@ test('each timer keeps a history of its own: the F1B at the port, and a simulate
   await app.button('Disconnect').click();
   await app.connect();
   await app.page.getByRole('banner').getByText('F1B').waitFor();
-  expect(await steps(app), 'nothing was done here').toEqual(['Undo', 'Redo']);
+  await expect.poll(() => steps(app), { message: 'nothing was done here' }).toEqual(['Undo', 'Redo']);
   const real = await work(app);
   await app.button('Disconnect').click();
   await app.kept();

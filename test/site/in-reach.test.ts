@@ -108,6 +108,8 @@ test.each([
     await app.button('Function 2').click();
     await app.text('Servos at function 2').first().waitFor();
     await page.getByRole('switch').click();
+    // What is stepped before it is on waits for Write.
+    await page.getByRole('switch', { checked: true }).waitFor();
     await app.button('Step down Function 2, S1').click();
     await app.text('1 tried in the timer').first().waitFor({ state: 'attached' });
     await see('bench, following');

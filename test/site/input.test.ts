@@ -24,9 +24,9 @@ describe('what no timer can hold is refused at the field', () => {
       const what = `${field} = ${JSON.stringify(text)}`;
       const sent = await app.sent();
       await app.type(field, text);
-      expect(await app.valueOf(field), what).toBe(shown);
-      expect(await app.field(field).getAttribute('aria-invalid'), what).toBe('true');
-      expect(await app.reasons(), what).toContain(`${field}: ${reason}`);
+      await expect.poll(() => app.valueOf(field), { message: what }).toBe(shown);
+      await expect.poll(() => app.field(field).getAttribute('aria-invalid'), { message: what }).toBe('true');
+      await expect.poll(() => app.reasons(), { message: what }).toContain(`${field}: ${reason}`);
       await app.button(/^Write( \d+)?…$/).click();
       const cause = app.field(field);
       await expect
@@ -37,10 +37,10 @@ describe('what no timer can hold is refused at the field', () => {
 
       await app.kept();
       await app.reload();
-      expect(await app.valueOf(field), what).toBe(shown);
+      await expect.poll(() => app.valueOf(field), { message: what }).toBe(shown);
       await app.button('Connect').click();
       await app.isReady();
-      expect(await app.valueOf(field), what).toBe(shown);
+      await expect.poll(() => app.valueOf(field), { message: what }).toBe(shown);
       await app.text(`Nothing can be written yet. ${field}: ${reason}`).waitFor();
       await app.button('Undo all').click();
       await app.text('Nothing can be written yet.').waitFor({ state: 'hidden' });
@@ -52,7 +52,7 @@ describe('what no timer can hold is refused at the field', () => {
     await app.connect();
     await app.type('Function 2, S1', '9'.repeat(100_000));
     await app.type('DT time', '<img src=x onerror=alert(1)>'.repeat(100));
-    expect(await app.reasons()).toHaveLength(2);
+    await expect.poll(() => app.reasons()).toHaveLength(2);
     await app.expectNoSidewaysScrolling();
   });
 });
@@ -66,7 +66,9 @@ describe('what was typed is kept', () => {
     await app.kept();
     await app.reload();
     await app.says('Your edits are back.');
-    expect([await app.valueOf('Function 2, S1'), await app.valueOf('DT')]).toEqual(['7', '4:00']);
+    await expect
+      .poll(async () => [await app.valueOf('Function 2, S1'), await app.valueOf('DT')])
+      .toEqual(['7', '4:00']);
     await app.button('Connect').click();
     await app.isReady();
     await app.text('2 changes').waitFor();
@@ -77,7 +79,9 @@ describe('what was typed is kept', () => {
     await app.reload();
     await app.hasNumber();
     await app.kept();
-    expect(await app.text('Your edits are back.').count(), 'nothing is left to bring back').toBe(0);
+    await expect
+      .poll(() => app.text('Your edits are back.').count(), { message: 'nothing is left to bring back' })
+      .toBe(0);
   });
 
   test('when another memory is chosen, text for text, and through a reload', async () => {
@@ -85,13 +89,13 @@ describe('what was typed is kept', () => {
     await app.connect();
     await app.type('Function 2, S1', 'seven');
     await app.fly('M2');
-    expect(await app.valueOf('Function 2, S1')).toBe('35');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('35');
     await app.reload();
     await app.button('Connect').click();
     await app.isReady();
-    expect(await app.valueOf('Function 2, S1'), 'M2 is still current').toBe('35');
+    await expect.poll(() => app.valueOf('Function 2, S1'), { message: 'M2 is still current' }).toBe('35');
     await app.fly('M1');
-    expect(await app.valueOf('Function 2, S1')).toBe('seven');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('seven');
   });
 
   test('when its tab is closed in the middle of something, for the next one', async () => {
@@ -111,7 +115,7 @@ describe('what was typed is kept', () => {
     await app.page.close();
     await other.reload();
     await other.says('Your edits are back.');
-    expect(await other.valueOf('Function 2, S1')).toBe('7');
+    await expect.poll(() => other.valueOf('Function 2, S1')).toBe('7');
   });
 });
 
@@ -149,7 +153,7 @@ describe('the page starts all the same', () => {
       await app.store(stored);
       await app.reload();
       await app.connect();
-      expect(await app.valueOf('DT time'), what).toBe('3:00');
+      await expect.poll(() => app.valueOf('DT time'), { message: what }).toBe('3:00');
     }
   });
 
@@ -189,7 +193,7 @@ describe('the page starts all the same', () => {
       await app.says(sentence);
       await app.fly('M2');
       await app.fly('M1');
-      expect(await app.valueOf('Function 2, S1')).toBe('7');
+      await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
     },
   );
 });

@@ -52,7 +52,7 @@ test('a shortcut leads to what it names, opens nothing by itself, and a reload d
     if (url.includes('?')) await page.waitForFunction(() => document.activeElement?.tagName === 'BUTTON');
     else await page.getByRole('heading', { level: 1 }).waitFor();
     const focused = await page.evaluate(() => document.activeElement?.closest('button')?.textContent ?? undefined);
-    expect(await page.locator('.link-state').innerText()).toBe('Not connected');
+    await expect.poll(() => page.locator('.link-state').innerText()).toBe('Not connected');
     found.push([name, focused, page.url().replace(inject('site'), '')]);
   }
   expect(found).toEqual([

@@ -31,7 +31,7 @@ it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, 
   await app.kept();
   await app.reload();
   await app.says('Your program is back.');
-  expect(await app.valueOf('DT time')).toBe('2:30');
+  await expect.poll(() => app.valueOf('DT time')).toBe('2:30');
   await app.button('Save').click();
   await app.button('Save').waitFor({ state: 'hidden' });
   await app.page.keyboard.press('Control+k');
@@ -45,7 +45,7 @@ it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, 
   await app.page.getByRole('searchbox').fill('LANCER calm');
   const found = app.page.getByRole('link', { name: /fly-off, calm/ });
   await expect.poll(() => found.count()).toBe(1);
-  expect(await found.innerText()).toContain('DT 2:30 min');
+  await expect.poll(() => found.innerText()).toContain('DT 2:30 min');
   await found.click();
   const page = app.page.getByRole('article', { name: 'fly-off, calm' });
   await page.getByRole('textbox', { name: 'Note' }).fill('opens well');
@@ -60,7 +60,7 @@ it('a pilot keeps a setting, finds it after a reload, changes it, puts it away, 
   await app.page.getByRole('link', { name: /fly-off, calm/ }).click();
   await app.reload();
   await page.waitFor();
-  expect(await page.getByRole('textbox', { name: 'Note' }).inputValue()).toBe('opens well');
+  await expect.poll(() => page.getByRole('textbox', { name: 'Note' }).inputValue()).toBe('opens well');
 });
 
 it('all of it goes by the keyboard alone, also another order', async () => {
@@ -124,7 +124,7 @@ it('two tabs stay in step, and neither loses what was typed in the other', async
   await app.button('Save').waitFor({ state: 'hidden' });
   await other.button('Save').click();
   await other.page.getByRole('dialog', { name: /^Another tab has saved this setting/ }).waitFor();
-  expect(await other.valueOf('DT time')).toBe('2:00');
+  await expect.poll(() => other.valueOf('DT time')).toBe('2:00');
   await other.button('Save mine as new…').click();
   await other.page.getByRole('textbox', { name: 'Name of the setting' }).fill('mine');
   await other.page.getByRole('dialog').getByRole('button', { name: 'Save', exact: true }).click();

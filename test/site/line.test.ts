@@ -43,8 +43,8 @@ describe('the line', () => {
     await app.goTo('Program');
     await app.hasRead();
     await app.page.getByRole('banner').getByText('simulated').waitFor();
-    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
-    expect(await app.valueOf('DT')).toBe('3:00');
+    for (const servo of ['S1', 'S2', 'S3']) await expect.poll(() => app.positions(servo)).toEqual(FIRST_POSITIONS);
+    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
   });
 
   test('shows damage as such, and only that when asked', async () => {
@@ -54,7 +54,7 @@ describe('the line', () => {
     await app.openLine();
     await app.page.getByRole('combobox', { name: 'Show' }).selectOption('Damaged');
     await expect.poll(() => app.line.locator('tbody tr:not(.damaged)').count()).toBe(0);
-    expect(await app.line.locator('tbody tr.damaged').count()).toBeGreaterThan(0);
+    await expect.poll(() => app.line.locator('tbody tr.damaged').count()).toBeGreaterThan(0);
     await app.page.getByRole('searchbox', { name: 'Search' }).fill('nothing like this');
     await app.text('Nothing to show.').waitFor();
   });
@@ -67,7 +67,7 @@ describe('the line', () => {
     await app.readAgain();
     await app.goTo('Line');
     await app.text('Paused. 12 entries since.').waitFor();
-    expect(await app.line.locator('tbody tr').count()).toBe(before);
+    await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before);
     await app.button('Go on').click();
     await expect.poll(() => app.line.locator('tbody tr').count()).toBe(before + 12);
   });

@@ -86,11 +86,11 @@ describe('the adapter comes back', () => {
       await app.bench((bench) => bench.adapter.unplug());
       await app.says('The adapter is unplugged.');
       expect(await app.button(/^Write( \d+)?…$/).isDisabled()).toBe(true);
-      expect(await edits(app)).toEqual(['4:00', '7']);
+      await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
       await app.page.evaluate(act);
       await app.says('The timer is back.');
       await app.isReady();
-      expect(await edits(app)).toEqual(['4:00', '7']);
+      await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
       await app.write();
       await app.result('Verified.');
       expect(await held(app)).toEqual([24000, 7]);
@@ -108,18 +108,12 @@ describe('the adapter comes back', () => {
     await app.isReady();
     await app.review();
     const conflicts = app.dialog.getByRole('table').first();
-    expect(await conflicts.locator('thead th').allInnerTexts()).toEqual([
-      'Value',
-      'Was read',
-      'Timer holds now',
-      'Will hold',
-    ]);
-    expect(await conflicts.locator('tbody tr').locator('th, td').allInnerTexts()).toEqual([
-      'DT time',
-      '3:00 min',
-      '3:30 min',
-      '4:00 min',
-    ]);
+    await expect
+      .poll(() => conflicts.locator('thead th').allInnerTexts())
+      .toEqual(['Value', 'Was read', 'Timer holds now', 'Will hold']);
+    await expect
+      .poll(() => conflicts.locator('tbody tr').locator('th, td').allInnerTexts())
+      .toEqual(['DT time', '3:00 min', '3:30 min', '4:00 min']);
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: 'Write 2 changes' }).click();
     await app.result('Verified.');
@@ -141,10 +135,10 @@ describe('the port is taken', () => {
     await other.button('Take over').click();
     await app.says('Another tab of this page has taken the port over.');
     await expect.poll(() => app.bench(({ opened }) => opened)).toBeNull();
-    expect(await edits(app), 'kept').toEqual(['4:00', '7']);
+    await expect.poll(() => edits(app), { message: 'kept' }).toEqual(['4:00', '7']);
     await other.bench((bench) => bench.setBusy(false));
     await other.hasRead();
-    expect(await edits(other), 'and here too').toEqual(['4:00', '7']);
+    await expect.poll(() => edits(other), { message: 'and here too' }).toEqual(['4:00', '7']);
   });
 
   test('by another program: what to do is said, with a rule for this very adapter to copy', async () => {
@@ -184,13 +178,13 @@ describe('about this timer', () => {
     await app.showAbout();
     await app.text('Its times fall. With the two bytes of each swapped they would rise.').waitFor();
     const assumed = app.page.getByRole('checkbox', { name: 'The two bytes of each time are swapped' });
-    expect(await assumed.isChecked()).toBe(true);
+    await expect.poll(() => assumed.isChecked()).toBe(true);
 
     await app.goTo('Program');
     await app.reload();
     await app.connect();
-    expect(await app.valueOf('DT')).toBe('3:00');
-    expect(await app.text('The times of this timer fall.').count()).toBe(0);
+    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
+    await expect.poll(() => app.text('The times of this timer fall.').count()).toBe(0);
   });
 
   test('rounded times are found by writing', async () => {
@@ -208,7 +202,7 @@ describe('about this timer', () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.failLineAt('GETTIMERS', 'framing'));
     await app.connect();
-    expect(await app.valueOf('DT')).toBe('3:00');
+    await expect.poll(() => app.valueOf('DT')).toBe('3:00');
     await app.showAbout();
     await app.text('framing 1').waitFor();
   });

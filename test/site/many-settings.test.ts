@@ -18,5 +18,7 @@ it('a library of 2,000 settings draws what is near, and more of it on the way do
   await rows.nth(200).scrollIntoViewIfNeeded();
   await rows.nth(200).getByRole('link').click();
   await app.page.locator('.setting-page').waitFor();
-  expect(await app.page.getByRole('searchbox').inputValue(), 'the search stays').toBe('fly-off séries');
+  await expect
+    .poll(() => app.page.getByRole('searchbox').inputValue(), { message: 'the search stays' })
+    .toBe('fly-off séries');
 });

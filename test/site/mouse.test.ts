@@ -31,7 +31,7 @@ describe('a drag with the mouse selects and moves no value', () => {
         await mouse.move(end.x, end.y, { steps });
         await mouse.up();
         await toolbar.getByText(selected, { exact: true }).waitFor();
-        expect(await app.entries(), what).toEqual(before);
+        await expect.poll(() => app.entries(), { message: what }).toEqual(before);
         await mouse.move(start.x, start.y + 300);
         await app.page.getByText(selected, { exact: true }).waitFor();
       }
@@ -56,7 +56,7 @@ describe('a drag with the mouse selects and moves no value', () => {
     await toolbar.waitFor({ state: 'hidden' });
     await app.page.keyboard.press('Control+a');
     await app.page.keyboard.type('50');
-    expect(await app.valueOf('Function 3, S1')).toBe('50');
+    await expect.poll(() => app.valueOf('Function 3, S1')).toBe('50');
     await app.text('1 change').waitFor();
   });
 
@@ -83,7 +83,7 @@ describe('a drag with the mouse selects and moves no value', () => {
       await mouse.move(place.x, place.y, { steps: 8 });
       await mouse.up();
     }
-    expect(await app.entries()).toEqual(before);
+    await expect.poll(() => app.entries()).toEqual(before);
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 });
@@ -100,7 +100,7 @@ test('the wheel over the field that has the focus moves the page, and with Alt t
   const before = await top();
   await mouse.wheel(0, 200);
   await expect.poll(top).not.toBe(before);
-  expect(await app.valueOf('Function 2, S1')).toBe('35');
+  await expect.poll(() => app.valueOf('Function 2, S1')).toBe('35');
   await input.scrollIntoViewIfNeeded();
   const now = await textOf(cell(app, 'Function 2, S1'));
   await mouse.move(now.x, now.y);

@@ -24,7 +24,7 @@ test('a memory is looked at and left, another made to fly next, and Disconnect r
   await app.button('Look at M3').click();
   await app.page.getByRole('heading', { name: /^M3, read \d\d:\d\d$/ }).waitFor();
   const held = app.page.getByRole('table', { name: 'What was read of M3' });
-  expect(await held.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:15');
+  await expect.poll(() => held.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:15');
   expect(await current(), 'M1 again').toBe(0);
   const wire = await asked();
   expect(wire.filter((name) => !name.startsWith('GET'))).toEqual(['SETMEMORY 2', 'SETMEMORY 0']);

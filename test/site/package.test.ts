@@ -135,9 +135,9 @@ describe('the example of one plain page', () => {
     await page.getByRole('button', { name: 'Connect' }).click();
     await page.getByText('Class B, firmware 536, memory 1').waitFor();
     const row = page.getByRole('row', { name: 'DT' });
-    expect(await row.textContent()).toMatch(/DT\s*180\.00/);
-    expect(await page.getByRole('row').count()).toBe(12);
-    expect(await page.getByRole('button', { name: 'Connect' }).isEnabled()).toBe(true);
+    await expect.poll(() => row.textContent()).toMatch(/DT\s*180\.00/);
+    await expect.poll(() => page.getByRole('row').count()).toBe(12);
+    await expect.poll(() => page.getByRole('button', { name: 'Connect' }).isEnabled()).toBe(true);
   });
 
   test('says why it could not, by name', async () => {

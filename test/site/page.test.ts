@@ -6,7 +6,7 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     const page = await newPage();
     await page.goto(inject(site));
     expect(await page.title()).toBe('Sidus Timer');
-    expect(await page.locator('html').getAttribute('lang')).toBe('en');
+    await expect.poll(() => page.locator('html').getAttribute('lang')).toBe('en');
   });
 
   test(`the page at ${new URL(inject(site)).pathname} is drawn in its own font, whose licence goes with it`, async () => {

@@ -85,8 +85,8 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   await paste(app, field, text);
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   await gone();
-  expect(await app.entries(), 'cancelled').toEqual(before);
-  expect(await app.undo.isDisabled(), 'no step').toBe(true);
+  await expect.poll(() => app.entries(), { message: 'cancelled' }).toEqual(before);
+  await expect.poll(() => app.undo.isDisabled(), { message: 'no step' }).toBe(true);
 
   await paste(app, field, text);
   await dialog.getByText(/^This changes/).waitFor();
@@ -95,12 +95,11 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   if (await take.isDisabled()) await app.page.keyboard.press('Escape');
   else await take.click();
   await gone();
-  const after = await app.entries();
-  expect(changed(before, after)).toEqual(read(promised));
+  await expect.poll(async () => changed(before, await app.entries())).toEqual(read(promised));
   if (promised.length === 0) return 0;
   await app.undo.click();
-  expect(await app.entries()).toEqual(before);
-  expect(await app.undo.isDisabled(), 'it was one step').toBe(true);
+  await expect.poll(() => app.entries()).toEqual(before);
+  await expect.poll(() => app.undo.isDisabled(), { message: 'it was one step' }).toBe(true);
   return promised.length;
 }
 
@@ -134,6 +133,6 @@ test('a range is copied as a spreadsheet takes it, and pasted where it came from
   await dialog.getByText('This changes 4 values.').waitFor();
   await dialog.getByRole('button', { name: 'Paste' }).click();
   await dialog.waitFor({ state: 'hidden' });
-  expect(await app.entries()).toEqual(before);
+  await expect.poll(() => app.entries()).toEqual(before);
   await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
 });

@@ -49,7 +49,7 @@ test('the flight is played by keys alone, and the timeline shows where it is', a
   const app = await AppPage.open({ viewport: SIZES.desktop });
   await app.trySimulated('F1Q');
   const cursor = app.page.locator('.crosshair');
-  expect(await cursor.count(), 'nothing is played').toBe(0);
+  await expect.poll(() => cursor.count(), { message: 'nothing is played' }).toBe(0);
   await preview(app).getByRole('combobox', { name: 'Speed' }).selectOption('60×');
   await preview(app).getByRole('button', { name: 'Play' }).press('Enter');
   await preview(app).getByText('3:03 min', { exact: true }).waitFor();
@@ -69,7 +69,7 @@ test('the pilot names the servos once: on the sketch, in the lanes, and after a 
   await app.page.getByRole('textbox', { name: 'Name for what S1 moves' }).fill('Left flap');
   await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('131');
   await app.button('Save').click();
-  expect(await app.page.getByRole('dialog').isVisible(), 'there is no step 131').toBe(true);
+  await expect.poll(() => app.page.getByRole('dialog').isVisible(), { message: 'there is no step 131' }).toBe(true);
   await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).fill('20');
   await app.button('Save').click();
   await app.page.getByRole('dialog').waitFor({ state: 'hidden' });
@@ -80,7 +80,7 @@ test('the pilot names the servos once: on the sketch, in the lanes, and after a 
   await app.button('S1 Left flap').waitFor();
   await preview(app).getByText('Tailplane').waitFor();
   await app.button('Servos…').click();
-  expect(await app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).inputValue()).toBe('20');
+  await expect.poll(() => app.page.getByRole('spinbutton', { name: 'S2, one end in steps' }).inputValue()).toBe('20');
   await app.button('Guess again').click();
   await preview(app).getByText('A guess, not to scale.').waitFor();
 });

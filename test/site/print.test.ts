@@ -104,7 +104,7 @@ test('the print view is well made, on a phone too, and prints what the browser o
     await isWellMade(app, 'print', { here: app.page.viewportSize() ?? { width: 1280, height: 720 } });
     await app.expectNoSidewaysScrolling();
     await app.button('Print 1 page…').click();
-    expect(await app.page.locator('body[data-printed]').count()).toBe(1);
+    await expect.poll(() => app.page.locator('body[data-printed]').count()).toBe(1);
   }
 });
 
@@ -122,5 +122,5 @@ test('the QR code on a sheet is read back, and brings the setting', async () => 
   const picture = { name: 'sheet.png', mimeType: 'image/png', buffer };
   await reader.page.getByLabel('Picture with a QR code').setInputFiles(picture);
   const shown = reader.page.getByRole('dialog', { name: 'A setting came by link' });
-  expect(await shown.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:10');
+  await expect.poll(() => shown.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:10');
 });

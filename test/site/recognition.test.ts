@@ -80,13 +80,13 @@ test('two programs stand side by side, and a value goes across', async () => {
   await app.page.evaluate(() => location.assign('#library/compare'));
   const choice = (name: string) => app.page.getByRole('combobox', { name, exact: true });
   await choice('Compare').waitFor();
-  expect(await choice('with').locator('option:checked').textContent()).toBe('Timer, M1');
+  await expect.poll(() => choice('with').locator('option:checked').textContent()).toBe('Timer, M1');
   await app.text('1 value differs.').waitFor();
   await app.button('Swap').click();
-  expect(await choice('Compare').locator('option:checked').textContent()).toBe('Timer, M1');
-  expect(await choice('with').locator('option:checked').textContent()).toBe('On the screen');
+  await expect.poll(() => choice('Compare').locator('option:checked').textContent()).toBe('Timer, M1');
+  await expect.poll(() => choice('with').locator('option:checked').textContent()).toBe('On the screen');
   await app.button('Take 52 for Function 4, S2').click();
   await app.text('They hold the same.').waitFor();
   await app.goTo('Program');
-  expect(await app.valueOf('Function 4, S2')).toBe('52');
+  await expect.poll(() => app.valueOf('Function 4, S2')).toBe('52');
 });

@@ -23,7 +23,7 @@ describe('a write that the page did not survive', () => {
     await panel(app).getByText('The timer holds 1 value of that write; 1 value is still as before.').waitFor();
     await panel(app).getByRole('button', { name: 'Finish it…' }).click();
     await app.dialog.waitFor();
-    expect(await app.difference()).toEqual(['Function 2, S1 | 35 | 7']);
+    await expect.poll(() => app.difference()).toEqual(['Function 2, S1 | 35 | 7']);
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
     await app.result('Verified.');
@@ -37,7 +37,7 @@ describe('a write that the page did not survive', () => {
     await app.button('Connect').click();
     await panel(app).getByRole('button', { name: 'Go back…' }).click();
     await app.dialog.waitFor();
-    expect(await app.difference()).toEqual(['DT time | 4:00 min | 3:00 min']);
+    await expect.poll(() => app.difference()).toEqual(['DT time | 4:00 min | 3:00 min']);
     await app.tickSafety();
     await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
     await app.result('Verified.');
@@ -54,11 +54,13 @@ describe('a write that the page did not survive', () => {
     });
     await app.button('Connect').click();
     await panel(app).getByText('Is it another timer, or did something else change it?').waitFor();
-    expect(
-      await panel(app)
-        .getByRole('button', { name: /^(Finish|Go back)/ })
-        .count(),
-    ).toBe(0);
+    await expect
+      .poll(() =>
+        panel(app)
+          .getByRole('button', { name: /^(Finish|Go back)/ })
+          .count(),
+      )
+      .toBe(0);
     await panel(app).getByRole('button', { name: 'It is another timer' }).click();
     await panel(app).waitFor({ state: 'detached' });
 
@@ -69,8 +71,8 @@ describe('a write that the page did not survive', () => {
       .getByRole('button', { name: /^It is the same timer/ })
       .click();
     await panel(app).waitFor({ state: 'detached' });
-    expect(await edits(app)).toEqual(['4:00', '7']);
-    expect(await app.valueOf('Function 3 time'), 'as before').toBe('11.50');
+    await expect.poll(() => edits(app)).toEqual(['4:00', '7']);
+    await expect.poll(() => app.valueOf('Function 3 time'), { message: 'as before' }).toBe('11.50');
     expect(await app.bench(({ sets }) => sets), 'nothing is written unasked').toEqual([]);
   });
 });

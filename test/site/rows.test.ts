@@ -73,11 +73,13 @@ test('on a phone the times give way to the intervals, and come back, with the mo
   await app.connect();
   const time = app.field('Function 2 time');
   const interval = app.field('Function 2 interval');
-  expect([await time.isVisible(), await interval.isVisible()]).toEqual([true, false]);
+  await expect.poll(async () => [await time.isVisible(), await interval.isVisible()]).toEqual([true, false]);
   await app.button('Show intervals').tap();
   await interval.waitFor();
-  expect([await time.isVisible(), await app.field('Motor stop time').isVisible()]).toEqual([false, true]);
+  await expect
+    .poll(async () => [await time.isVisible(), await app.field('Motor stop time').isVisible()])
+    .toEqual([false, true]);
   await app.button('Show times').tap();
   await time.waitFor();
-  expect(await interval.isVisible()).toBe(false);
+  await expect.poll(() => interval.isVisible()).toBe(false);
 });

@@ -32,7 +32,7 @@ test('a setting that is shared by link is kept on another device, and asked for 
   await friend.page.goto(link);
   const dialog = friend.page.getByRole('dialog', { name: 'A setting came by link' });
   await dialog.getByText('windy', { exact: true }).waitFor();
-  expect(await dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
+  await expect.poll(() => dialog.getByRole('row', { name: /^DT/ }).innerText()).toContain('4:00');
   await friend.reload();
   await dialog.getByRole('button', { name: 'Keep in the library' }).click();
   await dialog.getByRole('status').filter({ hasText: '“windy” is in the library.' }).waitFor();
@@ -40,9 +40,9 @@ test('a setting that is shared by link is kept on another device, and asked for 
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
   await friend.reload();
   await friend.page.getByRole('heading', { name: 'windy' }).waitFor();
-  expect(await dialog.count()).toBe(0);
+  await expect.poll(() => dialog.count()).toBe(0);
   await friend.page.goBack();
-  expect(await dialog.count(), 'nor on the way back').toBe(0);
+  await expect.poll(() => dialog.count(), { message: 'nor on the way back' }).toBe(0);
 });
 
 test('its QR code is read back from the screen, in every theme', async () => {
@@ -85,5 +85,5 @@ test('a link that comes while the page is open is shown over the view that is th
   await app.button('Do not keep').click();
   expect(hashOf(app)).toBe('#memories');
   await app.goTo('Program');
-  expect(await app.valueOf('DT time')).toBe('5:00');
+  await expect.poll(() => app.valueOf('DT time')).toBe('5:00');
 });

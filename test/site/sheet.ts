@@ -56,7 +56,7 @@ export class Trail {
       await undo();
       await expect.poll(() => this.#app.entries()).toEqual(before);
     }
-    expect(await this.#app.undo.isDisabled(), 'nothing is left to undo').toBe(true);
+    await expect.poll(() => this.#app.undo.isDisabled(), { message: 'nothing is left to undo' }).toBe(true);
   }
 
   /** Redoes all of it. */
@@ -65,6 +65,6 @@ export class Trail {
       await redo();
       await expect.poll(() => this.#app.entries()).toEqual(after);
     }
-    expect(await this.#app.redo.isDisabled(), 'nothing is left to redo').toBe(true);
+    await expect.poll(() => this.#app.redo.isDisabled(), { message: 'nothing is left to redo' }).toBe(true);
   }
 }

@@ -36,8 +36,8 @@ test('inside of a frame the page does not work, and says where it does', async (
   await page.goto(`${new URL(inject('site')).origin}/outer`);
   const frame = page.frameLocator('iframe');
   await frame.getByRole('heading', { name: 'Sidus Timer works only in a tab of its own.' }).waitFor();
-  expect(await frame.getByRole('button').count()).toBe(0);
-  expect(await frame.getByRole('link').getAttribute('href')).toBe(inject('site'));
+  await expect.poll(() => frame.getByRole('button').count()).toBe(0);
+  await expect.poll(() => frame.getByRole('link').getAttribute('href')).toBe(inject('site'));
   // Nothing was begun, or kept, that the other page could reach.
   const inside = page.frames().find((each) => each.url() === inject('site'));
   const left = await inside?.evaluate(async () => [
@@ -67,7 +67,7 @@ test('a program is made without a timer, survives a reload, and is written by wa
   await app.kept();
   await app.reload();
   await app.says('Your program is back.');
-  expect(await app.valueOf('Function 4, S2')).toBe('70');
+  await expect.poll(() => app.valueOf('Function 4, S2')).toBe('70');
   expect(await app.bench(({ sets, rates }) => [sets, rates]), 'no port was opened').toEqual([[], []]);
   await app.button('Connect and write…').click();
   await app.dialog.getByRole('checkbox', { name: /^The propeller is off/ }).check();
@@ -98,7 +98,7 @@ test('what is told while a timer is looked for holds the stage, and another port
   await app.button('Connect').click();
   await app.page.getByRole('heading', { name: 'Press the switch of the timer briefly' }).waitFor();
   expect(await app.page.evaluate(() => document.activeElement?.tagName)).toBe('H1');
-  expect(await app.page.getByRole('button').allInnerTexts()).toEqual(['Choose another port', 'Stop']);
+  await expect.poll(() => app.page.getByRole('button').allInnerTexts()).toEqual(['Choose another port', 'Stop']);
   await isWellMade(app, 'the stage');
   await app.button('Stop').click();
   await app.button('Connect').waitFor();

@@ -81,7 +81,9 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
     async ({ app, pilot }) => {
       await pilot.press(app.button('Tools for Motor stop'));
       for (let step = 0; step < 3; step++) await pilot.press(app.button('Later'));
-      expect([await app.valueOf('Motor stop time'), await app.valueOf('Function 9 time')]).toEqual(['10.3', '14.80']);
+      await expect
+        .poll(async () => [await app.valueOf('Motor stop time'), await app.valueOf('Function 9 time')])
+        .toEqual(['10.3', '14.80']);
     },
   ],
   [

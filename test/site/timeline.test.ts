@@ -44,15 +44,17 @@ async function isMoved({ app, mark }: Seen): Promise<void> {
   expect(hundredths % 10, `steps of 0.1 s: ${hundredths}`).toBe(0);
   if (await app.button('Table').isVisible()) await app.button('Table').click();
   const value = (hundredths / 100).toFixed(2);
-  expect(await cell(app).inputValue()).toBe(value);
-  expect(await cell(app).getAttribute('aria-describedby'), 'the old value is said with it').not.toBeNull();
+  await expect.poll(() => cell(app).inputValue()).toBe(value);
+  await expect
+    .poll(() => cell(app).getAttribute('aria-describedby'), { message: 'the old value is said with it' })
+    .not.toBeNull();
   await app.table.getByText('was 11.50 s').waitFor();
   await app.text('1 change').waitFor();
   await app.button(`Undo moving ${FIELD}`).click();
-  expect(await cell(app).inputValue()).toBe('11.50');
-  expect(await app.undo.isDisabled(), 'it was one step').toBe(true);
+  await expect.poll(() => cell(app).inputValue()).toBe('11.50');
+  await expect.poll(() => app.undo.isDisabled(), { message: 'it was one step' }).toBe(true);
   await app.button(`Redo moving ${FIELD}`).click();
-  expect(await cell(app).inputValue()).toBe(value);
+  await expect.poll(() => cell(app).inputValue()).toBe(value);
 }
 
 describe('the mark of a function is moved', () => {
@@ -79,9 +81,9 @@ describe('the mark of a function is moved', () => {
     await expect.poll(() => cell(app).inputValue()).not.toBe('11.50');
     await keyboard.press('Escape');
     await mouse.up();
-    expect(await cell(app).inputValue()).toBe('11.50');
+    await expect.poll(() => cell(app).inputValue()).toBe('11.50');
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
-    expect(await app.undo.isDisabled()).toBe(true);
+    await expect.poll(() => app.undo.isDisabled()).toBe(true);
   });
 
   test('by finger, and the page stays where it is', async () => {
@@ -121,19 +123,19 @@ describe('the mark of a function is moved', () => {
     await keys.press('Enter');
     while ((await keys.focused()) !== FIELD) await keys.press('Tab');
     await keys.press('ArrowRight');
-    expect(await cell(app).inputValue()).toBe('11.60');
+    await expect.poll(() => cell(app).inputValue()).toBe('11.60');
     await keys.press('ArrowLeft');
-    expect(await cell(app).inputValue()).toBe('11.50');
+    await expect.poll(() => cell(app).inputValue()).toBe('11.50');
     for (const before of ['11.60', '11.50']) {
       await keys.press('Control+z');
-      expect(await cell(app).inputValue()).toBe(before);
+      await expect.poll(() => cell(app).inputValue()).toBe(before);
       await stands(seen.mark, Number(before));
     }
 
     // The keyboard repeats it.
     for (let i = 0; i < 3; i++) await app.page.keyboard.down('ArrowRight');
     await app.page.keyboard.up('ArrowRight');
-    expect(await cell(app).inputValue()).toBe('11.80');
+    await expect.poll(() => cell(app).inputValue()).toBe('11.80');
     await isMoved(seen);
   });
 });

@@ -35,7 +35,7 @@ test('by thumb alone: a whole program from a sheet, shifted, undone to the start
 
   await app.field('Motor stop time').tap();
   // No keyboard of the screen comes up as well.
-  expect(await app.field('Motor stop time').getAttribute('inputmode')).toBe('none');
+  await expect.poll(() => app.field('Motor stop time').getAttribute('inputmode')).toBe('none');
   await write('Motor stop time', '7.8');
   await press('Motor stop time', ['+0.1 s', '+0.1 s']);
   for (const row of ROWS.keys()) {
@@ -135,24 +135,24 @@ describe('a finger on the table', () => {
   test('that swipes steps the field that has the focus, and that is one step to undo', async () => {
     const { app, draw, tap, marked, topOf } = await opened();
     await draw('Function 2, S2', 60, 0);
-    expect(await app.undo.isDisabled(), 'nothing without the focus').toBe(true);
+    await expect.poll(() => app.undo.isDisabled(), { message: 'nothing without the focus' }).toBe(true);
 
     await tap('Function 2, S2');
     const before = await topOf('Function 2, S2');
     await draw('Function 2, S2', 60, 40);
-    expect(await app.valueOf('Function 2, S2')).toBe('39');
-    expect(await marked('Function 2, S2'), 'all of it, as before').toEqual([0, 2]);
+    await expect.poll(() => app.valueOf('Function 2, S2')).toBe('39');
+    await expect.poll(() => marked('Function 2, S2'), { message: 'all of it, as before' }).toEqual([0, 2]);
     // The row has got a button: that may take a few pixels.
     expect(Math.abs((await topOf('Function 2, S2')) - before), 'nothing scrolls').toBeLessThan(10);
     await app.button('Done').tap();
     await app.button('Undo stepping Function 2, S2').tap();
     await expect.poll(() => app.valueOf('Function 2, S2')).toBe('35');
-    expect(await app.undo.isDisabled()).toBe(true);
+    await expect.poll(() => app.undo.isDisabled()).toBe(true);
 
     await app.page.locator('.strip-figures').tap();
     await tap('DT');
     await draw('DT', -60, 0);
-    expect(await app.valueOf('DT')).toBe('2:56');
+    await expect.poll(() => app.valueOf('DT')).toBe('2:56');
   });
 
   test('that goes up over the field with the focus scrolls the page, and changes nothing', async () => {
@@ -161,8 +161,10 @@ describe('a finger on the table', () => {
     const before = await topOf('Function 2, S2');
     await draw('Function 2, S2', 30, -200);
     await expect.poll(() => topOf('Function 2, S2')).toBeLessThan(before - 100);
-    expect([await app.valueOf('Function 2, S2'), await focused()]).toEqual(['35', 'Function 2, S2']);
-    expect(await app.undo.isDisabled()).toBe(true);
+    await expect
+      .poll(async () => [await app.valueOf('Function 2, S2'), await focused()])
+      .toEqual(['35', 'Function 2, S2']);
+    await expect.poll(() => app.undo.isDisabled()).toBe(true);
     await tap('Function 2, S2');
     const [start, end] = await marked('Function 2, S2');
     expect(start, 'a tap puts the caret').toBe(end);
@@ -181,17 +183,17 @@ describe('a finger on the table', () => {
     await app.page.getByText('Copied.', { exact: true }).waitFor();
     expect(await app.page.evaluate(() => navigator.clipboard.readText())).toBe('25\t25\n35\t35\n45\t45');
     await app.button('Fill down').tap();
-    expect((await app.positions('S2')).slice(0, 5)).toEqual(['15', '25', '25', '25', '55']);
+    await expect.poll(async () => (await app.positions('S2')).slice(0, 5)).toEqual(['15', '25', '25', '25', '55']);
     await app.button('Done').tap();
     await app.button('Undo fill down of 4 values').tap();
-    expect(await app.positions('S2')).toEqual(FIRST_POSITIONS);
+    await expect.poll(() => app.positions('S2')).toEqual(FIRST_POSITIONS);
 
     await tap('Function 5, S2');
     await isWellMade(app, 'a field with the focus', { phone: SIZES.phone });
     await app.button('Select range').tap();
     await app.button('Paste…').tap();
     await app.page.getByRole('dialog', { name: 'Paste' }).getByRole('button', { name: 'Paste' }).tap();
-    expect((await app.positions('S3')).slice(5, 9)).toEqual(['25', '35', '45', '95']);
+    await expect.poll(async () => (await app.positions('S3')).slice(5, 9)).toEqual(['25', '35', '45', '95']);
   });
 });
 

@@ -16,9 +16,11 @@ test.each(Object.entries(timers))(
     await first.kept();
     const second = await first.sibling();
     await second.hasNumber();
-    expect(await second.text('Your edits are back.').count(), 'they are those of the first').toBe(0);
+    await expect
+      .poll(() => second.text('Your edits are back.').count(), { message: 'they are those of the first' })
+      .toBe(0);
     await timer.reach(second);
-    expect(await second.valueOf('Function 2, S1')).toBe(held);
+    await expect.poll(() => second.valueOf('Function 2, S1')).toBe(held);
     await second.type('Function 2, S1', '8');
     await second.kept();
     for (const [app, text] of [
@@ -28,14 +30,16 @@ test.each(Object.entries(timers))(
     ] as const) {
       await app.reload();
       await app.says('Your edits are back.');
-      expect(await app.valueOf('Function 2, S1')).toBe(text);
+      await expect.poll(() => app.valueOf('Function 2, S1')).toBe(text);
     }
     await second.page.close();
     await first.reload();
     await first.says('Your edits are back.');
-    expect(await first.valueOf('Function 2, S1'), 'not the later one of the tab that was closed').toBe('7');
+    await expect
+      .poll(() => first.valueOf('Function 2, S1'), { message: 'not the later one of the tab that was closed' })
+      .toBe('7');
     const third = await first.sibling();
     await third.says('Your edits are back.');
-    expect(await third.valueOf('Function 2, S1')).toBe('8');
+    await expect.poll(() => third.valueOf('Function 2, S1')).toBe('8');
   },
 );

@@ -14,7 +14,9 @@ test('each view has an address: Back leads through them, and a reload shows the 
     await app.goTo(view);
     await expect.poll(() => heading(app)).toContain(view);
     const named = view === 'Program' ? 'Sidus Timer' : `${view} · Sidus Timer`;
-    expect([new URL(app.page.url()).hash, await app.page.title()]).toEqual([`#${view.toLowerCase()}`, named]);
+    await expect
+      .poll(async () => [new URL(app.page.url()).hash, await app.page.title()])
+      .toEqual([`#${view.toLowerCase()}`, named]);
   }
   for (const view of [...VIEWS].reverse().slice(1)) {
     await app.page.goBack();
@@ -36,7 +38,9 @@ test('a view is found as it was left: the focus, how far it was scrolled, and wh
   await app.page.goBack();
   const inHand = app.field('Function 9, S2');
   await expect.poll(() => inHand.evaluate((input) => input === document.activeElement)).toBe(true);
-  expect([await app.page.evaluate(() => scrollY), await inHand.inputValue()]).toEqual([scrolled, '7']);
+  await expect
+    .poll(async () => [await app.page.evaluate(() => scrollY), await inHand.inputValue()])
+    .toEqual([scrolled, '7']);
   await app.text('1 change').first().waitFor();
 });
 
@@ -54,16 +58,16 @@ test('every action is found by its name and done by Enter, where it can be done'
   await command('connect');
   await app.hasRead();
   await command('dt 4');
-  expect(await app.valueOf('DT time')).toBe('4:00');
+  await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
   await command('undo');
-  expect(await app.valueOf('DT time')).toBe('3:00');
+  await expect.poll(() => app.valueOf('DT time')).toBe('3:00');
   await command('go memo');
   await expect.poll(() => heading(app)).toBe('Memories');
   await command('shift motor');
   await app.page.getByRole('form', { name: 'Motor stop and all after' }).waitFor();
   await app.page.keyboard.type('0.3');
   await app.page.keyboard.press('Enter');
-  expect(await app.valueOf('Motor stop time')).toBe('10.3');
+  await expect.poll(() => app.valueOf('Motor stop time')).toBe('10.3');
   await command('undo');
   await command('colours dark');
   await expect.poll(() => app.page.locator('html').getAttribute('data-theme')).toBe('dark');
@@ -80,7 +84,7 @@ test('every action is found by its name and done by Enter, where it can be done'
   await app.type('DT time', '5:00');
   await app.review();
   await app.page.keyboard.press('Control+k');
-  expect(await palette.count()).toBe(0);
+  await expect.poll(() => palette.count()).toBe(0);
 });
 
 test('the strip says in every view what flies next, DT, motor stop and what is known', async () => {

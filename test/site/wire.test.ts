@@ -14,7 +14,7 @@ describe('through a serial port', () => {
       parity: 'none',
       bufferSize: 16384,
     });
-    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
+    for (const servo of ['S1', 'S2', 'S3']) await expect.poll(() => app.positions(servo)).toEqual(FIRST_POSITIONS);
 
     await app.type('DT time', '4:00');
     await app.type('Function 2, S1', '7');
@@ -99,16 +99,16 @@ describe('through a serial port', () => {
     await app.button('Disconnect').click();
     await app.button('Connect').click();
     await app.isReady();
-    expect(await app.valueOf('Function 2, S1')).toBe('7');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
   });
 
   test('garbage comes in the middle of a read: it is read to the end', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.damageAfter(70));
     await app.connect();
-    for (const servo of ['S1', 'S2', 'S3']) expect(await app.positions(servo)).toEqual(FIRST_POSITIONS);
+    for (const servo of ['S1', 'S2', 'S3']) await expect.poll(() => app.positions(servo)).toEqual(FIRST_POSITIONS);
     await app.openLine();
-    expect(await app.line.locator('tr.damaged').count(), 'it is in the log').toBeGreaterThan(0);
+    await expect.poll(() => app.line.locator('tr.damaged').count(), { message: 'it is in the log' }).toBeGreaterThan(0);
   });
 });
 
@@ -118,10 +118,10 @@ describe('the plug is pulled', () => {
     await app.bench((bench) => bench.adapter.unplug());
     await app.says('The adapter is unplugged.');
     expect(await app.button(/^Write( \d+)?…$/).isDisabled()).toBe(true);
-    expect(await app.valueOf('Function 2, S1')).toBe('7');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
     await app.bench((bench) => bench.replug());
     await app.isReady();
-    expect(await app.valueOf('Function 2, S1')).toBe('7');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
   });
 
   for (const request of ['GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const) {
@@ -130,10 +130,12 @@ describe('the plug is pulled', () => {
       await app.page.evaluate((name) => window.workbench.unplugAt(name), request);
       await app.actions.getByRole('button', { name: 'Read again' }).click();
       await app.says('The adapter is unplugged.');
-      expect(await app.valueOf('DT time')).toBe('4:00');
+      await expect.poll(() => app.valueOf('DT time')).toBe('4:00');
       await app.bench((bench) => bench.replug());
       await app.isReady();
-      expect([await app.valueOf('DT time'), await app.valueOf('Function 2, S1')]).toEqual(['4:00', '7']);
+      await expect
+        .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
+        .toEqual(['4:00', '7']);
     });
   }
 
@@ -145,7 +147,9 @@ describe('the plug is pulled', () => {
       await app.result('It is not certain what the timer holds.');
       await app.close();
       await app.says('The adapter is unplugged.');
-      expect([await app.valueOf('DT time'), await app.valueOf('Function 2, S1')]).toEqual(['4:00', '7']);
+      await expect
+        .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
+        .toEqual(['4:00', '7']);
 
       await app.bench((bench) => bench.replug());
       await app.isReady();
@@ -236,7 +240,7 @@ describe('an impatient pilot', () => {
     await app.bench((bench) => bench.press());
     await app.isReady();
     await app.page.waitForFunction(() => document.querySelector('dialog [role=alert]'));
-    expect(await app.dialog.isVisible(), 'the dialog is open').toBe(true);
+    await expect.poll(() => app.dialog.isVisible(), { message: 'the dialog is open' }).toBe(true);
     await app.close();
     await app.review();
   });
@@ -254,7 +258,9 @@ describe('an impatient pilot', () => {
     await app.reload();
     expect(asked).toBe(1);
     await app.says('Your edits are back.');
-    expect([await app.valueOf('DT time'), await app.valueOf('Function 2, S1')]).toEqual(['4:00', '7']);
+    await expect
+      .poll(async () => [await app.valueOf('DT time'), await app.valueOf('Function 2, S1')])
+      .toEqual(['4:00', '7']);
   });
 });
 
@@ -264,7 +270,7 @@ describe('without Web Serial', () => {
   test('the page names the browsers that have it, and the simulated timers are there', async () => {
     const app = await AppPage.open({ before: without });
     await app.text('On a computer, use Chrome or Edge 89, Opera 75, Firefox 151, or a later version.').waitFor();
-    expect(await app.button('Connect').count()).toBe(0);
+    await expect.poll(() => app.button('Connect').count()).toBe(0);
     await app.trySimulated('F1B');
   });
 
@@ -274,7 +280,7 @@ describe('without Web Serial', () => {
     await app.type('Function 2, S1', '7');
     await app.kept();
     await app.reload();
-    expect(await app.valueOf('Function 2, S1')).toBe('7');
+    await expect.poll(() => app.valueOf('Function 2, S1')).toBe('7');
     await app.button(/simulated/i).click();
     await app.isReady();
     await app.write();

@@ -168,5 +168,5 @@ test('a new version waits in another tab until what was typed there is kept', as
   await page.getByRole('button', { name: 'Use it now' }).click();
   await expect.poll(() => page.title()).toBe('A new version');
   await other.waitForFunction(() => navigator.serviceWorker.controller?.state === 'activated');
-  expect([await other.title(), await field.inputValue()]).toEqual(['Sidus Timer', '4:00']);
+  await expect.poll(async () => [await other.title(), await field.inputValue()]).toEqual(['Sidus Timer', '4:00']);
 });
