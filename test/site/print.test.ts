@@ -77,14 +77,19 @@ test('sheets of several settings: every row on a page, as many pages as shown, o
     await app.page.getByRole('radio', { name: paper, exact: true }).check();
     // Whatever was on the screen: the letters may have come later than the words.
     await app.page.evaluate(() => document.fonts.ready);
-    const shown = await preview.locator('.print-page').count();
-    expect(await sizesOf(app), paper).toEqual([`${shown} pages`, size]);
+    const printed = async (): Promise<string[]> => {
+      const shown = await preview.locator('.print-page').count();
+      const [pages = '', ...sizes] = await sizesOf(app);
+      return pages === `${shown} pages` ? sizes : [pages, `${shown} shown`];
+    };
+    await expect.poll(printed, { message: paper }).toEqual([size]);
     await app.page.emulateMedia({ media: 'print' });
     expect(await outside(app), paper).toEqual([]);
-    const rows = await preview.locator('.leaf-table tbody tr').count();
     // Each slot and the motor stop, once in each table of some servos.
     const tables = 2;
-    expect(rows, paper).toBe(12 + 22 + 62 + tables * 14);
+    await expect
+      .poll(() => preview.locator('.leaf-table tbody tr').count(), { message: paper })
+      .toBe(12 + 22 + 62 + tables * 14);
     await expect.poll(() => preview.getByText('last line').count()).toBe(1);
     await app.page.emulateMedia({ media: null });
   }

@@ -54,18 +54,20 @@ test('its QR code is read back from the screen, in every theme', async () => {
     await app.button('Share…').click();
     await app.page.getByRole('img', { name: 'QR code of “calm morning”' }).waitFor();
     await isWellMade(app, 'share', { here: app.page.viewportSize() ?? { width: 1280, height: 720 } });
+    const reader = await app.sibling();
+    await reader.goTo('Library');
     for (const theme of ['light', 'dark', 'sun', 'forced']) {
       if (theme === 'forced') await app.page.emulateMedia({ forcedColors: 'active', colorScheme: 'dark' });
       else await showTheme(app, theme);
       const buffer = await app.page.locator('.qr-code').screenshot();
-      const reader = await app.sibling();
-      await reader.goTo('Library');
       await reader.button('Read a QR code…').click();
       await reader.page
         .getByLabel('Picture with a QR code')
         .setInputFiles({ name: 'qr.png', mimeType: 'image/png', buffer });
-      await reader.page.getByText(/Turns left after 12 s\./).waitFor();
-      await reader.page.close();
+      const note = reader.page.getByText(/Turns left after 12 s\./);
+      await note.waitFor();
+      await reader.button('Do not keep').click();
+      await note.waitFor({ state: 'hidden' });
     }
   }
 });
