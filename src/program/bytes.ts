@@ -106,8 +106,8 @@ function fromUtf8(bytes: Uint8Array): string {
   let at = 0;
   while (at < bytes.length) {
     const first = bytes[at++] as number;
-    const more = first < 0x80 ? 0 : first < 0xc0 ? -1 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : first < 0xf8 ? 3 : -1;
-    if (more < 0) throw new BytesError('a text has a byte that no character begins with');
+    // What no character begins with gives one that is too low or too high for its bytes.
+    const more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
     let code = first - (FIRST[more] as number);
     for (let count = 0; count < more; count++) {
       const byte = bytes[at++] ?? 0;

@@ -92,9 +92,7 @@ const USUAL_THROTTLE = 100;
 export function checkProgram(program: TimerProgram, options: CheckOptions = {}): Finding[] {
   requireShape(program);
   const errors = fieldsOf(program.identity).flatMap((field) => carried(program, field, options.baseline));
-  const wrong = new Set(
-    errors.filter((e) => e.severity === 'error' && e.field?.kind === 'time').map((e) => slot(e.field)),
-  );
+  const wrong = new Set(errors.flatMap(({ field }) => (field?.kind === 'time' ? [field.slot] : [])));
   return [
     ...errors,
     ...order(program, wrong),
@@ -110,10 +108,6 @@ export function checkProgram(program: TimerProgram, options: CheckOptions = {}):
 /** Whether a write is impossible. */
 export function hasErrors(findings: readonly Finding[]): boolean {
   return findings.some(({ severity }) => severity === 'error');
-}
-
-function slot(field: ProgramField | null): number {
-  return field && field.kind !== 'idleThrottle' ? field.slot : -1;
 }
 
 /** What the wire cannot carry. */
@@ -218,7 +212,8 @@ function dtPositions({ identity, positions }: TimerProgram): Finding[] {
 }
 
 function throttle({ idleThrottle }: TimerProgram): Finding[] {
-  if (idleThrottle === null || !(idleThrottle > USUAL_THROTTLE && idleThrottle <= MAX_THROTTLE)) return [];
+  const value = idleThrottle ?? 0;
+  if (value <= USUAL_THROTTLE || value > MAX_THROTTLE) return [];
   const params = { limit: USUAL_THROTTLE };
   return [{ severity: 'warning', code: 'throttle-unusual', field: { kind: 'idleThrottle' }, params }];
 }

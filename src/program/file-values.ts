@@ -113,11 +113,9 @@ export function dateToFile(milliseconds: number): string {
   return new Date(milliseconds).toISOString();
 }
 
-const DATE = /^(?:\d{4}|\+\d{6})-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z$/;
-
 export function dateFromFile(value: unknown, path: string): number {
-  const milliseconds = typeof value === 'string' && DATE.test(value) ? Date.parse(value) : Number.NaN;
-  // A day that no month has is moved to the next month by some, and refused by others.
+  const milliseconds = typeof value === 'string' ? Date.parse(value) : Number.NaN;
+  // Only what would be written is taken: a day that no month has is moved to the next month by some.
   if (Number.isNaN(milliseconds) || dateToFile(milliseconds) !== value) {
     refuse('wrong-type', path, 'a time such as "2026-11-22T14:03:00.000Z"', value);
   }

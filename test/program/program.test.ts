@@ -99,6 +99,9 @@ describe('the requests that turn one program into another', () => {
   it('are refused for programs of different layouts', () => {
     const other: TimerProgram = { ...usual('B'), identity: SMALL, times: [0, 0], positions: [[0, 0]] };
     expect(() => changeRequests(usual('B'), other)).toThrowError(CodecError);
+    expect(() => differences(usual('B'), other)).toThrowError(
+      expect.objectContaining({ code: 'wrong-count', field: 'identity' }),
+    );
     expect(() => differences({ ...usual('B'), times: [1] }, usual('B'))).toThrowError(
       expect.objectContaining({ code: 'wrong-count', field: 'times' }),
     );
@@ -119,6 +122,29 @@ describe('the check', () => {
     ['no number at all', 'B', [[3, Number.NaN]], ['error time-not-whole time:3']],
     ['a falling time on Q', 'Q', [[5, 340]], ['serious time-falls time:5']],
     ['a falling time on B', 'B', [[5, 340]], ['warning time-falls time:5']],
+    ['a falling time on E', 'E', [[5, 340]], ['warning time-falls time:5']],
+    [
+      'a falling time on a class that nobody knows',
+      'X',
+      [[5, 340]],
+      ['serious time-falls time:5', 'warning class-unknown -'],
+    ],
+    ['a DT before the last function', 'B', [[10, 800]], ['warning time-falls time:10', 'warning dt-short time:10']],
+    ['nothing of the order beside a time that is no time', 'B', [[4, 65536]], ['error time-out-of-range time:4']],
+    ['a motor stop at DT', 'Q', [[0, 18000]], ['warning motor-run-long time:0', 'warning time-outside-manual time:0']],
+    ['a motor stop where DT is no time', 'Q', [[10, -1]], ['error time-out-of-range time:10']],
+    [
+      'the shortest and the longest time of the manual on Q',
+      'Q',
+      [
+        [1, 10],
+        [9, 9990],
+      ],
+      [],
+    ],
+    ['a time shorter than in the manual on Q', 'Q', [[1, 9]], ['warning time-outside-manual time:1']],
+    ['the shortest time of the manual on B', 'B', [[1, 1]], []],
+    ['a time of nothing on B', 'B', [[1, 0]], ['warning time-outside-manual time:1']],
     ['two functions at one time', 'B', [[5, 350]], ['warning position-never-reached time:5']],
     [
       'a motor stop after DT',
@@ -190,6 +216,47 @@ describe('the check', () => {
     expect(found(read)).toEqual(['error position-out-of-range position:1:4']);
     expect(found(read, read)).toEqual(['warning position-as-read position:1:4']);
     expect(found(edited(read, [], [[1, 4, 201]]), read)).toEqual(['error position-out-of-range position:1:4']);
+    // No timer holds such a time.
+    const late = edited(usual('B'), [[10, 65536]]);
+    expect(found(late, late)).toEqual(['error time-out-of-range time:10']);
+  });
+
+  it('checks the order of the times beside a position that is out of range', () => {
+    expect(found(edited(usual('B'), [[5, 340]], [[1, 5, 131]]))).toEqual([
+      'error position-out-of-range position:1:5',
+      'warning time-falls time:5',
+    ]);
+  });
+
+  it.each<[TimerProgram, object]>([
+    [edited(usual('B'), [], [[1, 4, 200]]), { min: 0, max: 130 }],
+    [edited(usual('B'), [[10, 65536]]), { min: 0, max: 65535 }],
+    [
+      { ...usual('Q'), idleThrottle: 256 },
+      { min: 0, max: 255 },
+    ],
+    [edited(usual('B'), [[5, 340]]), { previous: 350 }],
+    [edited(usual('B'), [[5, 350]]), { previous: 350 }],
+    [
+      edited(usual('Q'), [
+        [0, 18100],
+        [10, 18000],
+      ]),
+      { dt: 18000 },
+    ],
+    [edited(usual('Q'), [[0, 4010]]), { limit: 4000 }],
+    [edited(usual('B'), [[9, 10000]]), { min: 10, max: 9990 }],
+    [edited(usual('B'), [[3, 251]]), { step: 10 }],
+    [edited(usual('B'), [[10, 5900]]), { limit: 6000 }],
+    [{ ...usual('Q'), idleThrottle: 101 }, { limit: 100 }],
+    [usual('X'), { timerClass: 'X' }],
+  ])('gives the figures that go with what it finds (%#)', (program, params) => {
+    expect(checkProgram(program)[0]?.params).toEqual(params);
+  });
+
+  it('gives the figures of a position that was read', () => {
+    const read = edited(usual('B'), [], [[1, 4, 200]]);
+    expect(checkProgram(read, { baseline: read })[0]?.params).toEqual({ value: 200, max: 130 });
   });
 
   it('warns of a DT at which no servo moves, however many are elsewhere', () => {
@@ -200,6 +267,8 @@ describe('the check', () => {
   });
 
   it('weighs the idle throttle', () => {
+    expect(found({ ...usual('Q'), idleThrottle: 100 })).toEqual([]);
+    expect(found({ ...usual('Q'), idleThrottle: 255 })).toEqual(['warning throttle-unusual idleThrottle']);
     expect(found({ ...usual('Q'), idleThrottle: 101 })).toEqual(['warning throttle-unusual idleThrottle']);
     expect(found({ ...usual('Q'), idleThrottle: 256 })).toEqual(['error throttle-out-of-range idleThrottle']);
     expect(found({ ...usual('Q'), idleThrottle: 1.5 })).toEqual(['error throttle-not-whole idleThrottle']);

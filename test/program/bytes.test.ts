@@ -1,0 +1,116 @@
+import { describe, expect, it } from 'vitest';
+import { BytesError, base64url, crc32, fromBase64url, PackedReader, PackedWriter } from '../../src/program/bytes.js';
+import { fromHex, toHex } from '../tools/bytes.js';
+
+function written(write: (to: PackedWriter) => void): string {
+  const to = new PackedWriter();
+  write(to);
+  return toHex(to.bytes);
+}
+
+/** The message of a refusal, or what was read. */
+function readAs<T>(hex: string, read: (from: PackedReader) => T): T | string {
+  try {
+    return read(new PackedReader(fromHex(hex)));
+  } catch (error) {
+    if (error instanceof BytesError) return `refused: ${error.message}`;
+    throw error;
+  }
+}
+
+describe('a text as bytes', () => {
+  it.each([
+    ['7f', '\x7f'],
+    ['c2 80', '\x80'],
+    ['df bf', '\u07ff'],
+    ['e0 a0 80', '\u0800'],
+    ['ef bf bf', '\uffff'],
+    ['f0 90 80 80', '\u{10000}'],
+    ['f4 8f bf bf', '\u{10ffff}'],
+    ['ed a0 80', '\ud800'],
+  ])('%s is one character, both ways', (hex, character) => {
+    const length = hex.split(' ').length.toString(16).padStart(2, '0');
+    expect(written((to) => to.text(character))).toBe(`${length} ${hex}`);
+    expect(readAs(`${length} ${hex}`, (from) => from.text())).toBe(character);
+  });
+
+  it.each([
+    ['02 c1 bf', 'a lower one in two bytes'],
+    ['03 e0 9f bf', 'a lower one in three'],
+    ['04 f0 8f bf bf', 'a lower one in four'],
+    ['04 f4 90 80 80', 'one that there is not'],
+    ['02 80 80', 'the rest of one'],
+    ['02 bf bf', 'the rest of one, at its most'],
+    ['04 f8 80 80 80', 'the beginning of five bytes'],
+    ['04 ff bf bf bf', 'no beginning at all'],
+  ])('%s is none: %s', (hex) => {
+    expect(readAs(hex, (from) => from.text())).toBe('refused: a character has no such form');
+  });
+
+  it.each(['01 c2', '02 c2 7f', '02 c2 c0', '03 e2 82 41'])('%s is not whole', (hex) => {
+    expect(readAs(hex, (from) => from.text())).toBe('refused: a character is not whole');
+  });
+});
+
+describe('numbers as bytes', () => {
+  it.each([
+    ['00', 0],
+    ['7f', 127],
+    ['80 01', 128],
+    ['ff 7f', 16_383],
+    ['ff ff ff ff ff ff ff 0f', Number.MAX_SAFE_INTEGER],
+  ])('%s, as long as they have to be', (hex, value) => {
+    expect(written((to) => to.number(value))).toBe(hex);
+    expect(readAs(hex, (from) => from.number())).toBe(value);
+  });
+
+  it.each([
+    ['80 00', 'a number is longer than it has to be'],
+    ['ff ff ff ff ff ff ff 10', 'a number is too large'],
+    ['80', 'it ends too early'],
+  ])('%s is none: %s', (hex, message) => {
+    expect(readAs(hex, (from) => from.number())).toBe(`refused: ${message}`);
+  });
+
+  it('are low byte first in a pair', () => {
+    expect(written((to) => to.pair(0x1234))).toBe('34 12');
+    expect(readAs('34 12', (from) => from.pair())).toBe(0x1234);
+    expect(readAs('34', (from) => from.pair())).toBe('refused: it ends too early');
+  });
+
+  it('are counted: so many are left', () => {
+    expect(
+      readAs('01 02 03', (from) => [from.left, [...from.take(2)], from.left, [...from.take(1)], from.left]),
+    ).toEqual([3, [1, 2], 1, [3], 0]);
+  });
+});
+
+describe('bytes in the characters of an address', () => {
+  it.each([
+    ['', ''],
+    ['66', 'Zg'],
+    ['66 6f', 'Zm8'],
+    ['66 6f 6f', 'Zm9v'],
+    ['66 6f 6f 62', 'Zm9vYg'],
+    ['fb ff fe', '-__-'],
+  ])('%s is %s, both ways', (hex, text) => {
+    const bytes = hex === '' ? new Uint8Array() : fromHex(hex);
+    expect(base64url(bytes)).toBe(text);
+    expect(fromBase64url(text)).toEqual(bytes);
+  });
+
+  it.each([
+    ['A', 'no bytes have this length'],
+    ['AAAAA', 'no bytes have this length'],
+    ['Zm9=', '“=” stands in no such text'],
+    ['Zm+v', '“+” stands in no such text'],
+    ['Zh', 'the last character has bits that belong to nothing'],
+    ['Zm9', 'the last character has bits that belong to nothing'],
+  ])('%s is none: %s', (text, message) => {
+    expect(() => fromBase64url(text)).toThrow(new BytesError(message));
+  });
+
+  it('have the sum that zip and png have', () => {
+    expect(crc32(new TextEncoder().encode('123456789'))).toBe(0xcbf4_3926);
+  });
+});

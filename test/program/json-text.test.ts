@@ -1,0 +1,107 @@
+import { describe, expect, it } from 'vitest';
+import { placeInText, readJson, writeJson } from '../../src/program/json-text.js';
+import { CodecError } from '../../src/protocol/index.js';
+
+function refusalOf(work: () => unknown): unknown {
+  try {
+    return work();
+  } catch (error) {
+    if (error instanceof CodecError) return [error.code, error.field, error.message, error.details];
+    throw error;
+  }
+}
+
+describe('a text of JSON', () => {
+  it.each([
+    ['"\\u00e9\\u00E9"', 'éé'],
+    ['"\\"\\\\\\/\\b\\f\\n\\r\\t"', '"\\/\b\f\n\r\t'],
+    ['"a\\u0041b"', 'aAb'],
+    [' [ true , false , null , -1.5e2 ] ', [true, false, null, -150]],
+  ])('%s is read', (text, value) => {
+    expect(readJson(text)).toEqual(value);
+  });
+
+  it.each([
+    ['"a\\x0041"', 3, 'no such character can follow \\'],
+    ['"\\u00g1"', 2, 'no such character can follow \\'],
+    ['"\\u00 1"', 2, 'no such character can follow \\'],
+    ['"\\u 001"', 2, 'no such character can follow \\'],
+    ['"\\u00"', 2, 'no such character can follow \\'],
+    ['"a\nb"', 3, 'a text must end on its line'],
+    ['{a: 1}', 2, 'a name must stand here'],
+    ['{"a" 1}', 6, '“:” must stand here'],
+    ['[1 2]', 4, '“]” must stand here'],
+    ['{"a": 1]', 8, '“}” must stand here'],
+    ['[,]', 2, 'a value must stand here'],
+    ['1 2', 3, 'something follows the end'],
+  ])('%s is refused at column %i: %s', (text, column, why) => {
+    const message = `line 1, column ${column}: ${why}`;
+    expect(refusalOf(() => readJson(text))).toEqual(['bad-file', 'text', message, { line: 1, column }]);
+  });
+
+  it.each(['', '[', '{"a":', '"a', '[1,', '[1'])('%s ends too early', (text) => {
+    const column = text.length + 1;
+    const message = `line 1, column ${column}: it ends too early`;
+    expect(refusalOf(() => readJson(text))).toEqual(['bad-file', 'end', message, { line: 1, column }]);
+  });
+
+  it('says where a name stands twice, and which', () => {
+    expect(refusalOf(() => readJson('{"a": {"b": 1,\n "b": 2}}'))).toEqual([
+      'duplicate',
+      'a.b',
+      'line 2, column 2: this name stands twice',
+      { value: 'b', line: 2, column: 2 },
+    ]);
+  });
+
+  it('is nested 32 deep at most', () => {
+    expect(readJson(`${'['.repeat(32)}1${']'.repeat(32)}`)).toHaveLength(1);
+    expect(refusalOf(() => readJson(`${'['.repeat(33)}1${']'.repeat(33)}`))).toEqual([
+      'too-large',
+      '[0]'.repeat(33),
+      'line 1, column 34: nested deeper than 32',
+      { max: 32, line: 1, column: 34 },
+    ]);
+  });
+});
+
+describe('where a value stands in a text', () => {
+  const text = '{\n  "ab": [1, {"c": 2}],\n  "a": {"b": 3}\n}';
+
+  it.each([
+    ['', 1, 1],
+    ['ab', 2, 9],
+    ['ab[0]', 2, 10],
+    ['ab[1].c', 2, 19],
+    ['a', 3, 8],
+    ['a.b', 3, 14],
+    ['ab[1].missing', 2, 13],
+    ['ab[7]', 2, 9],
+    ['a.b.c', 3, 14],
+    ['abc', 1, 1],
+    ['missing', 1, 1],
+  ])('%s: line %i, column %i', (path, line, column) => {
+    expect(placeInText(text, path)).toEqual({ line, column });
+  });
+});
+
+describe('JSON that a person can read', () => {
+  it.each([
+    [{}, '{}'],
+    [[], '[]'],
+    [{ a: [] }, '{ "a": [] }'],
+    [[1, 'a', null], '[1, "a", null]'],
+    [{ a: 1, b: { c: 2 } }, '{ "a": 1, "b": { "c": 2 } }'],
+  ])('%o fits on one line', (value, text) => {
+    expect(writeJson(value)).toBe(text);
+  });
+
+  it('has a line for each value where it does not fit in 110 characters, with what may stand around it', () => {
+    const fits = { a: 'x'.repeat(97) };
+    const more = { a: 'x'.repeat(98) };
+    expect(writeJson(fits)).toBe(`{ "a": "${fits.a}" }`);
+    expect(writeJson(more)).toBe(`{\n  "a": "${more.a}"\n}`);
+    expect(writeJson([more, 1])).toBe(`[\n  {\n    "a": "${more.a}"\n  },\n  1\n]`);
+    expect(writeJson([fits]), 'one that stands further in has less room').toBe(`[\n  {\n    "a": "${fits.a}"\n  }\n]`);
+  });
+});
