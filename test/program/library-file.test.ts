@@ -175,6 +175,38 @@ describe('a library file', () => {
     expect(refused(text.replaceAll(/\r?\n/g, '\r\n')).replace(' undefined:undefined', '')).toBe(expected);
   });
 
+  it.each<[string, string, string, object]>([
+    [
+      'another format',
+      '{ "format": "sidus-timer program" }',
+      'line 1, column 1: format must be “sidus-timer library”',
+      { line: 1, column: 1 },
+    ],
+    [
+      'a newer version',
+      changed('"version": 1', '"version": 2'),
+      'line 3, column 14: version 2 is newer than 1',
+      { value: 2, max: 1, line: 3, column: 14 },
+    ],
+    [
+      'too much',
+      'x'.repeat(MAX_FILE + 1),
+      `a file has at most ${MAX_FILE} characters, not ${MAX_FILE + 1}`,
+      { value: MAX_FILE + 1, max: MAX_FILE },
+    ],
+  ])('says what is wrong with %s, with the figures', (_, text, message, details) => {
+    expect(() => parseLibraryFile(text)).toThrowError(expect.objectContaining({ message, details }));
+  });
+
+  it('may have the marks of other encodings in a name', () => {
+    const name = 'ÿþ \uFEFF 07';
+    const models = [{ ...MODEL, name }];
+    expect(parseLibraryFile(`\uFEFF${formatLibraryFile({ ...LIBRARY, models }, HEAD)}`).library.models[0]?.name).toBe(
+      name,
+    );
+    expect(parseLibraryFile(formatLibraryFile({ ...LIBRARY, models }, HEAD)).library.models[0]?.name).toBe(name);
+  });
+
   it('has no id twice', () => {
     const twice = { ...LIBRARY, settings: [SETTING, { ...SETTING, name: 'the same' }] };
     expect(() => formatLibraryFile(twice, HEAD)).toThrowError(
