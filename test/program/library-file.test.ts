@@ -179,8 +179,8 @@ describe('a library file', () => {
     [
       'another format',
       '{ "format": "sidus-timer program" }',
-      'line 1, column 1: format must be “sidus-timer library”',
-      { line: 1, column: 1 },
+      'line 1, column 13: format must be “sidus-timer library”',
+      { line: 1, column: 13 },
     ],
     [
       'a newer version',
