@@ -100,7 +100,6 @@ function pack({ name, note, tags, at, program, modelName }: SharedSetting): stri
 function unpack(bytes: Uint8Array): unknown {
   const from = new PackedReader(bytes.subarray(0, -SUM));
   const end = new PackedReader(bytes.subarray(-SUM));
-  if (bytes.length < SUM + 1) throw new BytesError('it is too short');
   if (end.pair() + 0x1_0000 * end.pair() !== crc32(bytes.subarray(0, -SUM))) {
     throw new BytesError('the checksum does not fit');
   }

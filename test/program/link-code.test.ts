@@ -89,6 +89,10 @@ describe('a link', () => {
     (text) => expect(refusal(text)).toBe('bad-link link'),
   );
 
+  it('may begin with its mark', () => {
+    expect(decodeLink(`${LINK_MARK}${encodeLink(SHARED)}`)).toEqual(SHARED);
+  });
+
   it('is found in what mail makes of it', () => {
     const code = encodeLink(SHARED);
     expect(decodeLink(` https://example.org/\n ${LINK_MARK}${code.replaceAll(/.{20}/g, '$&\r\n ')} \n`)).toEqual(
@@ -114,6 +118,8 @@ describe('a link', () => {
     ['nothing in it', [1], 'bad-link link'],
     ['something behind its end', [...bodyOf(SHARED), 0], 'bad-link link'],
     ['more than it can say', other(7, 4), 'bad-link link'],
+    ['more than it can say beside all that it has', other(7, 7), 'bad-link link'],
+    ['nothing but the sum of nothing', [], 'bad-link link'],
     ['a class that is no letter', other(1, 0x20), 'bad-identity setting.program.identity.timerClass'],
     ['more servos than bytes', other(6, 255), 'bad-link link'],
     ['a firmware of four digits', other(3, 255), 'out-of-range setting.program.identity.firmware'],
@@ -140,7 +146,17 @@ describe('a link', () => {
     expect(refusal(summed([...before, 0, 0, 0, 0]))).toBe('out-of-range setting.name');
   });
 
+  it.each<[string, string, object]>([
+    ['A'.repeat(60_001), 'a link has at most 60000 characters', { value: 60_001, max: 60_000 }],
+    [summed([2, 1]), 'version 2 is newer than 1', { value: 2, max: 1 }],
+    [summed([0, 1]), 'no whole link: there is no version 0', {}],
+    ['A', 'no whole link: no bytes have this length', {}],
+  ])('says with the figures what is wrong (%#)', (link, message, details) => {
+    expect(() => decodeLink(link)).toThrowError(expect.objectContaining({ message, details }));
+  });
+
   it('that is far too long is not looked at', () => {
+    expect(refusal('A'.repeat(60_000)), 'one that is not is').toBe('bad-link link');
     expect(refusal('A'.repeat(60_001))).toBe('too-large link');
     expect(refusal(`${' '.repeat(1_000_000)}${encodeLink(SHARED)}`)).toBe('too-large link');
   });
