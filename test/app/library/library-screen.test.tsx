@@ -93,7 +93,8 @@ it('a program is saved under a model that is made with it', async () => {
   await press('Open');
   await press('Save as new…');
   const dialog = within(screen.getByRole('dialog'));
-  fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: 'new' } });
+  const newModel = dialog.getByRole<HTMLOptionElement>('option', { name: 'New model' });
+  fireEvent.change(dialog.getByRole('combobox', { name: 'Model' }), { target: { value: newModel.value } });
   await idle(0);
   fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the setting' }), { target: { value: ' calm ' } });
   fireEvent.input(dialog.getByRole('textbox', { name: 'Name of the model' }), { target: { value: 'Lancer 09' } });
