@@ -5,6 +5,7 @@ import { dayText, fieldLabel, figureText, messages } from '../messages/index.js'
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
+import { BackHead } from '../ui/back-head.js';
 import { type ComparedPair, SCREEN } from './choice.js';
 import { Compare, type Side } from './compare.js';
 import './compare-page.css';
@@ -30,17 +31,9 @@ export function ComparePage({ session, pair, following, onBack }: ComparePagePro
   const second = compare.second.value;
   return (
     <section class="compare-page" aria-labelledby="compare-title">
-      <div class="compare-head">
-        <button type="button" class="quiet" onClick={onBack}>
-          <svg class="icon" width="20" height="20" aria-hidden="true">
-            <path d="M12 4L6 10L12 16" />
-          </svg>
-          {words.back}
-        </button>
-        <h1 id="compare-title" ref={heading} tabIndex={-1}>
-          {words.title}
-        </h1>
-      </div>
+      <BackHead back={words.back} onBack={onBack} titleId="compare-title" heading={heading}>
+        {words.title}
+      </BackHead>
       <div class="compare-choice">
         <Choice
           label={words.first}

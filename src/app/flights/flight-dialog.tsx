@@ -277,7 +277,6 @@ function Flown({ form }: { readonly form: FlightForm }) {
       <SlotTable
         program={program}
         caption={words.flownCaption}
-        class="flown-values"
         headings={[names.time]}
         rows={program.times.map((time, slot) => ({
           slot,

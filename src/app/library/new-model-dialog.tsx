@@ -1,12 +1,11 @@
 import { useSignal } from '@preact/signals';
 import { useId } from 'preact/hooks';
 import { libraryMessages } from '../messages/library.js';
-import { newId } from '../session/library.js';
+import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
 import { ClassChoice } from './class-choice.js';
 import { NameField } from './name-field.js';
-import { emptyModel } from './save-setting.js';
 import './library-form.css';
 
 interface NewModelDialogProps {

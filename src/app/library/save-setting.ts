@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Setting } from '../../program/index.js';
-import { newId } from '../session/library.js';
+import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 
 /**
@@ -71,9 +71,4 @@ export class SaveSetting {
   dismiss(): void {
     this.#current.value = null;
   }
-}
-
-/** A model of which nothing but its name is known, and perhaps the class of its timer. */
-export function emptyModel(id: string, name: string, timerClass: string | null) {
-  return { id, name, timerClass, note: '', servos: [], memoryNames: [], photo: null, archived: false } as const;
 }

@@ -1,12 +1,12 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
 import { clockText, messages, timerName } from '../messages/index.js';
-import { keyFigures } from '../messages/key-figures.js';
 import { libraryMessages } from '../messages/library.js';
 import { newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
+import { KeyFigures } from '../ui/key-figures.js';
 import { addressOf, addressPath, NO_MODEL } from './place.js';
 import type { Places } from './places.js';
 import { asTags, tagsText } from './tags.js';
@@ -70,14 +70,7 @@ export function SettingPage(props: SettingPageProps) {
       <div class="setting-lanes">
         <SmallLanes program={program} />
       </div>
-      <dl class="setting-figures">
-        {keyFigures(program).map(({ label, text }) => (
-          <div key={label}>
-            <dt>{label}</dt>
-            <dd>{text}</dd>
-          </div>
-        ))}
-      </dl>
+      <KeyFigures program={program} />
       <div class="buttons">
         <OpenButton {...props} record={record} />
         {places.settingButtons(record, model)}

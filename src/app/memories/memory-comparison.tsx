@@ -3,6 +3,7 @@ import { messages } from '../messages/index.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { ProgramPair } from '../side-by-side/program-pair.js';
+import { BackHead } from '../ui/back-head.js';
 import type { Compared, Memories } from './memories.js';
 import { lastRead } from './memory-cards.js';
 import './memory-comparison.css';
@@ -26,17 +27,9 @@ export function MemoryComparison({ session, memories, compared }: MemoryComparis
   const unread = [first, second].filter((memory) => session.knowledge.of(memory).state === 'unread');
   return (
     <section class="comparison" aria-labelledby="comparison-title">
-      <div class="comparison-head">
-        <button type="button" class="quiet" onClick={() => memories.compare(null)}>
-          <svg class="icon" width="20" height="20" aria-hidden="true">
-            <path d="M12 4L6 10L12 16" />
-          </svg>
-          {words.all}
-        </button>
-        <h1 id="comparison-title" ref={heading} tabIndex={-1}>
-          {words.compared(...names)}
-        </h1>
-      </div>
+      <BackHead back={words.all} onBack={() => memories.compare(null)} titleId="comparison-title" heading={heading}>
+        {words.compared(...names)}
+      </BackHead>
       <div class="comparison-choice">
         <Choice
           label={words.from}

@@ -64,7 +64,6 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
           <SlotTable
             program={known.program}
             caption={words.tableCaption(name)}
-            class="held-values"
             headings={[program.time]}
             rows={known.program.times.map((time, slot) => ({
               slot,

@@ -14,6 +14,11 @@ export function newId(): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
+/** A model of which nothing but its name is known, and perhaps the class of its timer. */
+export function emptyModel(id: string, name: string, timerClass: string | null): Model {
+  return { id, name, timerClass, note: '', servos: [], memoryNames: [], photo: null, archived: false };
+}
+
 /** What a pilot keeps: models, their settings, and the log of flights. Without a timer, too; on this device alone. */
 export class Library {
   readonly models: Collection<ModelRecord>;

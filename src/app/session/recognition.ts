@@ -5,7 +5,7 @@ import type { TimerConnection } from '../../serial/index.js';
 import { CLASSES, newProgram } from '../editing/new-program.js';
 import type { ModelRecord } from '../storage/index.js';
 import type { FreshReading, Knowledge } from './knowledge.js';
-import { type Library, newId } from './library.js';
+import { emptyModel, type Library, newId } from './library.js';
 import type { HeldOnce, Recognised } from './recognition-rule.js';
 import { kindKey } from './record-keys.js';
 
@@ -149,16 +149,7 @@ export class Recognition {
   async sayNew(name: string): Promise<void> {
     const identity = this.#parts.connection.peek()?.identity;
     if (!identity) return;
-    const model: Model = {
-      id: newId(),
-      name,
-      timerClass: identity.timerClass,
-      note: '',
-      servos: [],
-      memoryNames: [],
-      photo: null,
-      archived: false,
-    };
+    const model = emptyModel(newId(), name, identity.timerClass);
     const kept = this.#parts.library.keepModel(model);
     this.say(model);
     await kept;

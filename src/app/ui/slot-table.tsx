@@ -1,11 +1,11 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
 import { messages, slotLabel } from '../messages/index.js';
+import './slot-table.css';
 
 interface SlotTableProps {
   readonly program: TimerProgram;
   readonly caption: string;
-  readonly class?: string;
   /** What stands between the name of a slot and its positions. */
   readonly headings: readonly string[];
   readonly rows: readonly { readonly slot: number; readonly cells: readonly ComponentChildren[] }[];
@@ -14,12 +14,12 @@ interface SlotTableProps {
 }
 
 /** Slots of a program with their positions: to be read, not to be changed. */
-export function SlotTable({ program, caption, class: name, headings, rows, children }: SlotTableProps) {
+export function SlotTable({ program, caption, headings, rows, children }: SlotTableProps) {
   const { program: words, servoName } = messages.value;
   const { identity, positions } = program;
   const servos = positions.map((_, servo) => servoName(servo));
   return (
-    <table class={name}>
+    <table class="slot-table">
       <caption class="visually-hidden">{caption}</caption>
       <thead>
         <tr>

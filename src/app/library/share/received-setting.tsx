@@ -4,9 +4,9 @@ import type { SharedSetting } from '../../../program/index.js';
 import { formatTime } from '../../editing/units.js';
 import { share } from '../../messages/en-share.js';
 import { dateText, messages, timerName } from '../../messages/index.js';
-import { keyFigures } from '../../messages/key-figures.js';
 import type { Session } from '../../session/session.js';
 import { SmallLanes } from '../../timeline/small-lanes.js';
+import { KeyFigures } from '../../ui/key-figures.js';
 import { SlotTable } from '../../ui/slot-table.js';
 import { NO_MODEL } from '../place.js';
 import { NEW_MODEL, Received } from './received.js';
@@ -70,14 +70,7 @@ function Shown({ shared }: { readonly shared: SharedSetting }) {
         </p>
         <p class="hint">{words.lead}</p>
       </div>
-      <dl class="received-figures">
-        {keyFigures(program).map(({ label, text }) => (
-          <div key={label}>
-            <dt>{label}</dt>
-            <dd>{text}</dd>
-          </div>
-        ))}
-      </dl>
+      <KeyFigures program={program} />
       <div class="received-lanes">
         <SmallLanes program={program} />
       </div>

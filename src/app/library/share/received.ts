@@ -2,7 +2,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { decodeLink, differences, type Setting, type SharedSetting, sameKind } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
 import { share } from '../../messages/en-share.js';
-import { newId } from '../../session/library.js';
+import { emptyModel, newId } from '../../session/library.js';
 import type { Session } from '../../session/session.js';
 import type { SettingRecord } from '../../storage/index.js';
 import { NO_MODEL } from '../place.js';
@@ -97,16 +97,7 @@ export class Received {
   async #newModel(name: string): Promise<string> {
     const { identity } = (this.shared as SharedSetting).program;
     const id = newId();
-    await this.#session.library.keepModel({
-      id,
-      name,
-      timerClass: identity.timerClass,
-      note: '',
-      servos: [],
-      memoryNames: [],
-      photo: null,
-      archived: false,
-    });
+    await this.#session.library.keepModel(emptyModel(id, name, identity.timerClass));
     return id;
   }
 }

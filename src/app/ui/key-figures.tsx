@@ -1,0 +1,17 @@
+import type { TimerProgram } from '../../program/index.js';
+import { keyFigures } from '../messages/key-figures.js';
+import './key-figures.css';
+
+/** What a pilot looks at first, large: DT, and on class Q the motor stop. */
+export function KeyFigures({ program }: { readonly program: TimerProgram }) {
+  return (
+    <dl class="figure-list">
+      {keyFigures(program).map(({ label, text }) => (
+        <div key={label}>
+          <dt>{label}</dt>
+          <dd>{text}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
