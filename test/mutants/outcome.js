@@ -19,39 +19,54 @@ function between(lines, start, end) {
   return oneLine(taken.join('\n'));
 }
 
+const keyOf = ({ line, code, becomes }) => JSON.stringify([line, code, becomes]);
+
+const placesOf = (file, list) =>
+  (list[file] ?? []).flatMap(({ line, mutants }) =>
+    mutants.map(([code, becomes]) => ({ file, at: '', line, code, becomes })),
+  );
+
 /**
  * @param {import('mutation-testing-report-schema').schema.MutationTestResult} report
  * @param {Equivalent} equivalent
+ * @param {Equivalent} open as those, without a reason: nobody has judged them yet
  * @returns {{ counts: Record<string, number>, unseen: Mutant[], stale: Mutant[] }} `unseen`: survived and not listed;
  * `stale`: listed and seen by a test, or no longer there.
  */
-export function outcome(report, equivalent) {
-  const counts = { mutants: 0, killed: 0, 'timed out': 0, survived: 0, 'of these equivalent': 0, prose: 0 };
+export function outcome(report, equivalent, open) {
+  const counts = {
+    mutants: 0,
+    killed: 0,
+    'timed out': 0,
+    survived: 0,
+    'of these equivalent': 0,
+    'of these open': 0,
+    prose: 0,
+  };
   const unseen = [];
   const stale = [];
   for (const [file, { source, mutants }] of Object.entries(report.files)) {
     const lines = source.split('\n');
-    const listed = new Map(
-      (equivalent[file] ?? []).flatMap(({ line, mutants }) =>
-        mutants.map(([code, becomes]) => [
-          JSON.stringify([line, code, becomes]),
-          { file, at: '', line, code, becomes },
-        ]),
-      ),
-    );
+    const listed = new Map([
+      ...placesOf(file, open).map((mutant) => [keyOf(mutant), { ...mutant, list: 'open' }]),
+      ...placesOf(file, equivalent).map((mutant) => [keyOf(mutant), { ...mutant, list: 'equivalent' }]),
+    ]);
     const found = new Set();
     for (const { status, location, replacement } of mutants) {
       counts[ENDS[status] ?? status] = (counts[ENDS[status] ?? status] ?? 0) + 1;
       if (status !== 'Ignored') counts.mutants++;
-      if (ENDS[status] !== 'survived') continue;
+      // Whether an endless loop is one is a matter of time on a busy machine: it may be listed, too.
+      if (ENDS[status] !== 'survived' && status !== 'Timeout') continue;
       const { start, end } = location;
       const line = oneLine(lines[start.line - 1]);
       const code = between(lines, start, end);
       const becomes = oneLine(replacement ?? '');
-      const key = JSON.stringify([line, code, becomes]);
-      found.add(key);
-      if (listed.has(key)) counts['of these equivalent']++;
-      else unseen.push({ file, at: `${start.line}:${start.column}`, line, code, becomes });
+      const mutant = { file, at: `${start.line}:${start.column}`, line, code, becomes };
+      const list = listed.get(keyOf(mutant))?.list;
+      found.add(keyOf(mutant));
+      if (status === 'Timeout') continue;
+      if (list) counts[`of these ${list}`]++;
+      else unseen.push(mutant);
     }
     for (const [key, mutant] of listed) if (!found.has(key)) stale.push(mutant);
   }
@@ -64,6 +79,20 @@ export function unseenText({ unseen, stale }) {
     `  ${file}:${at}  ${line}\n    ${JSON.stringify([code, becomes])}\n`;
   return [
     ...(unseen.length > 0 ? ['No test sees these:\n', ...unseen.map(text)] : []),
-    ...(stale.length > 0 ? ['These stand in equivalent.json and are seen, or gone:\n', ...stale.map(text)] : []),
+    ...(stale.length > 0
+      ? ['These stand in equivalent.json or open.json, and are seen by now, or gone:\n', ...stale.map(text)]
+      : []),
   ].join('');
+}
+
+/** As open.json has them. */
+export function asList(mutants) {
+  const list = {};
+  for (const { file, line, code, becomes } of mutants) {
+    list[file] ??= [];
+    const row = list[file].find((each) => each.line === line);
+    if (row) row.mutants.push([code, becomes]);
+    else list[file].push({ line, mutants: [[code, becomes]] });
+  }
+  return list;
 }
