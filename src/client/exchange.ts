@@ -137,7 +137,7 @@ export class Exchange {
     { before, twice = before !== undefined, ...policy }: Belief<ReplyOf<R['name']>> = {},
   ): Promise<ReplyOf<R['name']>> {
     const seen = this.watch();
-    let previous = before === undefined ? undefined : JSON.stringify(before);
+    let previous: string | undefined = JSON.stringify(before);
     for (let i = 0; i < READS; i++) {
       const reply = await this.ask(request, signal, policy);
       const text = JSON.stringify(reply);

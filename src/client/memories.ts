@@ -157,9 +157,9 @@ function requireGoal({ identity }: ClientJob, goal: TimerProgram): void {
   if (!sameKind(identity, goal.identity)) throw new TimerError('other-timer', 'a goal is for another kind of timer');
   if (goal.memory === null) throw new TimerError('memory-unknown', 'a goal does not say for which memory it is');
   requireIndex(goal.memory, identity);
-  encodeRequest({ name: 'SETTIMERS', times: goal.times }, { identity });
-  encodeReply({ name: 'GETSERVOPOS', positions: goal.positions }, { identity });
-  if (goal.idleThrottle !== null) encodeRequest({ name: 'SETLOWRPM', idleThrottle: goal.idleThrottle }, { identity });
+  encodeRequest({ name: 'SETTIMERS', times: goal.times });
+  encodeReply({ name: 'GETSERVOPOS', positions: goal.positions });
+  if (goal.idleThrottle !== null) encodeRequest({ name: 'SETLOWRPM', idleThrottle: goal.idleThrottle });
 }
 
 function asksThrottle({ idleThrottle }: TimerProgram): boolean {
