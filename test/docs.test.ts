@@ -56,6 +56,14 @@ describe('the docs', () => {
     }
   });
 
+  // What the changelog names may be gone.
+  it.each(texts.filter((file) => file !== 'CHANGELOG.md'))('%s names sources that are there', (file) => {
+    const places = ['', 'src', 'src/app', 'test', 'test/app'].map((folder) => join(root, folder));
+    const named = [...readFileSync(join(root, file), 'utf8').matchAll(/`((?:[\w-]+\/)+[\w.-]+\.(?:tsx?|css|html))`/g)];
+    const gone = named.filter(([, path = '']) => !places.some((place) => existsSync(join(place, path))));
+    expect(gone.map(([, path]) => path)).toEqual([]);
+  });
+
   it('show each of the pictures that are kept, and keep no other', () => {
     const shown = texts.flatMap(linksOf).map(({ path }) => path);
     const kept = readdirSync(join(root, 'docs/pictures')).map((file) => file.replace('.webp', ''));

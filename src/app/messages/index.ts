@@ -19,8 +19,8 @@ import {
 import { dateFormat } from './date-format.js';
 import { en } from './en.js';
 
-export type { TimelineFacts } from './en.js';
 export type { Said } from './en-notices.js';
+export type { TimelineFacts } from './en-timeline.js';
 
 /** What every language must give: a missing sentence does not compile. */
 export type Messages = typeof en;

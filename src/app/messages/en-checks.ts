@@ -1,0 +1,38 @@
+import type { FindingCode } from '../../program/index.js';
+import type { UnreadableReason } from '../editing/units.js';
+
+type Params = Readonly<Record<string, string>>;
+
+/** What is unusual, or cannot be written. */
+export const findings: Record<FindingCode, (params: Params) => string> = {
+  'time-not-whole': () => 'A time must be a whole number of hundredths of a second.',
+  'time-out-of-range': ({ max }) => `A time can be at most ${max}.`,
+  'position-not-whole': () => 'A position must be a whole number of steps.',
+  'position-out-of-range': ({ min, max }) => `A position must be ${min} to ${max} steps.`,
+  'throttle-not-whole': () => 'The idle throttle must be a whole number.',
+  'throttle-out-of-range': ({ min, max }) => `The idle throttle must be ${min} to ${max}.`,
+  'position-as-read': ({ value, max }) =>
+    `Read as ${value}, past the last step ${max}. It stays as it is unless you change it.`,
+  'time-falls': ({ previous }) => `This comes before the function above it, at ${previous}.`,
+  'time-repeats': ({ previous }) => `The same time as the function above it, ${previous}.`,
+  'position-never-reached': ({ previous }) =>
+    `The same time as the function above it, ${previous}. The positions of the function above are never reached.`,
+  'motor-stop-after-dt': ({ dt }) => `The motor stops after DT (${dt}): the model comes down with the motor running.`,
+  'motor-run-long': ({ limit }) => `The motor runs longer than ${limit}, the limit for F1Q.`,
+  'time-outside-manual': ({ min, max }) => `The manual allows ${min} to ${max}.`,
+  'time-too-fine': ({ step }) => `The manual gives steps of ${step}: the timer may round.`,
+  'dt-short': ({ limit }) => `DT is shorter than ${limit}.`,
+  'dt-moves-nothing': () => 'No servo moves at DT: this timer does not bring the model down.',
+  'throttle-unusual': ({ limit }) => `More than ${limit} is unusual. The unit is not known.`,
+  'class-unknown': ({ timerClass }) =>
+    `This timer calls its class “${timerClass}”. That class is not known, so its rules were not checked.`,
+};
+
+/** Why a text in a field is no value. */
+export const unreadable: Record<UnreadableReason, string> = {
+  empty: 'Empty: type a value.',
+  'not-a-time': 'Not a time: type seconds like 12.5, or minutes like 2:05.',
+  'too-fine': 'Finer than a hundredth of a second.',
+  'not-a-whole-number': 'Not a whole number of steps.',
+  ambiguous: 'This can be read in several ways: choose one.',
+};

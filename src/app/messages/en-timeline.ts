@@ -1,0 +1,50 @@
+import { plural } from './plural.js';
+
+/** What a timeline shows, in the words of one sentence. */
+export interface TimelineFacts {
+  readonly servos: number;
+  readonly functions: number;
+  readonly dt: string;
+  readonly motorStop: string | null;
+}
+
+/** The picture of a program over time. */
+export const timeline = {
+  title: 'Timeline',
+  compareWith: 'Compare with',
+  compareNothing: 'nothing',
+  /** What the timer holds, as far as that is known. */
+  compareHeld: { now: 'the timer', once: 'the last reading', not: 'the last reading, not certain' },
+  picture: 'Servo positions over time',
+  description: ({ servos, functions, dt, motorStop }: TimelineFacts) =>
+    `${plural(servos, 'servo', 'servos')} and ${plural(functions, 'function', 'functions')} over time, DT at ${dt}${motorStop === null ? '' : `, motor stop at ${motorStop}`}.`,
+  keys: 'Left and right go from mark to mark, up and down from servo to servo. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view.',
+  keysToEdit:
+    'Left and right go from mark to mark, up and down from servo to servo. Plus and minus zoom, 0 shows all, Shift with an arrow moves the view. Enter goes to the handles: the arrows move them, Escape comes back.',
+  ask: 'Point or tap to read',
+  /** While a handle is moved: the further away the pointer is, the finer. */
+  finer: 'Finer',
+  finest: 'Step by step',
+  front: 'Servo in hand',
+  stands: (servo: string, position: number | string) => `${servo} ${position}`.trim(),
+  steps: (position: number) => plural(position, 'step', 'steps'),
+  stepsUnit: 'steps',
+  unknownValue: '?',
+  notKnown: 'Not known: the times fall',
+  zero: '0 s',
+  tools: 'View',
+  trueScale: 'True time scale',
+  zoomIn: 'Zoom in',
+  zoomOut: 'Zoom out',
+  fit: 'Show all',
+  asTable: 'As a table',
+  tableCaption: 'When each function begins and ends, and where the servos stand',
+  from: 'From',
+  until: 'Until',
+  motorRuns: 'Motor runs',
+  passing: { passed: 'skipped', back: 'not known' },
+  passedOver: (slot: string, next: string) => `${slot} is skipped: ${next} comes at the same time.`,
+  goesBack: (next: string, slot: string) =>
+    `${next} comes before ${slot}. It is not known what the timer does in the shaded part. The dotted lines go back in the order of the functions.`,
+  more: (count: number) => `And ${count} more.`,
+};

@@ -1,0 +1,80 @@
+import { plural } from './plural.js';
+
+/** From the difference that is shown to the verdict. */
+export const write = {
+  title: 'Write to the timer',
+  lead: (memory: string) => `This is what changes in ${memory}. Everything else stays as it is.`,
+  thisMemory: 'the current memory',
+  nothing: 'Nothing differs. The timer is read back and compared.',
+  field: 'Value',
+  from: 'Timer holds',
+  to: 'Will hold',
+  wasRead: 'Was read',
+  moved: {
+    timer: {
+      title: 'The timer holds something else than was shown.',
+      advice: 'Nothing was written. This is what a write would change now.',
+    },
+    model: {
+      title: 'Whose timer this is has changed since this was shown.',
+      advice: 'Nothing was written. Look at the names of the models.',
+    },
+    edits: {
+      title: 'The program has changed since this was shown.',
+      advice: 'Nothing was written. This is what a write would change now.',
+    },
+  },
+  unkept: {
+    title: 'This device could not keep a backup of what the timer holds now.',
+    advice: 'Nothing was written yet. Write without it?',
+  },
+  /** What a table of values is called: by what its columns are of. */
+  sideBySide: (names: readonly string[]) => `Values: ${names.join(', ')}`,
+  withoutCopy: 'Write without a backup',
+  notWithout: 'Do not write',
+  safety: 'The propeller is off or the model is held, and the timer is not armed.',
+  acknowledge: 'I have read this and want to write it anyway.',
+  move: {
+    why: 'This timer seems to keep positions only where its servos stand. Unless the servos move, it will probably not keep these.',
+    label: 'Move the servos to each function before its positions are stored',
+    hint: 'The servos will move then: hold the model safely, with nothing in their way.',
+    notHeld: {
+      title: 'The timer acknowledged the positions but did not keep them.',
+      advice:
+        'This timer probably keeps them only where its servos stand. Write again, and let the servos move to each function.',
+    },
+    again: 'Write again…',
+  },
+  start: (count: number) => (count === 0 ? 'Read back and compare' : `Write ${plural(count, 'change', 'changes')}`),
+  cancel: 'Cancel',
+  stop: 'Stop',
+  close: 'Close',
+  stages: {
+    read: 'Reading',
+    write: 'Writing',
+    verify: 'Reading back',
+    repair: 'Correcting',
+  },
+  stopping: 'Stopping after this request',
+  verified: { title: 'Verified.', advice: 'The timer was read back after writing and held what was wanted.' },
+  verdict: (memory: string, time: string, figures: readonly string[], changes: number) =>
+    [`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')].join(' · '),
+  inWords: 'In words',
+  asItIs: 'as it is',
+  insteadOf: (value: string) => `instead of ${value}`,
+  wanted: 'To be written',
+  readBack: 'Read back',
+  differs: {
+    title: 'The timer did not take every value.',
+    advice: 'The timer was read back. It holds other values here:',
+  },
+  unknown: {
+    title: 'It is not certain what the timer holds.',
+    advice: 'The write was not read back to its end. Read again, then write what still differs. Your changes are kept.',
+  },
+  refused: 'Nothing was written.',
+  held: 'Timer holds now',
+  status: { verified: 'verified', differs: 'differs', unknown: 'not known' },
+  putBack: 'changed by itself, put back',
+  repeats: (count: number) => `The line was disturbed: ${plural(count, 'request was', 'requests were')} repeated.`,
+};
