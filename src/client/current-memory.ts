@@ -94,15 +94,14 @@ export function isNoAnswer(error: unknown, isKnownUnanswered: boolean): error is
 /** @param agreed whether two answers have said so. */
 async function judge(job: ClientJob, reply: ReplyOf<'GETMEMORY'>, agreed: boolean): Promise<number | null> {
   const { exchange, identity, quirks, signal } = job;
-  const isUsual = ({ memory }: ReplyOf<'GETMEMORY'>): boolean =>
-    memory !== null && memory >= 0 && memory < identity.memories;
-  if (isUsual(reply)) return reply.memory;
+  const isUsual = (memory: number | null): boolean => memory !== null && memory >= 0 && memory < identity.memories;
+  if (isUsual(reply.memory)) return reply.memory;
   const { memory } = agreed ? reply : await exchange.read({ name: 'GETMEMORY' }, signal, { before: reply });
   if (memory === null) {
     quirks.note('memory-unknown');
     return null;
   }
-  if (isUsual({ name: 'GETMEMORY', memory })) return memory;
+  if (isUsual(memory)) return memory;
   // How many memories it has was perhaps misread.
   await exchange.requireIdentity(signal);
   if (memory < 0) {

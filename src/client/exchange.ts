@@ -102,11 +102,6 @@ export class Exchange {
     return this.#awake;
   }
 
-  /** Whether anything can still be asked: the port is not lost, and nobody has closed this. */
-  get usable(): boolean {
-    return !this.#closed && !this.#wire.lost;
-  }
-
   /** A job begins: from now on nothing is asked that could end later than such a job may. */
   begin(job: Omit<PlannedJob, 'identity'>): void {
     this.schedule.begin({ ...job, identity: this.identity });

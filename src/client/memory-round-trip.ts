@@ -133,7 +133,7 @@ export class MemoryRoundTrip {
     let failure: unknown;
     try {
       // Nothing is sent to a timer that is not the one that was left. Whoever asked to stop asked for this too.
-      if (this.#job.exchange.usable && codeOf(cause) !== 'other-timer') {
+      if (codeOf(cause) !== 'other-timer') {
         return await this.#select({ ...this.#job, signal: undefined }, this.original);
       }
     } catch (error) {

@@ -78,6 +78,13 @@ describe('an answer that names another memory than the one that was read', () =>
     await expect(writing).rejects.toMatchObject({ code: 'memory-unknown', details: { expected: 0, found: null } });
   });
 
+  it('that cannot be is not followed by one that is believed alone', async () => {
+    const { client, timer, run } = bench();
+    answering(timer, 'GETMEMORY', (count) => [[200], [4]][count]);
+    expect((await run(client.readProgram())).memory).toBe(0);
+    expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([[], {}]);
+  });
+
   it('that names no memory at all is asked for again', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [] : undefined));
