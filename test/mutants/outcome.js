@@ -30,8 +30,9 @@ const placesOf = (file, list) =>
  * @param {import('mutation-testing-report-schema').schema.MutationTestResult} report
  * @param {Equivalent} equivalent
  * @param {Equivalent} open as those, without a reason: nobody has judged them yet
- * @returns {{ counts: Record<string, number>, unseen: Mutant[], stale: Mutant[] }} `unseen`: survived and not listed;
- * `stale`: listed and seen by a test, or no longer there.
+ * @returns {{ counts: Record<string, number>, unseen: Mutant[], stale: Mutant[], done: Mutant[] }}
+ * `unseen`: survived and not listed; `stale`: listed as equivalent and seen by a test, or no longer there; `done`: the
+ * same of an open one.
  */
 export function outcome(report, equivalent, open) {
   const counts = {
@@ -45,6 +46,7 @@ export function outcome(report, equivalent, open) {
   };
   const unseen = [];
   const stale = [];
+  const done = [];
   for (const [file, { source, mutants }] of Object.entries(report.files)) {
     const lines = source.split('\n');
     const listed = new Map([
@@ -68,20 +70,19 @@ export function outcome(report, equivalent, open) {
       if (list) counts[`of these ${list}`]++;
       else unseen.push(mutant);
     }
-    for (const [key, mutant] of listed) if (!found.has(key)) stale.push(mutant);
+    for (const [key, mutant] of listed) if (!found.has(key)) (mutant.list === 'open' ? done : stale).push(mutant);
   }
-  return { counts, unseen, stale };
+  return { counts, unseen, stale, done };
 }
 
 /** For whoever has to write a test, or a line of equivalent.json. */
-export function unseenText({ unseen, stale }) {
+export function unseenText({ unseen, stale, done }) {
   const text = ({ file, at, line, code, becomes }) =>
     `  ${file}:${at}  ${line}\n    ${JSON.stringify([code, becomes])}\n`;
   return [
     ...(unseen.length > 0 ? ['No test sees these:\n', ...unseen.map(text)] : []),
-    ...(stale.length > 0
-      ? ['These stand in equivalent.json or open.json, and are seen by now, or gone:\n', ...stale.map(text)]
-      : []),
+    ...(stale.length > 0 ? ['These stand in equivalent.json and are seen by now, or gone:\n', ...stale.map(text)] : []),
+    ...(done.length > 0 ? ['Take these out of open.json, they are seen by now, or gone:\n', ...done.map(text)] : []),
   ].join('');
 }
 
