@@ -39,15 +39,22 @@ export class SaveSetting {
     const setting = shown.peek()?.setting;
     if (!setting || !savable.peek()) return this.open();
     await this.#session.library.settings.look(setting.id);
-    if (unsaved.peek()?.elsewhere)
-      this.#current.value = { step: 'elsewhere', theirs: shown.peek()?.setting ?? setting };
-    else await this.#session.opened.save();
+    if (!unsaved.peek()?.elsewhere) await this.#session.opened.save();
+    this.#askIfElsewhere();
+  }
+
+  /** Another tab may have saved the open setting just before, or while it was saved here. */
+  #askIfElsewhere(): void {
+    const { shown, unsaved } = this.#session.opened;
+    const theirs = shown.peek()?.setting;
+    if (theirs && unsaved.peek()?.elsewhere) this.#current.value = { step: 'elsewhere', theirs };
   }
 
   /** What another tab has saved gives way. */
   async replace(): Promise<void> {
     this.#current.value = null;
     await this.#session.opened.save();
+    this.#askIfElsewhere();
   }
 
   /** What another tab has saved comes to the screen, as a step that undo takes back. */

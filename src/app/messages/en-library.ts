@@ -1,6 +1,29 @@
 import type { SettingSource } from '../../program/index.js';
 import { plural } from './plural.js';
 
+/** What is kept of a model, a setting or a flight, as two tabs may not agree on it. */
+const FIELDS: Readonly<Record<string, string>> = {
+  name: 'Name',
+  timerClass: 'Class',
+  note: 'Note',
+  servos: 'Servos',
+  memoryNames: 'Names of its memories',
+  photo: 'Picture',
+  archived: 'Archive',
+  model: 'Model',
+  tags: 'Tags',
+  program: 'Times and positions',
+  at: 'Date and time',
+  place: 'Place',
+  modelName: 'Name of the model',
+  setting: 'Setting',
+  settingName: 'Name of the setting',
+  wind: 'Wind',
+  temperature: 'Temperature',
+  round: 'Round',
+  result: 'Result',
+};
+
 /** Models and their settings. They come with the parts of the page that show them. */
 export const library = {
   title: 'Library',
@@ -154,6 +177,17 @@ export const library = {
       asNew: 'Save mine as new…',
       take: 'Take over what was saved there',
     },
+  },
+  clash: {
+    title: 'Another tab has saved this at the same time',
+    lead: (name: string) => `Both tabs have changed “${name}”. What the other tab has saved is kept until you choose.`,
+    flightOf: (model: string, day: string) => [model, `flight of ${day}`].filter(Boolean).join(', '),
+    /** @param field by its name in a record of the library. */
+    field: (field: string) => FIELDS[field] ?? field,
+    theirs: 'Saved there',
+    mine: 'Yours',
+    keepTheirs: 'Keep what was saved there',
+    keepMine: 'Replace it with mine',
   },
   newModel: {
     title: 'New model',

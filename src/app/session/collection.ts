@@ -1,5 +1,12 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { Keeper } from '../storage/index.js';
+import { type Merged, merged } from './merged.js';
+
+/** Another tab has saved a record a moment before this one, and the two do not agree: the pilot is to choose. */
+export interface Clash<T> extends Merged<T> {
+  /** What the storage holds. */
+  readonly theirs: T;
+}
 
 /** So long a deleted record can be put back, in milliseconds. */
 const UNDO_WAIT = 10_000;
@@ -34,6 +41,12 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   #loading: Promise<boolean> | null = null;
   /** What was changed here since the storage was asked, by key, null where it was deleted: one for each question. */
   readonly #since = new Set<Map<string, T | null>>();
+  /** What the storage held when it was heard last, and what it was asked to keep since then, by key. */
+  readonly #held = new Map<string, T>();
+  readonly #sent = new Map<string, readonly T[]>();
+  readonly #clashes = signal<readonly Clash<T>[]>([]);
+  /** Where the pilot has to say what is to be kept. The storage holds what another tab has saved. */
+  readonly clashes: ReadonlySignal<readonly Clash<T>[]> = this.#clashes;
 
   /** @param onChange called when the storage holds something else than before: for the other tabs. */
   constructor(keeper: Keeper<T>, inOrder: (a: T, b: T) => number, onChange: () => void) {
@@ -63,6 +76,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     const kept = await this.#keeper.all().catch(() => null);
     this.#since.delete(since);
     if (kept) {
+      this.#hear(kept);
       const mine = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
       const records = new Map<string, T>();
       for (const record of [...kept, ...mine]) records.set(record.key, record);
@@ -88,6 +102,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   async look(key: string): Promise<void> {
     const before = this.get(key);
     const now = await this.#keeper.load(key).catch(() => undefined);
+    if (now && !this.#unsaved.peek().has(key)) this.#held.set(key, now);
     // What was changed here meanwhile, or is not kept, is newer.
     if (now && this.get(key) === before && !this.#unsaved.peek().has(key)) this.#show([...this.#list.peek(), now]);
   }
@@ -100,21 +115,14 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     this.#note(records, false);
     for (const since of this.#since) for (const record of records) since.set(record.key, record);
     this.#show([...this.#list.peek(), ...records]);
-    const saved = await Promise.all(
-      records.map(async (record) =>
-        this.#keeper.save(record).then(
-          () => true,
-          () => false,
-        ),
-      ),
-    );
+    const saved = await Promise.all(records.map((record) => this.#put(record)));
     // What was changed again meanwhile has its own turn.
     const present = new Set(this.#list.peek());
     this.#note(
       records.filter((record, at) => saved[at] && present.has(record)),
       true,
     );
-    const refused = records.filter((_, at) => !saved[at]).map(({ key }) => key);
+    const refused = records.flatMap(({ key }, at) => (saved[at] || !this.#unsaved.peek().has(key) ? [] : [key]));
     if (refused.length > 0) this.#refused.value = new Set([...this.#refused.peek(), ...refused]);
     if (saved.includes(true)) this.#onChange();
     return saved.every(Boolean);
@@ -152,6 +160,58 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   async keepAgain(): Promise<void> {
     const waiting = this.#list.peek().filter(({ key }) => this.#unsaved.peek().has(key));
     if (waiting.length > 0) await this.save(...waiting);
+  }
+
+  /** What is not saved here was made of what was held before: that stays known, so that it is put onto the new. */
+  #hear(kept: readonly T[]): void {
+    const unsaved = this.#unsaved.peek();
+    for (const key of this.#held.keys()) if (!unsaved.has(key)) this.#held.delete(key);
+    for (const record of kept) if (!unsaved.has(record.key)) this.#held.set(record.key, record);
+  }
+
+  /** The pilot has chosen what is to be kept of the first record on which two tabs do not agree. */
+  async settle(choice: 'mine' | 'theirs'): Promise<void> {
+    const [clash, ...more] = this.#clashes.peek();
+    this.#clashes.value = more;
+    if (clash && choice === 'mine') await this.save({ ...clash.record, changedAt: Date.now() });
+  }
+
+  /** He has chosen elsewhere. */
+  settled(key: string): void {
+    this.#clashes.value = this.#clashes.peek().filter(({ record }) => record.key !== key);
+  }
+
+  /**
+   * Puts a record into the storage, onto what another tab may have put there a moment ago.
+   * @returns whether it is there: false also where the pilot has to choose.
+   */
+  async #put(record: T): Promise<boolean> {
+    const { key } = record;
+    const before = this.#held.get(key);
+    const sent = this.#sent.get(key) ?? [];
+    this.#sent.set(key, [...sent, record]);
+    const known = before ? [before, ...sent] : sent;
+    let held: T | null;
+    try {
+      held = await this.#keeper.exchange({ record, known });
+    } catch {
+      // It may still come there.
+      return false;
+    }
+    const later = this.#sent.get(key) ?? [];
+    this.#sent.set(key, later.slice(later.indexOf(record) + 1));
+    this.#held.set(key, held ?? record);
+    if (held === null) return true;
+    // What was changed again meanwhile meets the same.
+    if (this.#list.peek().find((each) => each.key === key) !== record) return false;
+    const both = merged(before, record, held);
+    if (both.disagreed.length === 0) return await this.save(both.record);
+    this.#note([record], true);
+    batch(() => {
+      this.#clashes.value = [...this.#clashes.peek(), { ...both, theirs: held }];
+      this.#show([...this.#list.peek(), held]);
+    });
+    return false;
   }
 
   /** In their order, each once, the last of one key. */

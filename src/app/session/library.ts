@@ -2,10 +2,16 @@ import { computed, type ReadonlySignal } from '@preact/signals';
 import type { Flight, Model, Setting } from '../../program/index.js';
 import type { TabChannel } from '../browser/other-tabs.js';
 import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
-import { Collection } from './collection.js';
+import { type Clash, Collection } from './collection.js';
 
 /** What the tabs say to each other when one of them has changed the library. */
 const CHANGED = 'library changed';
+
+/** A record on which two tabs do not agree, and in which list it is. */
+export type LibraryClash =
+  | ({ readonly kind: 'models' } & Clash<ModelRecord>)
+  | ({ readonly kind: 'settings' } & Clash<SettingRecord>)
+  | ({ readonly kind: 'flights' } & Clash<FlightRecord>);
 
 /** A new record's id: it never comes twice, on this device or another. */
 export function newId(): string {
@@ -26,6 +32,8 @@ export class Library {
   readonly flights: Collection<FlightRecord>;
   /** Whether all that was typed would be there after a reload. */
   readonly kept: ReadonlySignal<boolean>;
+  /** Another tab has saved something else in the same place a moment before: the pilot has to choose. */
+  readonly clash: ReadonlySignal<LibraryClash | null>;
   readonly #channel: TabChannel | null;
 
   /** @param channel between the tabs of this page, of the library alone; null where there is none. */
@@ -41,6 +49,14 @@ export class Library {
     this.kept = computed(() =>
       [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
     );
+    this.clash = computed(() => {
+      const [model] = this.models.clashes.value;
+      const [setting] = this.settings.clashes.value;
+      const [flight] = this.flights.clashes.value;
+      if (model) return { kind: 'models', ...model };
+      if (setting) return { kind: 'settings', ...setting };
+      return flight ? { kind: 'flights', ...flight } : null;
+    });
     this.#channel = channel;
     channel?.addEventListener('message', ({ data }) => {
       if (data === CHANGED) void this.refresh();

@@ -182,9 +182,17 @@ export class OpenSetting {
 
   async #keep(setting: Setting): Promise<boolean> {
     const { library, editor } = this.#session;
+    const before = editor.of.peek();
     const keeping = library.keepSetting(setting);
     editor.saved({ id: setting.id, saved: setting.program });
     await keeping;
+    const isClash = library.settings.clashes.peek().some(({ theirs }) => theirs.key === setting.id);
+    if (isClash && before) {
+      // It is as if the other tab had been a little quicker: see `Unsaved.elsewhere`.
+      editor.saved(before);
+      library.settings.settled(setting.id);
+      return false;
+    }
     return !library.settings.unsaved.peek().has(setting.id);
   }
 
@@ -195,6 +203,8 @@ export class OpenSetting {
     const held = of && library.settings.get(of.id)?.setting.program;
     const working = editor.working.peek();
     if (!of || !held || !working || editor.madeAt.peek() === null || isSame(of.saved, held)) return;
+    // The pilot is to be asked.
+    if (library.settings.clashes.peek().some(({ theirs }) => theirs.key === of.id)) return;
     if (
       !isOfOneShape(held.identity, working.identity) ||
       editor.unreadable.peek().size > 0 ||

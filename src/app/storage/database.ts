@@ -5,6 +5,7 @@ import { service } from '../browser/services.js';
 import { withPresentNames } from './former-names.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
+import { isSame } from './same.js';
 
 const STORES = ['drafts', 'unfinished', 'backups', 'ports', 'aside', 'models', 'settings', 'flights'] as const;
 
@@ -22,10 +23,21 @@ interface Schema extends DBSchema {
   flights: { key: string; value: unknown };
 }
 
+/** A record that is to be kept, and what the shelf may hold of it by now; nothing is always right. */
+export interface Exchange<T> {
+  readonly record: T;
+  readonly known: readonly T[];
+}
+
 /** What the models need of a shelf, so that a test can put another in its place. */
 export interface Keeper<T extends { readonly key: string }> {
   /** @param now the page is left: at once, ahead of whatever waits. */
   save(record: T, now?: boolean): Promise<void>;
+  /**
+   * Keeps a record in the place of one that is known here, at one stroke: what another tab has put there is not lost.
+   * @returns what the shelf holds instead of a known one, and still holds; null: the record is kept.
+   */
+  exchange(change: Exchange<T>): Promise<T | null>;
   remove(key: string): Promise<void>;
   /** Undefined when there is none; what is stored and cannot be read is set aside. */
   load(key: string): Promise<T | undefined>;
@@ -142,6 +154,38 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     // Not left to the page, which may be gone when the record has been put.
     writing.commit?.();
     await Promise.all([put, writing.done]);
+  }
+
+  async exchange({ record, known }: Exchange<T>): Promise<T | null> {
+    const opened = await this.#opened;
+    const changing = opened.transaction(this.#name, 'readwrite', { durability: this.#durability });
+    // Whoever waits for it is told by what follows.
+    changing.done.catch(() => {});
+    const left = new AbortController();
+    let saving: Promise<void> | null = null;
+    // The page may be gone before the storage has answered: what was typed goes first.
+    const leave = (): void => {
+      changing.abort();
+      saving = this.save(record, true);
+    };
+    addEventListener('pagehide', leave, left);
+    try {
+      const stored: unknown = await changing.store.get(record.key);
+      const held = v.safeParse(this.#schema, stored);
+      // What cannot be read was set aside when it was looked for.
+      if (held.success && ![record, ...known].some((each) => isSame(each, held.output))) return held.output;
+      left.abort();
+      const put = changing.store.put(record);
+      changing.commit?.();
+      await Promise.all([put, changing.done]);
+      return null;
+    } catch (cause) {
+      if (!saving) throw cause;
+      await saving;
+      return null;
+    } finally {
+      left.abort();
+    }
   }
 
   async remove(key: string): Promise<void> {

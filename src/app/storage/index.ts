@@ -19,7 +19,7 @@ import {
   unfinishedSchema,
 } from './records.js';
 
-export type { Keeper } from './database.js';
+export type { Exchange, Keeper } from './database.js';
 export { type StorageCall, StorageError, type StorageErrorCode, type StorageWatch, withinLimit } from './limit.js';
 export type {
   AsideRecord,
@@ -33,6 +33,8 @@ export type {
   UnfinishedRoundTrip,
   UnfinishedWrite,
 } from './records.js';
+
+export { isSame } from './same.js';
 
 /** All that is kept in the browser, so that it survives a reload, a crash and a flat battery. */
 export interface Storage {
@@ -50,10 +52,13 @@ export interface Storage {
 }
 
 /** The calls of a shelf, and what each does: to all of them the limits apply. */
-export const SHELF_CALLS = { save: 'change', remove: 'change', load: 'read', all: 'read' } as const satisfies Record<
-  keyof Keeper<never>,
-  'read' | 'change'
->;
+export const SHELF_CALLS = {
+  save: 'change',
+  exchange: 'change',
+  remove: 'change',
+  load: 'read',
+  all: 'read',
+} as const satisfies Record<keyof Keeper<never>, 'read' | 'change'>;
 /** The shelves, by their names in {@link Storage}. */
 export const SHELVES = [
   'drafts',
@@ -81,6 +86,7 @@ export function browserStorage(name?: string): Storage {
     ports: new Shelf(opened, 'ports', portSchema, 'relaxed', note),
     aside: {
       save: (record) => aside.save(record),
+      exchange: (change) => aside.exchange(change),
       remove: (key) => aside.remove(key),
       load: (key) => aside.load(key),
       all: async () => [...(await aside.all()), ...left.values()],
@@ -98,6 +104,7 @@ export function limited(storage: Storage, watch: StorageWatch): Storage {
     const questions = new StorageQuestions(watch, name);
     return {
       save: (record, now) => questions.ask(SHELF_CALLS.save, () => keeper.save(record, now), now),
+      exchange: (change) => questions.ask(SHELF_CALLS.exchange, () => keeper.exchange(change)),
       remove: (key) => questions.ask(SHELF_CALLS.remove, () => keeper.remove(key)),
       load: (key) => questions.ask(SHELF_CALLS.load, () => keeper.load(key)),
       all: () => questions.ask(SHELF_CALLS.all, () => keeper.all()),

@@ -8,7 +8,9 @@ import {
   type AsideRecord,
   type Backup,
   type Draft,
+  type Exchange,
   type FlightRecord,
+  isSame,
   type Keeper,
   type ModelRecord,
   type PortRecord,
@@ -34,6 +36,14 @@ class MemoryShelf<T extends { readonly key: string }> implements Keeper<T> {
   async save(record: T): Promise<void> {
     this.#store.touch();
     this.records.set(record.key, structuredClone(record));
+  }
+
+  async exchange({ record, known }: Exchange<T>): Promise<T | null> {
+    this.#store.touch();
+    const held = this.records.get(record.key);
+    if (held && ![record, ...known].some((each) => isSame(each, held))) return structuredClone(held);
+    await this.save(record);
+    return null;
   }
 
   async remove(key: string): Promise<void> {

@@ -5,7 +5,7 @@ import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js'
 import { asTags } from '../../../src/app/library/tags.js';
 import { Library } from '../../../src/app/session/library.js';
 import { addressAt } from '../../../src/app/shell/views.js';
-import { LIMITS } from '../../../src/program/index.js';
+import { type Flight, LIMITS, type Model, type Setting } from '../../../src/program/index.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { type Counts, manyRecords } from './many.js';
 
@@ -203,6 +203,93 @@ it('has an address for every place', () => {
     null,
     null,
   ]);
+});
+
+describe('two tabs that save one thing within moments, before they hear of each other', () => {
+  /** Both have read what is kept; neither is told what the other does. */
+  async function twoTabs(): Promise<readonly [Library, Library, MemoryStore]> {
+    const store = stored({ models: 1, settings: 1, flights: 1 });
+    const tabs = [new Library(store), new Library(store)] as const;
+    await Promise.all(tabs.flatMap((tab) => [tab.load(), tab.flights.load()]));
+    return [...tabs, store];
+  }
+  const settingIn = (tab: Library) => tab.settings.list.value[0]?.setting as Setting;
+  const keptSetting = (store: MemoryStore) => [...store.settings.records.values()][0]?.setting;
+
+  it('keep the changes of both where these do not meet', async () => {
+    const [one, other, store] = await twoTabs();
+    const { note } = settingIn(one);
+    const program = { ...settingIn(one).program, idleThrottle: 77 };
+    await Promise.all([
+      one.keepSetting({ ...settingIn(one), name: 'by the one', program, at: 5, from: 'timer' }),
+      other.keepSetting({ ...settingIn(other), tags: ['by the other'] }),
+      one.arrange(one.models, []),
+    ]);
+    const both = { name: 'by the one', tags: ['by the other'], note, program, at: 5, from: 'timer' };
+    expect(keptSetting(store)).toMatchObject(both);
+    expect(settingIn(other)).toMatchObject(both);
+    expect([one.clash.value, other.clash.value, other.kept.value]).toEqual([null, null, true]);
+  });
+
+  it.each(['mine', 'theirs'] as const)('ask where they do not agree, and keep what is chosen: %s', async (choice) => {
+    const [one, other, store] = await twoTabs();
+    const all = await Promise.all([
+      one.keepSetting({ ...settingIn(one), note: 'of the one', tags: [] }),
+      other.keepSetting({ ...settingIn(other), note: 'of the other', name: 'another' }),
+    ]);
+    expect(all).toHaveLength(2);
+    expect(keptSetting(store)?.note, 'nothing is overwritten unasked').toBe('of the one');
+    expect(other.clash.value).toMatchObject({ kind: 'settings', disagreed: ['note'] });
+    expect([settingIn(other).note, one.clash.value]).toEqual(['of the one', null]);
+    await other.settings.settle(choice);
+    expect(other.clash.value).toBeNull();
+    expect(keptSetting(store)).toMatchObject(
+      choice === 'mine' ? { note: 'of the other', name: 'another', tags: [] } : { note: 'of the one', tags: [] },
+    );
+    expect(settingIn(other)).toEqual(keptSetting(store));
+  });
+
+  it('lose nothing of several changes that follow each other', async () => {
+    const [one, other, store] = await twoTabs();
+    const theirs = one.keepSetting({ ...settingIn(one), note: 'of the one' });
+    const first = other.keepSetting({ ...settingIn(other), name: 'first' });
+    const then = other.keepSetting({ ...settingIn(other), tags: ['then'] });
+    await Promise.all([theirs, first, then]);
+    expect(keptSetting(store)).toMatchObject({ note: 'of the one', name: 'first', tags: ['then'] });
+    await other.keepSetting({ ...settingIn(other), note: 'later' });
+    expect([keptSetting(store)?.note, other.clash.value]).toEqual(['later', null]);
+  });
+
+  it('also a model and a flight; what was deleted in one and changed in the other is there', async () => {
+    const [one, other, store] = await twoTabs();
+    const modelOf = (tab: Library) => tab.models.list.value[0]?.model as Model;
+    const flightOf = (tab: Library) => tab.flights.list.value[0]?.flight as Flight;
+    await one.keepModel({ ...modelOf(one), note: 'one' });
+    await other.keepModel({ ...modelOf(other), note: 'other' });
+    await one.keepFlight({ ...flightOf(one), wind: 1 });
+    await other.keepFlight({ ...flightOf(other), result: 99 });
+    expect(other.clash.value).toMatchObject({ kind: 'models', disagreed: ['note'] });
+    expect([...store.flights.records.values()][0]?.flight).toMatchObject({ wind: 1, result: 99 });
+    one.settings.remove(settingIn(one).id);
+    one.flush();
+    await other.keepSetting({ ...settingIn(other), note: 'still wanted' });
+    expect(keptSetting(store)?.note).toBe('still wanted');
+  });
+
+  it('also where the one was not kept at first', async () => {
+    const [one, other, store] = await twoTabs();
+    store.broken = true;
+    await other.keepSetting({ ...settingIn(other), note: 'while it was full' });
+    store.broken = false;
+    await one.keepSetting({ ...settingIn(one), note: 'of the one' });
+    await other.refresh();
+    await other.keepAgain();
+    expect(keptSetting(store)?.note).toBe('of the one');
+    expect(other.clash.value).toMatchObject({
+      disagreed: ['note'],
+      record: { setting: { note: 'while it was full' } },
+    });
+  });
 });
 
 it('takes tags as they are typed, each once, and no more than are kept', () => {

@@ -174,6 +174,27 @@ describe('what another tab saves of the setting that is open here', () => {
     await run(bench.saveSetting.replace());
     expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
   });
+
+  it('is asked about, too, where it was saved a moment before, and nobody has heard of it', async () => {
+    const bench = await opened(settingOf('calm'));
+    type(bench, S2, '70');
+    const times = USUAL.times.map((time, slot) => (slot === 10 ? 6000 : time));
+    const look = bench.store.settings.load.bind(bench.store.settings);
+    bench.store.settings.load = async (key) => {
+      const found = await look(key);
+      // The other tab is that much quicker.
+      keepIn(bench.store, settingOf('calm', { ...USUAL, times }));
+      return structuredClone(found);
+    };
+    await run(bench.saveSetting.save());
+    expect([bench.saveSetting.current.value?.step, dtOf(bench, 'calm')]).toEqual(['elsewhere', 6000]);
+    expect([bench.editor.textOf(DT), bench.editor.textOf(S2)], 'what was typed is there').toEqual(['3:00', '70']);
+    expect(bench.session.opened.unsaved.value).toEqual({ changes: 2, unreadable: 0, elsewhere: true });
+    expect(bench.session.library.clash.value, 'and is asked about once').toBeNull();
+    await run(bench.saveSetting.replace());
+    expect([dtOf(bench, 'calm'), bench.session.opened.unsaved.value?.elsewhere]).toEqual([18000, false]);
+    expect(bench.saveSetting.current.value).toBeNull();
+  });
 });
 
 describe('a setting with a timer', () => {

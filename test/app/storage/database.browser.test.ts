@@ -5,13 +5,13 @@ import { browserStorage, StorageError } from '../../../src/app/storage/index.js'
 import { backupSchema, portSchema, unfinishedSchema } from '../../../src/app/storage/records.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
-describe('the storage of the browser', () => {
-  function name(): string {
-    const own = `test ${Math.random()}`;
-    onTestFinished(() => void indexedDB.deleteDatabase(own));
-    return own;
-  }
+function name(): string {
+  const own = `test ${Math.random()}`;
+  onTestFinished(() => void indexedDB.deleteDatabase(own));
+  return own;
+}
 
+describe('the storage of the browser', () => {
   const PORT = {
     key: 'usb 0403:6001',
     usedAt: 5,
@@ -217,4 +217,51 @@ describe('what each older version has stored', () => {
       ]);
     },
   );
+});
+
+describe('an exchange', () => {
+  const first = { key: MODEL.id, model: MODEL, order: 1, changedAt: 5, verified: [] };
+  const named = (text: string) => ({ ...first, model: { ...MODEL, name: text } });
+
+  it('of two tabs at once puts the one, and tells the other what is there', async () => {
+    const own = name();
+    const tabs = [browserStorage(own).models, browserStorage(own).models] as const;
+    expect(await tabs[0].exchange({ record: first, known: [] })).toBeNull();
+    for (let round = 0; round < 20; round++) {
+      const [held] = await tabs[0].all();
+      const known = held ? [held] : [];
+      const [mine, theirs] = [named(`one ${round}`), named(`other ${round}`)];
+      const said = await Promise.all([
+        tabs[0].exchange({ record: mine, known }),
+        tabs[1].exchange({ record: theirs, known }),
+      ]);
+      expect(said.filter((each) => each === null)).toHaveLength(1);
+      const put = said[0] === null ? mine : theirs;
+      expect(said.find((each) => each !== null)).toEqual(put);
+      expect(await tabs[0].all()).toEqual([put]);
+    }
+  });
+
+  it('takes what is known, whatever order its fields have, and what was deleted', async () => {
+    const { models } = browserStorage(name());
+    await models.save(first);
+    const { order, ...rest } = first;
+    expect(await models.exchange({ record: named('b'), known: [{ ...rest, order }] })).toBeNull();
+    expect(await models.exchange({ record: named('b'), known: [] }), 'it is there').toBeNull();
+    await models.remove(first.key);
+    expect(await models.exchange({ record: named('c'), known: [named('b')] })).toBeNull();
+    expect(await models.exchange({ record: named('d'), known: [named('b')] })).toEqual(named('c'));
+  });
+
+  it('is done at once, whatever is there, when the page is left', async () => {
+    const own = name();
+    const { models } = browserStorage(own);
+    await models.save(first);
+    const late = models.exchange({ record: named('typed last'), known: [] });
+    late.catch(() => {});
+    // The storage is open: the question is on its way.
+    await Promise.resolve();
+    dispatchEvent(new PageTransitionEvent('pagehide'));
+    await expect.poll(async () => (await browserStorage(own).models.all())[0]?.model.name).toBe('typed last');
+  });
 });

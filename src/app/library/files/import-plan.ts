@@ -7,7 +7,7 @@ import {
   type Setting,
 } from '../../../program/index.js';
 import { programKey } from '../../session/record-keys.js';
-import type { FlightRecord, ModelRecord, SettingRecord } from '../../storage/index.js';
+import { type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 
 /** The records of a library, or of a part of it. */
 export interface Records {
@@ -161,19 +161,6 @@ export function countOf(entries: readonly { readonly kind: Kind }[]): EntryCount
 
 function isOf<K extends Kind>(entry: Entry, kind: K): entry is Entry<K> {
   return entry.kind === kind;
-}
-
-/** Whether two values say the same, in whatever order their fields stand. */
-export function isSame(one: unknown, other: unknown): boolean {
-  return ordered(one) === ordered(other);
-}
-
-function ordered(value: unknown): string {
-  return JSON.stringify(value, (_, part: unknown) =>
-    typeof part === 'object' && part !== null && !Array.isArray(part)
-      ? Object.fromEntries(Object.entries(part).sort(([a], [b]) => (a < b ? -1 : 1)))
-      : part,
-  );
 }
 
 function byKey<T extends { readonly key: string }>(records: readonly T[]): ReadonlyMap<string, T> {

@@ -1,7 +1,8 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 import { parseLibraryFile } from '../../../program/index.js';
 import { CodecError } from '../../../protocol/index.js';
-import { type EntryCounts, type Group, groupsOf, isSame, type Records } from './import-plan.js';
+import { isSame } from '../../storage/index.js';
+import { type EntryCounts, type Group, groupsOf, type Records } from './import-plan.js';
 
 /** What a file is found to hold. */
 interface Found {
