@@ -1,8 +1,10 @@
+import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 
-test('after one visit a whole day on the field needs no network: connect, edit, write, library, print, help', async () => {
-  const app = await AppPage.open();
+test('after one visit a whole day on the field needs no network, from the connection to the library of a friend', async () => {
+  const before = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
+  const app = await AppPage.open({ before, acceptDownloads: true });
   const { page } = app;
   await app.text('Ready offline').waitFor();
   await page.context().setOffline(true);
@@ -16,10 +18,52 @@ test('after one visit a whole day on the field needs no network: connect, edit, 
   await app.result('Verified.');
   await app.close();
 
+  await app.button('Save to library…').click();
+  await app.field('Name of the setting').fill('windy');
+  await app.field('Name of the model').fill('Lancer 07');
+  await app.button('Save').click();
+  await page.getByRole('dialog').waitFor({ state: 'hidden' });
+  await app.type('Function 4, S2', '77');
   await app.goTo('Library');
-  await page.getByRole('heading', { level: 1 }).waitFor();
-  await page.evaluate(() => location.assign('#print'));
+  await page.getByRole('link', { name: /^Lancer 07/ }).click();
+  await page.getByRole('link', { name: /^windy/ }).click();
+  const setting = page.getByRole('article', { name: 'windy' });
+
+  await setting.getByRole('button', { name: 'Compare…' }).click();
+  await app.text('1 value differs.').waitFor();
+  await page.goBack();
+
+  await setting.getByRole('button', { name: 'Share…' }).click();
+  await page.getByRole('img', { name: 'QR code of “windy”' }).waitFor();
+  const link = app.field('Link');
+  await expect.poll(() => link.inputValue()).toMatch(/#s=[\w-]{100,}$/);
+  const hash = new URL(await link.inputValue()).hash;
+  await app.button('Close').click();
+
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    setting.getByRole('button', { name: 'Export…' }).click(),
+  ]);
+  const file = await readFile(await download.path(), 'utf8');
+
+  await setting.getByRole('button', { name: 'Print…' }).click();
   await page.getByRole('button', { name: /^Print \d+ page/ }).waitFor();
+  await page.getByRole('region', { name: 'Preview' }).getByText('windy').first().waitFor();
+
+  // What a friend sends: the same setting, changed by him, as a file and as a link.
+  await page.evaluate(() => location.assign('#library'));
+  await page.locator('input[type=file][accept*=".sidus"]').setInputFiles({
+    name: 'friend.sidus.json',
+    mimeType: 'application/json',
+    buffer: Buffer.from(file.replaceAll('"windy"', '"windy, by a friend"')),
+  });
+  await page.getByRole('heading', { name: 'Import friend.sidus.json' }).waitFor();
+  await page.getByRole('dialog').getByText('Keep both', { exact: true }).first().click();
+  await app.button(/^Import \d+$/).click();
+  await app.text(/^Imported from friend\.sidus\.json: /).waitFor();
+  await page.evaluate((to) => location.assign(to), hash);
+  await page.getByRole('dialog', { name: 'A setting came by link' }).getByText('windy', { exact: true }).waitFor();
+  await app.button('Do not keep').click();
 
   await page.evaluate(() => location.assign('#help/checklist'));
   await app.text(/^M1 flies next, DT 4:00 min, read /).waitFor();
