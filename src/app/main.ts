@@ -26,10 +26,15 @@ const root = document.getElementById('app') as HTMLElement;
 const theme = new Theme();
 tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
 // Inside of another page, or at the address of another view, it is not what comes.
-if (window.top !== window.self || !['', '#program'].includes(location.hash)) root.replaceChildren();
+const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
+if (!isStart) root.replaceChildren();
 root.hidden = false;
 const doEarlyClick = earlyClicks(root);
-afterPaint(async () => {
+// Without a first picture there is none to wait for.
+if (isStart) afterPaint(open);
+else void open();
+
+async function open(): Promise<void> {
   try {
     const { openPage } = await import('./open-page.js');
     await nextTask();
@@ -39,7 +44,7 @@ afterPaint(async () => {
     sayFailed();
     throw error;
   }
-});
+}
 
 /** Where the page has no words yet, nor anything else. */
 function sayFailed(): void {

@@ -47,6 +47,8 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
   installation.follow(window);
   const lead = tried(() => shortcutOf(window)) ?? (() => {});
   tried(() => views.follow(window));
+  // Thousands of settings are read while the view that shows them is fetched.
+  if (views.shown.value === 'library') void session.library.load();
   tried(() => sharing.follow(window, () => views.address));
   tried(() => density.follow(document, media(TABLET)));
   render(<App models={models} />, root);

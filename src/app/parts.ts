@@ -18,8 +18,14 @@ export const help = onDemand(async () => (await import('./shell/help-view.js')).
 export const firstSteps = onDemand(async () => (await import('./help/first-steps-card.js')).FirstStepsCard, {
   silent: true,
 });
-export const fileNotice = onDemand(async () => (await fetchFiles()).LibraryFileNotice, { silent: true });
-export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, { silent: true });
+export const fileNotice = onDemand(async () => (await fetchFiles()).LibraryFileNotice, {
+  silent: true,
+  later: true,
+});
+export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, {
+  silent: true,
+  later: true,
+});
 
 /** What the simulated timers are made of. */
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
@@ -31,10 +37,11 @@ export const fetchFiles = () => import('./library-files.js');
 const fetchCodeReader = () => import('qr/decode.js');
 
 /**
- * Fetches all of them, the program first: a page whose version was replaced by another tab finds them nowhere any more.
+ * Fetches all of them: a page whose version was replaced by another tab finds them nowhere any more. The view that is
+ * on the screen comes first, and gets all of the wire; then the program.
  */
 export async function fetchParts(): Promise<void> {
-  for (const part of [
+  const parts = [
     program,
     dialogs,
     figures,
@@ -51,8 +58,9 @@ export async function fetchParts(): Promise<void> {
     firstSteps,
     compare,
     licenceList,
-  ])
-    await part.fetch();
+  ];
+  await Promise.all(parts.filter(({ isAskedFor }) => isAskedFor).map((part) => part.fetch()));
+  for (const part of parts) await part.fetch();
   // It is asked for again when it is wanted, and says then what is wrong.
   await Promise.all([fetchSimulated(), fetchRule(), fetchCodeReader()]).catch(() => {});
 }

@@ -1,12 +1,14 @@
 import { signal } from '@preact/signals';
 import type { ComponentType, FunctionComponent } from 'preact';
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import { messages } from '../messages/index.js';
 
 /** A part of the page that is fetched after the page was drawn first. */
 export interface OnDemand<Props> {
   /** Draws it, or says that it comes. */
   readonly Part: FunctionComponent<Props>;
+  /** Whether it was asked for: it comes, or is here. */
+  readonly isAskedFor: boolean;
   /** Fetches it; asked again it fetches nothing twice. */
   fetch(): Promise<void>;
 }
@@ -14,11 +16,12 @@ export interface OnDemand<Props> {
 /**
  * A part of the page that is not needed for the first picture.
  * @param load imports it.
- * @param options with `silent` nothing stands in its place while it is not here, as for a dialog that is shut.
+ * @param options with `silent` nothing stands in its place while it is not here, as for a dialog that is shut; with
+ * `later` drawing it does not fetch it: what is seen comes first.
  */
 export function onDemand<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
-  { silent = false }: { readonly silent?: boolean } = {},
+  { silent = false, later = false }: { readonly silent?: boolean; readonly later?: boolean } = {},
 ): OnDemand<Props> {
   const loaded = signal<{ readonly Component: ComponentType<Props> } | null>(null);
   const failed = signal(false);
@@ -39,7 +42,8 @@ export function onDemand<Props extends object>(
   };
   const Part: FunctionComponent<Props> = (props) => {
     const here = loaded.value;
-    useEffect(() => void (here || fetch()), [here]);
+    // At once: an effect would wait for a picture that does not show it.
+    useLayoutEffect(() => void (here || later || fetch()), [here]);
     if (here) return <here.Component {...props} />;
     if (silent) return null;
     const { parts } = messages.value;
@@ -54,5 +58,11 @@ export function onDemand<Props extends object>(
       </div>
     );
   };
-  return { Part, fetch };
+  return {
+    Part,
+    fetch,
+    get isAskedFor() {
+      return coming !== null;
+    },
+  };
 }

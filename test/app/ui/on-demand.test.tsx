@@ -35,3 +35,19 @@ it('leaves nothing in its place where it is a dialog', () => {
   const { container } = render(<Part text="here" />);
   expect(container.innerHTML).toBe('');
 });
+
+it('that can wait is not fetched because it is drawn, but when its turn comes', async () => {
+  const dialogs = onDemand(async () => Text, { silent: true, later: true });
+  const view = onDemand(async () => Text);
+  const { container } = render(
+    <>
+      <dialogs.Part text="a dialog" />
+      <view.Part text="the view" />
+    </>,
+  );
+  expect([dialogs.isAskedFor, view.isAskedFor]).toEqual([false, true]);
+  await screen.findByText('the view');
+  expect(container.textContent).toBe('the view');
+  await dialogs.fetch();
+  await screen.findByText('a dialog');
+});
