@@ -7,7 +7,7 @@ import { root } from './tools/pack.js';
 import { breaches } from './tools/page-order.js';
 import { inDocs } from './tools/picture-states.js';
 import { draw, importsBetween, levels, pictures } from './tools/rooms.js';
-import { flaws, flawsOfPage, strayClasses } from './tools/styles.js';
+import { dearSelectors, flaws, flawsOfPage, strayClasses } from './tools/styles.js';
 
 const texts = [
   ...['README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'SECURITY.md', 'test/rig/README.md'],
@@ -222,6 +222,13 @@ describe('the styles of the page', () => {
   it('take what is in the tokens', () => {
     const text = '.a {\n  padding: 0 var(--space-2);\n  font-size: var(--type-small);\n  color: var(--ink);\n}\n';
     expect(flaws('line/a.css', text)).toEqual([]);
+  });
+
+  it('do not look through the whole table for a part of it', () => {
+    const text =
+      '.a:has(> :not(.b)):focus input {\n  top: 0;\n}\n\n.d :has(svg):hover,\nth:has([open]) {\n  top: 0;\n}\n';
+    const found = ['program/a.css: .a:has(> :not(.b)):focus input: styles more than what a key changes'];
+    expect([dearSelectors('program/a.css', text), dearSelectors('print/a.css', text)]).toEqual([found, []]);
   });
 
   it('give a class one home', () => {

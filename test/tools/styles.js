@@ -53,11 +53,32 @@ export function strayClasses(texts) {
   );
 }
 
+/** What stands in these changes at each key. */
+const AT_EACH_KEY = /^(?:program|timeline)\//;
+const LOOKS_DOWN = /:has\((?:[^()]|\([^()]*\))*\)[^\s>+~]*[\s>+~]+\S/;
+
+/**
+ * The selectors that look with `:has()` through what they then style a part of: whenever anything comes or goes in it,
+ * as an old value beside a new one, all of that part is styled anew. One that styles what it has looked at is cheap.
+ * @param {string} file
+ * @param {string} text
+ * @returns {string[]} a sentence for each
+ */
+export function dearSelectors(file, text) {
+  if (!AT_EACH_KEY.test(file)) return [];
+  return selectorsOf(text)
+    .filter((selector) => LOOKS_DOWN.test(selector.trim()))
+    .map((selector) => `${file}: ${selector.trim()}: styles more than what a key changes`);
+}
+
 /** All files of styles, with what is wrong in them. */
 export function flawsOfPage() {
   const files = readdirSync(page, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.css'));
   const texts = new Map(files.sort().map((file) => [file, readFileSync(new URL(file, page), 'utf8')]));
-  return [...[...texts].flatMap(([file, text]) => flaws(file, text)), ...strayClasses(texts)];
+  return [
+    ...[...texts].flatMap(([file, text]) => [...flaws(file, text), ...dearSelectors(file, text)]),
+    ...strayClasses(texts),
+  ];
 }
 
 /** @param {string} text @returns {[property: string, value: string][]} */
