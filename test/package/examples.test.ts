@@ -152,3 +152,76 @@ describe('the tests of a page that uses Web Serial', () => {
     expect(JSON.parse(said)).toMatchObject({ numTotalTests: 4, numPassedTests: 4 });
   });
 });
+
+/** Plugs a virtual timer into a mock port, pulls the cable and puts it back; prints what the example shows. */
+const LINKED = `import { MockSerial } from 'sidus-timer/mock-serial';
+import { VirtualTimer } from 'sidus-timer/simulator';
+import { watch } from './watch.js';
+
+const serial = new MockSerial({ userActivation: true });
+const heard = [];
+let told = () => {};
+const link = watch(serial, (line) => {
+  heard.push(line);
+  console.log(line);
+  told();
+});
+const until = async (line) => {
+  while (!heard.includes(line)) await new Promise((resolve) => (told = resolve));
+  heard.length = 0;
+};
+await link.choose();
+const port = serial.plug({ usbVendorId: 0x0403, usbProductId: 0x6001 });
+const timer = new VirtualTimer({ identity: { timerClass: 'Q' } });
+const pipe = async () => {
+  const answers = timer.readable.getReader();
+  for (let next = answers.read(); ; next = answers.read()) void port.device.write((await next).value).catch(() => {});
+};
+const asked = async () => {
+  const writer = timer.writable.getWriter();
+  for (;;) await writer.write(await port.device.read());
+};
+void pipe();
+void asked();
+serial.choose(port);
+void link.choose();
+await until('M1: DT 180.00 s');
+serial.unplug(port);
+await until('Unplugged: plug it in again');
+serial.replug(port);
+await until('M1: DT 180.00 s');
+await link.stop();
+process.exit();
+`;
+
+describe('the example of a link that lasts', () => {
+  it('compiles, says why nothing was chosen, reads, and comes back after the cable was pulled', async () => {
+    const consumer = await Consumer.create();
+    copyFileSync(join(root, 'examples/link/watch.js'), join(consumer.folder, 'watch.js'));
+    expect(consumer.compile({ allowJs: true, checkJs: true })).toBe('');
+    consumer.write('linked.js', LINKED);
+    const { code, said, complained } = consumer.tell(process.execPath, 'linked.js');
+    expect([code, complained]).toEqual([0, '']);
+    // On a slow machine the timer may be asked again in between.
+    const lines = said.trim().split('\n');
+    const wanted = [
+      'Choose the adapter',
+      'Not connected: nothing-chosen',
+      'Choose the adapter',
+      'Opening the port',
+      'Asking at 9600 bits a second',
+      'Class Q, firmware 536',
+      'M1: DT 180.00 s',
+      'Unplugged: plug it in again',
+      'Opening the port',
+      'Asking at 9600 bits a second',
+      'Class Q, firmware 536',
+      'M1: DT 180.00 s',
+      'Closing the port',
+      'Not connected',
+    ];
+    const inOrder = lines.reduce((found, line) => (line === wanted[found] ? found + 1 : found), 0);
+    expect(wanted.slice(inOrder), said).toEqual([]);
+    expect(lines.at(-1)).toBe('Not connected');
+  });
+});
