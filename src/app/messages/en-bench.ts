@@ -30,8 +30,9 @@ export const bench = {
   bring: (slot: string) => `Move the servos to ${slot}`,
   follow: 'Servos follow the positions',
   followHint:
-    'First the timer is read and backed up. Then each position that you change where the servos stand is stored in the timer at once, and its servo moves.',
-  followingNow: 'Following: a position that you change where the servos stand is stored in the timer at once.',
+    'First the timer is read and backed up. Then each position that you change is stored in the timer at once and its servo moves, as long as the servos stand at that function.',
+  followingNow:
+    'Following: a position of the function where the servos stand is stored in the timer as soon as you change it.',
   starting: 'Reading the timer and keeping a backup.',
   unkept: 'This device could not keep a backup. Without one you cannot bring back later what the timer holds now.',
   followUnkept: 'Follow without a backup',

@@ -15,13 +15,13 @@ export const compare = {
   setting: (model: string | null, name: string) => (model === null ? name : `${model} · ${name}`),
   backup: (memory: string, when: string, model: string | null) =>
     model === null ? `${memory} · ${when}` : `${model} · ${memory} · ${when}`,
-  nothing: 'There is nothing to compare with: nothing else of this class and layout is on this device.',
+  nothing: 'There is nothing to compare with: this device has no other program of this class and layout.',
   picture: (first: string, second: string) => `Timeline of ${first} and ${second}`,
   /** A button beside a value of the other one. */
   take: 'Take',
   /** The same for who does not see the row. */
   takeOf: (field: string, value: string) => `Take ${value} for ${field}`,
-  takeHint: 'Take puts a value of the other one into the program on the screen. Undo takes it back.',
+  takeHint: 'Take copies a value of the other program into the one on the screen. Undo takes it back.',
   following: 'Values cannot be taken while the servos follow.',
   openFirst: (name: string) => `Open ${name} to take values into it`,
 };
@@ -29,8 +29,8 @@ export const compare = {
 /** The backups of a model, on its page. */
 export const modelBackups = {
   title: 'Backups',
-  empty: 'Before each write into the timer of this model, what it holds is kept here.',
-  hint: 'All of today stay, then one of each day for a month, then one of each month.',
+  empty: 'What the timer of this model holds is kept here before each write.',
+  hint: 'All backups of today are kept, then one for each day of a month, then one for each month.',
   same: 'as the timer holds it now',
   differs: (count: number) => `${plural(count, 'value differs', 'values differ')} from what it holds now`,
   sameThen: (when: string) => `as the timer held it ${when}`,

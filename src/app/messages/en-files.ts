@@ -67,7 +67,7 @@ export const files = {
     take: (count: number) => `Import ${count}`,
     cancel: 'Cancel',
     close: 'Close',
-    shut: 'This browser does not give out the library just now. An import could put older settings over newer ones.',
+    shut: 'This browser does not give the library back just now. An import could replace newer settings with older ones.',
     importing: (name: string, done: number, of: number) => `Importing ${name}: ${done} of ${of}`,
     done: (what: string, name: string) => `Imported from ${name}: ${what}.`,
     unkept: 'This browser has not kept all of it: what is on the screen lasts until the page is closed.',
@@ -114,7 +114,7 @@ export const files = {
     text: (changes: number, days: number) =>
       `${plural(changes, 'change', 'changes')} since the last export, ${days} days ago. Models and settings are on this device alone.`,
     never: (entries: number) =>
-      `${plural(entries, 'entry', 'entries')} of your library ${entries === 1 ? 'is' : 'are'} on this device alone. A file brings them back when it is lost.`,
+      `${plural(entries, 'entry', 'entries')} of your library ${entries === 1 ? 'is' : 'are'} on this device alone. If the device is lost, only a file brings them back.`,
     later: 'Not now',
   },
 };

@@ -111,7 +111,7 @@ export const checklist = {
     battery: { text: 'The battery is charged, and its plug is in all the way.', why: 'Without the timer no DT comes.' },
     dtSeen: {
       text: 'I have seen DT move.',
-      why: 'On the bench of this page, or with the timer run to its end, propeller off.',
+      why: 'In the Bench view, or with the timer run to its end, propeller off.',
     },
     radioDt: { text: 'The radio DT was tried, if there is one.', why: 'This page cannot send it.' },
     switch: {
@@ -221,11 +221,11 @@ export const energy = {
     ceiling: (most: number) => `the most for any model: ${most} J`,
   },
   runBy: {
-    energy: 'then the energy is used',
+    energy: 'then the energy is used up',
     time: (longest: number) => `the longest run: ${longest} s`,
   },
   onScreen: (run: string, joules: number) => `The program on the screen stops the motor at ${run}: ${joules} J.`,
-  within: 'That is within it.',
+  within: 'That is within the limit.',
   beyond: 'That is more than is allowed.',
   told: (year: number) =>
     `These figures are the rules of F1Q as pilots told them around ${year}. Rules change: check the current Sporting Code of the FAI before a contest.`,

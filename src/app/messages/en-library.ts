@@ -138,7 +138,7 @@ export const library = {
     unsaved: (count: number) => `${plural(count, 'change', 'changes')} on the screen not saved`,
     obstacles: {
       busy: 'Wait until the timer is free.',
-      following: 'The servos follow what is edited: end that first.',
+      following: 'The servos follow what you edit. Stop that first.',
       'other-class': 'The timer that is connected is of another class. Disconnect it to open this setting.',
       'other-layout':
         'The timer that is connected has another number of functions or servos. Disconnect it to open this setting.',
@@ -202,7 +202,7 @@ export const library = {
   unkept: {
     mark: 'not kept by this browser',
   },
-  nameNeeded: 'A name is needed: the one before is kept.',
+  nameNeeded: 'A name is needed. The old name stays.',
   /** Somebody else has changed the same text. */
   theirs: (text: string) => `Another tab has saved here meanwhile: “${text}”. Yours is kept.`,
   takeTheirs: 'Take that',

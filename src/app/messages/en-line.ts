@@ -1,7 +1,6 @@
 import type { LineErrorKind } from '../../client/index.js';
 import type { CodecErrorCode, Command, CommandName, RejectionReason } from '../../protocol/index.js';
-
-const count = (number: number, one: string, many: string): string => `${number} ${number === 1 ? one : many}`;
+import { plural } from './plural.js';
 
 const names: Record<CommandName, string> = {
   GETTIMERS: 'Read times',
@@ -130,7 +129,7 @@ export const line = {
   reserved: (time: string) => `reserved ${time}`,
   functions: (times: readonly string[]) => `functions ${times.join(' ')}`,
   identity: (name: string, firmware: string, functions: number, memories: number, servos: number) =>
-    `${name}, firmware ${firmware}, ${count(functions, 'function', 'functions')}, ${count(memories, 'memory', 'memories')}, ${count(servos, 'servo', 'servos')}`,
+    `${name}, firmware ${firmware}, ${plural(functions, 'function', 'functions')}, ${plural(memories, 'memory', 'memories')}, ${plural(servos, 'servo', 'servos')}`,
   memoryUnsaid: 'It does not say which.',
   idleThrottle: (value: number) => `${value}, unit unknown`,
   idleThrottleUnsaid: 'It gives no value.',
@@ -139,7 +138,7 @@ export const line = {
 
   pause: 'Pause',
   goOn: 'Go on',
-  came: (number: number) => `Paused. ${count(number, 'entry', 'entries')} since.`,
+  came: (number: number) => `Paused. ${plural(number, 'entry', 'entries')} since.`,
   clear: 'Clear',
   copy: 'Copy',
   copied: 'Copied.',
@@ -158,16 +157,16 @@ export const line = {
       `${out} to the timer`,
       `${incoming} from the timer`,
       `${damaged} damaged`,
-      count(errors, 'line error', 'line errors'),
+      plural(errors, 'line error', 'line errors'),
     ].join(', '),
   more: (shown: number, all: number) => `The newest ${shown} of ${all} are shown.`,
   older: 'Show older',
 
-  recording: (name: string, entries: number) => `${name}: a recording of ${count(entries, 'entry', 'entries')}.`,
+  recording: (name: string, entries: number) => `${name}: a recording of ${plural(entries, 'entry', 'entries')}.`,
   recordingLead: 'You are looking at a file, not at the line.',
   replay: 'Replay it as a timer',
   replayHint: 'A simulated timer then answers as this one did.',
-  cannotReplay: 'It cannot be replayed: in it, the timer never says what it is.',
+  cannotReplay: 'It cannot be replayed: the timer never says what it is.',
   back: 'Back to the live line',
   recordingFaults,
 
@@ -211,5 +210,5 @@ export const report = {
   unasked: (strays: number, delay: number | null) =>
     `Unasked frames: ${strays}; latest reply: ${delay === null ? 'in time' : `after ${Math.round(delay)} ms`}`,
   line: (counts: string, repeats: number | null) =>
-    `Line: ${counts}${repeats === null ? '' : `, ${count(repeats, 'repeat', 'repeats')}`}`,
+    `Line: ${counts}${repeats === null ? '' : `, ${plural(repeats, 'repeat', 'repeats')}`}`,
 };

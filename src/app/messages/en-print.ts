@@ -43,7 +43,6 @@ export const print = {
   shortDt: 'Short DT',
   after: 'After',
   positions: 'Times in s, from a minute on in min:s. Positions in steps.',
-  tableOf: (from: string, to: string) => `Positions of ${from} to ${to}`,
   timelineOf: (lanes: readonly string[]) => `Servo positions over time, a lane each: ${lanes.join(', ')}`,
   warnings: 'Look at this before you fly',
   notes: 'Notes',

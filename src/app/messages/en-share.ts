@@ -18,7 +18,7 @@ export const share = {
   received: {
     title: 'A setting came by link',
     from: (model: string) => `of ${model}`,
-    lead: 'It is only shown. Nothing is written to a timer, and nothing is kept before you say so.',
+    lead: 'It is only shown. Nothing is written to a timer, and nothing is kept until you say so.',
     dated: (date: string) => `Last changed ${date}`,
     timer: (timer: string, firmware: string, functions: number, servos: number) =>
       `${timer}, ${firmware === '000' ? '' : `firmware ${firmware}, `}${plural(functions, 'function', 'functions')}, ${plural(servos, 'servo', 'servos')}`,
@@ -52,8 +52,7 @@ export const share = {
   damaged: {
     title: 'This link cannot be read.',
     codes: {
-      'bad-link':
-        'It is cut or damaged: some of it was lost on the way. Ask for it again, or let it be sent as a QR code.',
+      'bad-link': 'It is cut or damaged: a part was lost on the way. Ask for the link again, or for its QR code.',
       'newer-version': 'A newer version of this page made it. Load the page again while you are online.',
       'too-large': 'It is longer than any setting. It did not come from this page.',
       other: 'It says what no timer can hold. It did not come from this page, or was changed on the way.',
@@ -82,7 +81,7 @@ export const share = {
       failed: 'The camera could not be started. Choose a picture of the QR code.',
       picture: 'This file is no picture that the browser can read.',
       large: 'This picture is too large. Choose one of at most 64 million pixels and 50 MB.',
-      nothing: 'No QR code was found in this picture. Take it from nearer, straight from the front.',
+      nothing: 'No QR code was found in this picture. Take the picture from nearer, straight from the front.',
       reader: 'The part of the page that reads QR codes could not be loaded. Go online and try again.',
     },
     other: (text: string) => `This QR code holds no setting. It says: ${text}`,

@@ -205,7 +205,7 @@ describe('the energy', () => {
     fill('Power', '165');
     expect(screen.getByText(/stops the motor at 10\.0 s: 1650 J\. That is more than is allowed\.$/)).toBeTruthy();
     fill('Power', '140');
-    expect(screen.getByText(/stops the motor at 10\.0 s: 1400 J\. That is within it\.$/)).toBeTruthy();
+    expect(screen.getByText(/stops the motor at 10\.0 s: 1400 J\. That is within the limit\.$/)).toBeTruthy();
     cleanup();
     const glider = await connected({ identity: { timerClass: 'E' } });
     await look(glider.models, 'energy');

@@ -53,7 +53,7 @@ it('a name cannot become empty', async () => {
   const app = await at('model-0/setting-0');
   const before = input('Name').value;
   await write('Name', '  ');
-  expect(screen.getByText('A name is needed: the one before is kept.')).toBeTruthy();
+  expect(screen.getByText('A name is needed. The old name stays.')).toBeTruthy();
   fireEvent.blur(input('Name'));
   await idle();
   expect([input('Name').value, app.store.settings.records.get('setting-0')?.setting.name]).toEqual([before, before]);

@@ -180,7 +180,7 @@ describe('an import', () => {
     await idle();
     await drop(file());
     expect(button('Import 3').disabled).toBe(true);
-    dialog().getByText(/does not give out the library just now/);
+    dialog().getByText(/does not give the library back just now/);
   });
 });
 
