@@ -80,7 +80,7 @@ const TASKS: readonly [name: string, task: (tried: Tried) => Promise<void>][] = 
     'shift by 0.3 s from motor stop on',
     async ({ app, pilot }) => {
       await pilot.press(app.button('Tools for Motor stop'));
-      for (let step = 0; step < 3; step++) await pilot.press(app.button('Later'));
+      await pilot.press(app.button('+0.3 s'));
       await expect
         .poll(async () => [await app.valueOf('Motor stop time'), await app.valueOf('Function 9 time')])
         .toEqual(['10.3', '14.80']);

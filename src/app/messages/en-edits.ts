@@ -118,6 +118,8 @@ export const edits = {
     /** What is shifted: a row and what comes after it; DT is the last. */
     from: (row: string, isLast: boolean) => (isLast ? row : `${row} and all after`),
     by: 'By, in seconds',
+    /** By how much one press shifts. */
+    step: (seconds: number, later: boolean) => `${later ? '+' : '−'}${seconds.toFixed(1)} s`,
     earlier: 'Earlier',
     later: 'Later',
     moveDt: 'Move DT too',

@@ -4,7 +4,7 @@ import type { Identity } from '../../protocol/index.js';
 import { media } from '../browser/doors.js';
 import { formatInterval } from '../editing/units.js';
 import { messages } from '../messages/index.js';
-import type { RowTools } from './row-tools.js';
+import { type RowTools, SHIFTS } from './row-tools.js';
 import './row-menu.css';
 
 interface RowMenuProps {
@@ -127,9 +127,13 @@ function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt:
   return (
     <>
       <div class="shift-fields">
-        <button type="button" onClick={() => tools.shift(-1)}>
-          {shift.earlier}
-        </button>
+        {[-1, 1].map((way) =>
+          SHIFTS.map((by) => (
+            <button key={way * by} type="button" onClick={() => tools.shiftBy(way * by)}>
+              {shift.step(by / 100, way > 0)}
+            </button>
+          )),
+        )}
         <label>
           <span class="visually-hidden">{shift.by}</span>
           <input
@@ -141,6 +145,9 @@ function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt:
           />
           <span aria-hidden="true">{messages.value.times.units.s}</span>
         </label>
+        <button type="button" onClick={() => tools.shift(-1)}>
+          {shift.earlier}
+        </button>
         <button type="submit">{shift.later}</button>
       </div>
       {!isDt && (

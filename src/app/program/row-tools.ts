@@ -1,9 +1,12 @@
-import { batch, type ReadonlySignal, signal } from '@preact/signals';
-import type { ProgramField } from '../../program/index.js';
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { ProgramField, TimerProgram } from '../../program/index.js';
 import type { Editor } from '../editing/editor.js';
 import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
+
+/** What is shifted by with one press, in hundredths of a second. */
+export const SHIFTS = [10, 30, 100];
 
 /** The tools of a row: which one has them open, and what its shift is set to. The setting stays from row to row. */
 export class RowTools {
@@ -11,7 +14,8 @@ export class RowTools {
   readonly #open = signal<number | 'start' | null>(null);
   readonly #amount = signal('0.10');
   readonly #moveDt = signal(false);
-  readonly #moved = signal(0);
+  /** The program when they were opened. */
+  readonly #before = signal<TimerProgram | null>(null);
   readonly #problem = signal<string | null>(null);
 
   /** The slot whose tools are open; 0 is the motor stop on a Q, beside which the start has no time. */
@@ -20,7 +24,12 @@ export class RowTools {
   readonly amount: ReadonlySignal<string> = this.#amount;
   readonly moveDt: ReadonlySignal<boolean> = this.#moveDt;
   /** How far all was shifted since the tools were opened, in hundredths of a second. */
-  readonly moved: ReadonlySignal<number> = this.#moved;
+  readonly moved: ReadonlySignal<number> = computed(() => {
+    const slot = this.#open.value;
+    const step = this.#editor.undoStep.value;
+    if (typeof slot !== 'number' || step?.code !== 'shift' || step.params['slot'] !== slot) return 0;
+    return (this.#editor.working.value?.times[slot] ?? 0) - (this.#before.value?.times[slot] ?? 0);
+  });
   readonly problem: ReadonlySignal<string | null> = this.#problem;
 
   constructor(editor: Editor) {
@@ -30,7 +39,7 @@ export class RowTools {
   show(slot: number | 'start'): void {
     batch(() => {
       this.#open.value = slot;
-      this.#moved.value = 0;
+      this.#before.value = this.#editor.working.peek();
       this.#problem.value = null;
     });
   }
@@ -55,20 +64,20 @@ export class RowTools {
     this.#moveDt.value = on;
   }
 
-  /** Moves the open slot and all after it by the amount, to later or to earlier. */
+  /** Moves the open slot and all after it by the amount that was typed, to later or to earlier. */
   shift(direction: 1 | -1): void {
+    const parsed = parseInterval(this.#amount.value);
+    if ('unreadable' in parsed) this.#problem.value = messages.value.unreadable[parsed.unreadable];
+    else this.shiftBy(direction * parsed.value);
+  }
+
+  /** @param by hundredths of a second; below 0 to earlier. */
+  shiftBy(by: number): void {
     const slot = this.#open.value;
     const working = this.#editor.working.value;
     if (typeof slot !== 'number' || !working) return;
-    const parsed = parseInterval(this.#amount.value);
-    if ('unreadable' in parsed) {
-      this.#problem.value = messages.value.unreadable[parsed.unreadable];
-      return;
-    }
-    const by = direction * parsed.value;
     const obstacle = this.#editor.apply(shiftFrom(working, slot, by, { moveDt: this.#moveDt.value }));
     const { nothingDone } = messages.value.edits;
     this.#problem.value = obstacle && `${nothingDone} ${obstacleText(working.identity, obstacle)}`;
-    if (!obstacle) this.#moved.value += by;
   }
 }

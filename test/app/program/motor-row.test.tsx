@@ -106,6 +106,25 @@ describe('the tools of a row', () => {
     expect(panel.getByRole('status').textContent).toBe('');
   });
 
+  it('shift by a step with one press, and say how far when one is taken back', async () => {
+    const { editor } = await connected();
+    await press('Tools for Motor stop');
+    await press('+0.3 s');
+    await press('−1.0 s');
+    const status = within(screen.getByRole('form', { name: 'Motor stop and all after' })).getByRole('status');
+    expect([...times('Motor stop', 'Function 9', 'DT'), status.textContent]).toEqual([
+      '9.3',
+      '13.80',
+      '3:00',
+      'Moved 0.70 s earlier',
+    ]);
+    await press(/^Undo shift from/);
+    expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual(['10.3', '14.80', 'Moved 0.30 s later']);
+    await press(/^Undo shift from/);
+    expect([...times('Motor stop', 'Function 9'), status.textContent]).toEqual(['10.0', '14.50', '']);
+    expect(editor.dirty.value).toBe(false);
+  });
+
   it('stay open, and the focus in them, when the motor stop passes a function', async () => {
     await connected();
     await type('Motor stop time', '12.25');
