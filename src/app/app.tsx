@@ -121,7 +121,11 @@ function FirstSteps({ session, steps }: { readonly session: AppModels['session']
     if (isWanted) void library.load();
   }, [isWanted, library]);
   const isKnown = [backups.list, keptPrograms.list, library.models.list].some(({ value }) => value.length > 0);
-  // Not before it is known what is here: nobody sees them come and go.
-  if (!isWanted || isKnown || !library.models.loaded.value) return null;
-  return <parts.firstSteps.Part steps={steps} />;
+  useEffect(() => {
+    // The next time no room is kept for them.
+    if (isKnown) steps.end();
+  }, [isKnown, steps]);
+  if (!isWanted || isKnown) return null;
+  // Not before it is known what is here: nobody sees them come and go. Their room is there from the first picture on.
+  return <div class="first-steps-room">{library.models.loaded.value && <parts.firstSteps.Part steps={steps} />}</div>;
 }

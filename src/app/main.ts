@@ -11,9 +11,11 @@ import './connect/start-screen.css';
 import './connect/start-cards.css';
 import './connect/step-list.css';
 import './timeline/small-lanes.css';
+import * as v from 'valibot';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
 import { tried } from './browser/services.js';
+import { loadSetting } from './browser/settings.js';
 import { earlyClicks } from './early-clicks.js';
 import { first } from './messages/en-first.js';
 import { Theme } from './settings/theme.js';
@@ -28,6 +30,8 @@ tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
 // Inside of another page, or at the address of another view, it is not what comes.
 const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
 if (!isStart) root.replaceChildren();
+// Who has seen the first steps needs no room for them.
+if (loadSetting('first-steps', v.boolean())) root.querySelector('.first-steps-room')?.remove();
 root.hidden = false;
 const doEarlyClick = earlyClicks(root);
 // Without a first picture there is none to wait for.

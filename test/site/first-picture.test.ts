@@ -63,6 +63,27 @@ describe('the start stands in the page as it comes:', () => {
     expect(before.length).toBeGreaterThan(40);
   });
 
+  test.for([
+    ['a desktop', LARGE],
+    ['a phone', PHONE],
+  ] as const)('on %s the first steps come where room was kept for them', async ([, options]) => {
+    const page = await newPage({ ...options, reducedMotion: 'reduce' });
+    const { asked, release } = await heldBack(page);
+    await page.goto(inject('site'));
+    await asked;
+    await page.evaluate(() => document.fonts.ready);
+    const cards = page.locator('.start-cards');
+    const before = await cards.boundingBox();
+    await release();
+    await page.locator('.first-steps').waitFor();
+    expect(await cards.boundingBox()).toEqual(before);
+    await page.getByRole('button', { name: 'Skip', exact: true }).click();
+    await page.unroute(PAGE_SCRIPT);
+    await page.reload();
+    await works(page);
+    expect(await page.locator('.first-steps-room').count(), 'they are not told again').toBe(0);
+  });
+
   test('Connect is done when the page is there, with the right of the click that came before', async () => {
     const app = await AppPage.open({ bench: {}, isFirstVisit: true });
     const { asked, release } = await heldBack(app.page);
