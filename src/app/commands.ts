@@ -1,10 +1,12 @@
 import { fieldKey } from '../program/index.js';
 import type { Identity } from '../protocol/index.js';
+import { COMPARE } from './compare/address.js';
 import { setValues } from './editing/edit.js';
 import { FLIGHTS } from './flights/flight-filter.js';
 import { HELP_PAGES } from './help/help.js';
 import type { SaveSetting } from './library/save-setting.js';
 import { offerScreen } from './library/share/share-screen.js';
+import { filesOf } from './library-files.js';
 import { guide } from './messages/en-guide.js';
 import { flightMessages } from './messages/flights.js';
 import { messages, presetText, slotLabel, stepText, timerName } from './messages/index.js';
@@ -17,7 +19,13 @@ import { VIEWS } from './shell/views.js';
 
 /** All that can be done now, what is wanted most first. What cannot be done now is not in it. */
 export function commandsOf(models: AppModels): readonly PaletteCommand[] {
-  return [...programCommands(models), ...timerCommands(models), ...flightCommands(models), ...pageCommands(models)];
+  return [
+    ...programCommands(models),
+    ...timerCommands(models),
+    ...flightCommands(models),
+    ...libraryCommands(models),
+    ...pageCommands(models),
+  ];
 }
 
 function programCommands(models: AppModels): PaletteCommand[] {
@@ -133,6 +141,20 @@ function timerCommands({ session, memories, leaving }: AppModels): PaletteComman
           run: () => void memories.jobs.open({ kind: 'copy', from: current, to }),
         }))),
     { name: palette.disconnect(timerName(connection.value.identity)), run: () => void leaving.disconnect() },
+  ];
+}
+
+/** The files of the library, and what lies in it beside the settings. */
+function libraryCommands(models: AppModels): PaletteCommand[] {
+  const { palette } = messages.value;
+  const { views, session } = models;
+  const { models: kept, settings } = session.library;
+  const isEmpty = kept.list.value.length + settings.list.value.length === 0;
+  return [
+    { name: palette.compare, run: () => views.show('library', COMPARE) },
+    { name: palette.import, run: () => filesOf(models).ask() },
+    // What is kept may not have been looked at yet.
+    ...(isEmpty && kept.loaded.value ? [] : [{ name: palette.export, run: () => void filesOf(models).exportAll() }]),
   ];
 }
 

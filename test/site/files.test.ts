@@ -91,6 +91,22 @@ test('a season goes into one file, the device is emptied, and the file brings al
   expect(await exported(app)).toEqual(SEASON);
 });
 
+test('the list of commands leads to both', async () => {
+  const app = await opened(noPicker);
+  const { page } = app;
+  await app.goTo('Settings');
+  const command = async (name: string): Promise<void> => {
+    await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Type what you want to do' }).fill(name);
+    await page.keyboard.press('Enter');
+  };
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), command('import')]);
+  await chooser.setFiles({ name: 'season.sidus.json', mimeType: 'application/json', buffer: Buffer.from(TEXT) });
+  await takeAll(app);
+  const [download] = await Promise.all([page.waitForEvent('download'), command('export all')]);
+  expect(parseLibraryFile(await readFile(await download.path(), 'utf8')).library.flights).toHaveLength(30);
+});
+
 test('a broken file is refused with its line, a stray one does not lead away, and nothing has changed', async () => {
   const app = await opened(noPicker);
   const { page } = app;

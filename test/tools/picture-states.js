@@ -1,5 +1,7 @@
 // The states of the page that pictures are taken of, and how each is reached. Run by pictures.js.
 
+import { readFileSync } from 'node:fs';
+
 /** @typedef {import('playwright').Page} Page */
 
 /**
@@ -102,6 +104,29 @@ async function conflict(page) {
   });
   await press(page, /^Write( \d+)?…$/);
   await page.getByRole('dialog').waitFor();
+}
+
+/** A file of a library: the example of the docs. */
+const [, example = ''] =
+  /```json library\n([^`]+)```/.exec(readFileSync(new URL('../../docs/file-format.md', import.meta.url), 'utf8')) ?? [];
+
+/** Drops a file on the library. @param {Page} page @param {string} text */
+async function drop(page, text) {
+  await goTo(page, 'library');
+  await page.getByRole('button', { name: 'Import…' }).waitFor();
+  await page.evaluate((content) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([content], 'field.sidus.json'));
+    for (const type of ['dragover', 'drop'])
+      document.body.dispatchEvent(new DragEvent(type, { bubbles: true, cancelable: true, dataTransfer }));
+  }, text);
+}
+
+/** A library of one model with one setting. @param {Page} page */
+async function fill(page) {
+  await drop(page, example);
+  await press(page, 'Import 2');
+  await page.getByText(/^Imported from/).waitFor();
 }
 
 /** What README and docs show: state, size and theme. A test holds this list against them. */
@@ -475,6 +500,66 @@ export const states = {
       await press(page, 'Close');
       await page.evaluate((hash) => location.assign(hash), new URL(link).hash);
       await page.getByRole('dialog', { name: 'A setting came by link' }).waitFor();
+    },
+  },
+  'empty-library': {
+    title: 'A library with nothing in it',
+    reach: async (page) => {
+      await goTo(page, 'library');
+      await page.getByRole('button', { name: 'Import…' }).waitFor();
+    },
+  },
+  import: {
+    title: 'What a file would bring',
+    reach: async (page) => {
+      await fill(page);
+      await press(page, 'Dismiss');
+      await drop(
+        page,
+        example.replaceAll('"calm morning"', '"windy morning"').replaceAll('2026-11-20T', '2026-11-28T'),
+      );
+      await page.getByText('What differs').waitFor();
+    },
+  },
+  imported: {
+    title: 'What a file has brought',
+    reach: fill,
+  },
+  'import-refused': {
+    title: 'A file that cannot be read',
+    reach: async (page) => {
+      await drop(page, example.replace('"10.50"', '"1050"'));
+      await page.getByRole('alert').first().waitFor();
+    },
+  },
+  exported: {
+    title: 'The library was saved to a file',
+    reach: async (page) => {
+      await page.evaluate(() => Object.defineProperty(window, 'showSaveFilePicker', { value: undefined }));
+      await fill(page);
+      await press(page, 'Export all…');
+      await page.getByText(/is in your downloads/).waitFor();
+    },
+  },
+  model: {
+    title: 'A model and its settings',
+    reach: async (page) => {
+      await fill(page);
+      await press(page, 'Dismiss');
+      await page
+        .getByRole('link', { name: /^Lancer 07/ })
+        .first()
+        .click();
+      await page.getByRole('heading', { name: 'Lancer 07' }).waitFor();
+    },
+  },
+  setting: {
+    title: 'A setting',
+    reach: async (page) => {
+      await fill(page);
+      await press(page, 'Dismiss');
+      await goTo(page, 'library/lancer-07/calm-morning');
+      await page.getByRole('article', { name: 'calm morning' }).waitFor();
     },
   },
   line: {

@@ -1,6 +1,6 @@
 import { useRef } from 'preact/hooks';
 import { filesMessages } from '../../messages/files.js';
-import { ALL_NAME, type LibraryFiles } from './library-files.js';
+import { ACCEPTED, ALL_NAME, type LibraryFiles } from './library-files.js';
 import type { FilePart } from './library-text.js';
 import './file-buttons.css';
 
@@ -42,7 +42,7 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
         ref={field}
         type="file"
         hidden
-        accept=".sidus,.json,application/json"
+        accept={ACCEPTED}
         aria-label={words.import.button}
         onChange={({ currentTarget }) => {
           void files.open([...(currentTarget.files ?? [])]);

@@ -1,5 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { CodecError } from '../../../protocol/index.js';
+import { askForFiles } from '../../browser/ask-for-file.js';
 import { textOfFile, type UnreadableFile } from '../../browser/read-file.js';
 import { type ChosenFile, chooseFile, saveFile, writeFile } from '../../browser/save-file.js';
 import { version } from '../../browser/version.js';
@@ -40,6 +41,8 @@ export type FileWord =
 
 /** What a file of everything is called before its date. */
 export const ALL_NAME = 'Sidus library';
+/** What the pilot is asked for. */
+export const ACCEPTED = '.sidus,.json,application/json';
 /** The kind of a library file, and its endings. */
 const TYPE = { 'application/json': ['.sidus.json', '.sidus'] };
 /** So many records are kept at once. */
@@ -114,6 +117,11 @@ export class LibraryFiles {
   /** Saves all of the library; see {@link export}. */
   async exportAll(another = false): Promise<void> {
     await this.export({ kind: 'all' }, ALL_NAME, another);
+  }
+
+  /** Asks for a file, and looks at it. */
+  ask(): void {
+    askForFiles(ACCEPTED, (files) => void this.open(files));
   }
 
   /** Looks at what a file would bring. Nothing is taken before the pilot says so. */
