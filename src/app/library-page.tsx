@@ -45,17 +45,18 @@ function placesOf(models: AppModels): Places {
   return {
     library: (
       <>
-        <button
-          type="button"
-          onClick={() => {
-            flights.showOnly();
-            toFlights();
-          }}
-        >
-          {flightMessages.value.title}
-        </button>
-        <ReadCodeButton sharing={sharing} />
-        <LibraryFileButtons files={files} />
+        <ul class="library-list">
+          <li>
+            <a class="library-item" href={`#library/${FLIGHTS}`} onClick={() => flights.showOnly()}>
+              <b>{flightMessages.value.title}</b>
+              <span>{flightMessages.value.about}</span>
+            </a>
+          </li>
+        </ul>
+        <div class="buttons">
+          <LibraryFileButtons files={files} />
+          <ReadCodeButton sharing={sharing} />
+        </div>
       </>
     ),
     modelButtons: ({ key, model }) => (

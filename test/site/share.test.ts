@@ -21,7 +21,7 @@ test('a setting that is shared by link is kept on another device, and asked for 
   await pilot.button('Save').click();
   await pilot.page.getByRole('dialog').waitFor({ state: 'hidden' });
   await pilot.goTo('Library');
-  await pilot.page.getByRole('link', { name: /Lancer 07/ }).click();
+  await pilot.page.getByRole('link', { name: /^Lancer 07/ }).click();
   await pilot.page.getByRole('link', { name: /windy/ }).click();
   await pilot.button('Share…').click();
   const link = await pilot.field('Link').inputValue();

@@ -133,15 +133,18 @@ function Day({ part, ...props }: DayProps) {
 
 interface RowProps extends Omit<FlightRowsProps, 'days'> {
   readonly record: FlightRecord;
-  /** It stands under no day. */
-  readonly withDay?: boolean;
+  /** It stands under no day, but under its model or its setting. */
+  readonly of?: 'model' | 'setting';
 }
 
-export function Row({ record: { key, flight }, shortDt, onOpen, withDay = false }: RowProps) {
+export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) {
   const { row: words } = flightMessages.value;
   const { wind, temperature, round, result, note, program } = flight;
+  const day = of && flightMessages.value.day(dayHeading(flight.at), flight.place);
+  // What all of them have in common stands above them.
+  const name = of === 'setting' ? '' : of === 'model' ? flight.settingName : flight.modelName || words.noModel;
   const facts = [
-    withDay ? flightMessages.value.day(dayHeading(flight.at), flight.place) : null,
+    (name && day) || null,
     round === '' ? null : words.round(round),
     wind === null ? null : words.wind(measureText(wind)),
     temperature === null ? null : words.temperature(measureText(temperature)),
@@ -152,8 +155,8 @@ export function Row({ record: { key, flight }, shortDt, onOpen, withDay = false 
       <button type="button" class="flight-row" onClick={() => onOpen(key)}>
         <span class="flight-time">{timeOfDay(flight.at)}</span>
         <span class="flight-what">
-          <b>{flight.modelName || words.noModel}</b>
-          {flight.settingName && ` · ${flight.settingName}`}
+          <b>{name || day}</b>
+          {!of && flight.settingName && ` · ${flight.settingName}`}
           {facts.length > 0 && <small>{facts.join(' · ')}</small>}
         </span>
         <span class="flight-end">

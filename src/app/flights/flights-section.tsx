@@ -48,7 +48,7 @@ export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps)
                 record={record}
                 shortDt={session.shortDt}
                 onOpen={(key) => log.fillIn(key)}
-                withDay
+                of={'model' in of ? 'model' : 'setting'}
               />
             ))}
           </ul>

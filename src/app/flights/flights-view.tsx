@@ -34,8 +34,8 @@ export function FlightsView({ session, log }: FlightsViewProps) {
   return (
     <div class="flights">
       <div class="flights-head">
-        <h1>{words.title}</h1>
         <a href="#library">{words.library}</a>
+        <h1>{words.title}</h1>
       </div>
       <FlyingThis session={session} log={log} again />
       {!loaded.value && list.value.length === 0 && (

@@ -6,6 +6,8 @@ import { foldedText, hasAll, searchWords } from './search.js';
 /** So many rows are drawn at first, and so many more each time the end of a list comes near. */
 const FIRST = 60;
 const MORE = 200;
+/** So many of those that were changed last are shown. */
+const LATEST = 12;
 
 /** How the library is looked at: it outlasts its view. */
 export class Browse {
@@ -25,6 +27,8 @@ export class Browse {
   readonly byModel: ReadonlySignal<ReadonlyMap<string | null, readonly SettingRecord[]>>;
   /** The settings that are searched for; null while nothing is. */
   readonly found: ReadonlySignal<readonly SettingRecord[] | null>;
+  /** What was changed last, of all models; nothing of the archive. */
+  readonly latest: ReadonlySignal<readonly SettingRecord[]>;
   /** The models that are shown. */
   readonly models: ReadonlySignal<readonly ModelRecord[]>;
   readonly #texts = new WeakMap<SettingRecord, string>();
@@ -43,6 +47,12 @@ export class Browse {
       return map;
     });
     this.models = computed(() => models.list.value.filter(({ model }) => this.#archive.value || !model.archived));
+    this.latest = computed(() =>
+      settings.list.value
+        .filter(({ setting }) => !setting.archived)
+        .sort((one, other) => other.changedAt - one.changedAt)
+        .slice(0, LATEST),
+    );
     this.found = computed(() => {
       const words = searchWords(this.#text.value);
       if (words.length === 0) return null;

@@ -3,6 +3,7 @@ import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
 import { useQuery } from '../ui/use-query.js';
 import type { Browse } from './browse.js';
+import { LibraryBeginning } from './library-beginning.js';
 import { ModelColumn } from './model-column.js';
 import { ModelList } from './model-list.js';
 import { ModelPage } from './model-page.js';
@@ -58,8 +59,10 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
     );
   }
   return (
-    <div class={`library columns-${columns}`}>
-      {shows(0) && <ModelList {...{ session, browse, places, onGo }} chosen={place.model} setting={place.setting} />}
+    <div class={`library columns-${columns} ${place.model === null ? 'no-model' : ''}`}>
+      {shows(0) && (
+        <ModelList {...{ session, browse, places, onGo }} alone={one} chosen={place.model} setting={place.setting} />
+      )}
       {shows(1) && (columns < 3 || place.model !== null) && (
         <ModelColumn
           {...{ session, browse, places, model, onGo }}
@@ -68,7 +71,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
           chosen={place.setting}
           back={columns < 3}
         >
-          {one && model && <ModelPage {...{ session, places }} record={model} below onGone={() => onGo('')} />}
+          {one && model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />}
         </ModelColumn>
       )}
       {shows(2) && !one && depth < 2 && (
@@ -76,7 +79,7 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
           {model ? (
             <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />
           ) : (
-            <Beginning isEmpty={isEmpty(session)} />
+            <LibraryBeginning {...{ session, browse }} />
           )}
         </section>
       )}
@@ -112,21 +115,4 @@ function usePlaces(path: string, scrolls: boolean): void {
     addEventListener('scroll', note, { passive: true });
     return () => removeEventListener('scroll', note);
   }, [path, scrolls]);
-}
-
-function isEmpty({ library }: Session): boolean {
-  return library.models.list.value.length + library.settings.list.value.length === 0;
-}
-
-function Beginning({ isEmpty: nothing }: { readonly isEmpty: boolean }) {
-  const { empty, models } = libraryMessages.value;
-  return nothing ? (
-    <div class="library-empty">
-      <h2>{empty.title}</h2>
-      <p>{empty.lead}</p>
-      <p class="hint">{empty.hint}</p>
-    </div>
-  ) : (
-    <p class="hint library-empty">{models.choose}</p>
-  );
 }

@@ -18,11 +18,13 @@ interface ModelListProps {
   readonly chosen: string | null;
   readonly setting: string | null;
   readonly places: Places;
+  /** Nothing stands beside it. */
+  readonly alone: boolean;
   readonly onGo: (path: string) => void;
 }
 
 /** All models, or the settings that are searched for among all of them. */
-export function ModelList({ session, browse, chosen, setting, places, onGo }: ModelListProps) {
+export function ModelList({ session, browse, chosen, setting, places, alone, onGo }: ModelListProps) {
   const words = libraryMessages.value;
   const making = useSignal(false);
   const found = browse.found.value;
@@ -45,15 +47,15 @@ export function ModelList({ session, browse, chosen, setting, places, onGo }: Mo
       />
       {found === null ? (
         <>
-          {isEmpty && <p class="hint">{words.empty.lead}</p>}
+          {isEmpty && alone && <p class="hint">{words.empty.lead}</p>}
           <Models {...{ session, browse, chosen }} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>
               {words.models.make}
             </button>
             <ArchiveButton browse={browse} count={library.models.list.value.filter(isArchived).length} />
-            {places.library}
           </div>
+          <div class="library-more">{places.library}</div>
         </>
       ) : (
         <>

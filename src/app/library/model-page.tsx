@@ -14,14 +14,12 @@ interface ModelPageProps {
   readonly session: Session;
   readonly places: Places;
   readonly record: ModelRecord;
-  /** It stands below its settings, which say its name. */
-  readonly below?: boolean;
   /** It was deleted: its page is left. */
   readonly onGone: () => void;
 }
 
-/** All that is said of a model. Each part is kept as it is changed. */
-export function ModelPage({ session, places, record, below = false, onGone }: ModelPageProps) {
+/** All that is said of a model, beside or below its settings, which say its name. Each part is kept as it is changed. */
+export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const words = libraryMessages.value;
   const { library } = session;
   const { model } = record;
@@ -34,8 +32,10 @@ export function ModelPage({ session, places, record, below = false, onGone }: Mo
   const settings = library.settings.list.value.filter(({ setting }) => setting.model === record.key);
   return (
     <div class="model-page" key={record.key}>
-      <h2 class="model-title">{below ? words.model.facts : model.name}</h2>
-      <div class="buttons">{places.modelButtons(record)}</div>
+      <div class="library-head">
+        <h2>{words.model.facts}</h2>
+        <div class="buttons">{places.modelButtons(record)}</div>
+      </div>
       <ModelPhoto model={model} onChange={(photo) => change({ photo })} />
       <TextField
         label={words.model.name}

@@ -3,8 +3,9 @@ import { plural } from './plural.js';
 /** The log of flights. These words come with it, not with the first picture. */
 export const flights = {
   title: 'Flights',
+  about: 'What was flown, and how it went',
   /** Back to the models and settings. */
-  library: 'Library',
+  library: '‹ Library',
   empty: {
     title: 'No flight is logged yet.',
     advice: 'Read or write a timer, then click “Flying this”: the log keeps what the timer holds, with date and place.',

@@ -30,6 +30,16 @@ export const library = {
   coming: 'Loading what this device keeps',
   empty: {
     title: 'No model yet',
+    /** Such as it will look. */
+    sample: {
+      model: 'Lancer 07',
+      about: 'F1Q · 3 settings',
+      settings: [
+        ['fly-off, calm', 'DT 3:00 min'],
+        ['windy', 'DT 2:30 min'],
+        ['trimming', 'DT 20 s'],
+      ],
+    },
     lead: 'A model holds its settings: programs that you keep under a name, with notes, on this device alone.',
     hint: 'Make a model, or save the program on the screen.',
   },
@@ -52,6 +62,7 @@ export const library = {
     archived: 'archived',
     noClass: 'class not said',
     choose: 'Choose a model',
+    latest: 'Changed last',
   },
   list: {
     open: 'on the screen',

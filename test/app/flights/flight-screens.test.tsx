@@ -211,8 +211,8 @@ describe('the page of a model', () => {
     app.models.views.show('library', 'l');
     await idle();
     expect(rows()).toEqual([
-      '10:00LancerSat, 21 Nov 2026 · Wiese · Round 2 · 3.5 m/s2:51.5 min',
-      '09:00LancerSat, 21 Nov 2026 · Wiese · Round 13:00 min',
+      '10:00Sat, 21 Nov 2026 · WieseRound 2 · 3.5 m/s2:51.5 min',
+      '09:00Sat, 21 Nov 2026 · WieseRound 13:00 min',
     ]);
     await press('All its flights');
     expect(app.models.views.path.value).toBe('flights');

@@ -63,7 +63,7 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
         </p>
       )}
       <div class="buttons">
-        <button type="button" class="primary" onClick={() => sharing.close()}>
+        <button type="button" onClick={() => sharing.close()}>
           {words.close}
         </button>
       </div>

@@ -1,0 +1,52 @@
+import { libraryMessages } from '../messages/library.js';
+import type { Session } from '../session/session.js';
+import type { Browse } from './browse.js';
+import { SettingList } from './setting-list.js';
+import './library-beginning.css';
+
+interface LibraryBeginningProps {
+  readonly session: Session;
+  readonly browse: Browse;
+}
+
+/** Beside the models while none is chosen: what was changed last; in an empty library what it is for. */
+export function LibraryBeginning({ session, browse }: LibraryBeginningProps) {
+  const { empty, models } = libraryMessages.value;
+  // What is searched for stands beside it.
+  if (browse.found.value !== null) return null;
+  const records = browse.latest.value;
+  if (records.length > 0) {
+    return (
+      <>
+        <h2 class="library-latest">{models.latest}</h2>
+        <SettingList {...{ session, browse, records }} chosen={null} withModel />
+      </>
+    );
+  }
+  if (session.library.models.list.value.length > 0) return <p class="hint library-none">{models.choose}</p>;
+  return (
+    <div class="library-none">
+      <Sample />
+      <h2>{empty.title}</h2>
+      <p>{empty.lead}</p>
+      <p class="hint">{empty.hint}</p>
+    </div>
+  );
+}
+
+/** A model with its settings, as they will look: for the eye alone. */
+function Sample() {
+  const { sample } = libraryMessages.value.empty;
+  return (
+    <div class="library-sample" aria-hidden="true">
+      <p>
+        <b>{sample.model}</b> <span>{sample.about}</span>
+      </p>
+      {sample.settings.map(([name, dt]) => (
+        <p key={name}>
+          <span>{name}</span> <span>{dt}</span>
+        </p>
+      ))}
+    </div>
+  );
+}
