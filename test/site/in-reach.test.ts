@@ -21,19 +21,42 @@ const BY_MOUSE: readonly Size[] = [
 ];
 
 /** What may lie over the page. */
-const OVER = 'dialog[open], .row-panel, .edit-sheet:popover-open';
+const OVER = 'dialog[open], .top:has(.strip-panel), .row-panel, .edit-sheet:popover-open';
 
 const faults: string[] = [];
 
 async function look(app: AppPage, sizes: readonly Size[], state: string): Promise<void> {
   for (const [width, height] of sizes) {
     await app.page.setViewportSize({ width, height });
-    await app.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await drawn(app);
     for (const fault of await app.page.evaluate(outOfReach, OVER))
       faults.push(`${state}, ${width}x${height}: ${fault}`);
   }
   const [first] = sizes;
   if (first) await app.page.setViewportSize({ width: first[0], height: first[1] });
+  // Where there is least room: on a phone its strip, on a tablet and a laptop the rail.
+  for (const [width, height] of sizes.filter((size) => size === first || size[0] === 820)) {
+    await app.page.setViewportSize({ width, height });
+    await app.page.evaluate(spreadText, true);
+    await drawn(app);
+    for (const fault of await app.page.evaluate(outOfReach, OVER))
+      faults.push(`${state}, ${width}x${height} with spread text: ${fault}`);
+    await app.page.evaluate(spreadText, false);
+  }
+  if (first) await app.page.setViewportSize({ width: first[0], height: first[1] });
+}
+
+const drawn = (app: AppPage): Promise<unknown> =>
+  app.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+/** Text with as much space as a reader may ask for: WCAG 1.4.12. Runs in the page. */
+function spreadText(on: boolean): void {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`
+    * { line-height: 1.5 !important; letter-spacing: 0.12em !important; word-spacing: 0.16em !important; }
+    p { margin-block-end: 2em !important; }
+  `);
+  document.adoptedStyleSheets = on ? [sheet] : [];
 }
 
 test.each([

@@ -25,6 +25,12 @@ export function outOfReach(scope: string): string[] {
   if (root.scrollWidth > root.clientWidth)
     found.push(`the page goes ${root.scrollWidth - root.clientWidth} px sideways`);
 
+  /** Below the last line of a text that is given so many and ends in an ellipsis. */
+  const isLeftOut = (of: Element, box: DOMRect): boolean => {
+    const clamped = [...ancestors(of)].find((each) => !/none|^$/.test(getComputedStyle(each).webkitLineClamp));
+    return clamped !== undefined && box.top > clamped.getBoundingClientRect().bottom - 0.5 * box.height;
+  };
+
   interface Line {
     readonly box: DOMRect;
     readonly text: string;
@@ -46,7 +52,7 @@ export function outOfReach(scope: string): string[] {
         /sticky|fixed|absolute/.test(getComputedStyle(each).position) || scrolls(each, 'X') || scrolls(each, 'Y'),
     );
     for (const box of range.getClientRects()) {
-      if (box.width < 1) continue;
+      if (box.width < 1 || isLeftOut(of, box)) continue;
       lines.push({ box, text, of, layer });
       for (const each of ancestors(of)) {
         const { overflowX, textOverflow } = getComputedStyle(each);
