@@ -18,13 +18,15 @@ export function ConnectButtons({ session, large = false, part }: ConnectButtonsP
   const timerClass = session.editor.working.value?.identity.timerClass;
   const again = session.simulated.value && SIMULATED_CLASSES.find((simulated) => simulated === timerClass);
   const failed = notice?.kind === 'connection' && notice.code !== 'nothing-chosen';
+  // What was changed has a way of its own to the timer.
+  const leads = large || session.editor.changes.value.length === 0;
   const choice = failed || session.link.ports.value.length > 0;
   return (
     <>
       {part !== 'rest' && !session.link.unavailable && (
         <button
           type="button"
-          class={large ? 'primary large' : 'primary'}
+          class={large ? 'primary large' : leads ? 'primary' : ''}
           data-lead="connect"
           disabled={session.engaged.value}
           onClick={() => void session.timer.connect()}

@@ -98,9 +98,19 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
       }}
     >
       <p class="row-panel-title">{shifts ? shift.from(name, isDt) : name}</p>
-      {shifts && <ShiftFields tools={tools} isDt={isDt} />}
+      {shifts && <Moved tools={tools} />}
+      {shifts && <ShiftFields tools={tools} />}
       <div class="row-panel-foot">
-        {shifts && <Moved tools={tools} />}
+        {shifts && !isDt && (
+          <label class="check">
+            <input
+              type="checkbox"
+              checked={tools.moveDt.value}
+              onChange={(event) => tools.setMoveDt(event.currentTarget.checked)}
+            />
+            {shift.moveDt}
+          </label>
+        )}
         {revert && (
           <button
             type="button"
@@ -121,7 +131,7 @@ function RowPanel({ tools, identity, slot, name, shifts, revert, onClose, opener
 }
 
 /** This row and all that come after it, to earlier or later. */
-function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt: boolean }) {
+function ShiftFields({ tools }: { readonly tools: RowTools }) {
   const { shift } = messages.value.edits;
   const { value: problem } = tools.problem;
   return (
@@ -150,16 +160,6 @@ function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt:
         </button>
         <button type="submit">{shift.later}</button>
       </div>
-      {!isDt && (
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={tools.moveDt.value}
-            onChange={(event) => tools.setMoveDt(event.currentTarget.checked)}
-          />
-          {shift.moveDt}
-        </label>
-      )}
       {problem && (
         <p class="bad-text" role="alert">
           {problem}
@@ -173,7 +173,7 @@ function ShiftFields({ tools, isDt }: { readonly tools: RowTools; readonly isDt:
 function Moved({ tools }: { readonly tools: RowTools }) {
   const { value: moved } = tools.moved;
   return (
-    <p class="hint" role="status">
+    <p class="hint row-panel-moved" role="status">
       {moved !== 0 && messages.value.edits.shift.moved(formatInterval(Math.abs(moved)), moved > 0)}
     </p>
   );

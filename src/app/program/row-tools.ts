@@ -27,7 +27,9 @@ export class RowTools {
   readonly moved: ReadonlySignal<number> = computed(() => {
     const slot = this.#open.value;
     const step = this.#editor.undoStep.value;
-    if (typeof slot !== 'number' || step?.code !== 'shift' || step.params['slot'] !== slot) return 0;
+    if (typeof slot !== 'number' || step?.code !== 'shift') return 0;
+    const { slot: from } = step.params;
+    if (from !== slot) return 0;
     return (this.#editor.working.value?.times[slot] ?? 0) - (this.#before.value?.times[slot] ?? 0);
   });
   readonly problem: ReadonlySignal<string | null> = this.#problem;

@@ -8,11 +8,18 @@ import { firstInTheWay } from './field-notes.js';
 
 const NOTE = 'blocked-note';
 
+interface WriteButtonProps {
+  readonly session: Session;
+  readonly write: WriteFlow;
+  /** Where there is little room. */
+  readonly brief?: boolean;
+}
+
 /**
  * To the difference, and from there to the timer; where none is connected, by way of Connect. Where a field is in the
  * way it leads to that field.
  */
-export function WriteButton({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
+export function WriteButton({ session, write, brief = false }: WriteButtonProps) {
   const { editor } = session;
   const isBlocked = editor.blocked.value;
   const count = useComputed(() => editor.changes.value.length).value;
@@ -32,12 +39,13 @@ export function WriteButton({ session, write }: { readonly session: Session; rea
       class={isBlocked ? 'blocked' : count > 0 ? 'primary' : ''}
       // Not while a job runs; but the focus stays, also for when the dialog is closed.
       aria-disabled={session.runner.busy.value}
+      aria-label={isOff && brief ? program.connectAndWrite : undefined}
       aria-describedby={isBlocked ? NOTE : undefined}
       // While a timer is looked for, there is one way to it.
       disabled={!isConnected && (!isOff || session.link.unavailable !== null)}
       onClick={() => void press()}
     >
-      {isOff ? program.connectAndWrite : program.write(count)}
+      {isOff && !brief ? program.connectAndWrite : program.write(count)}
     </button>
   );
 }

@@ -50,7 +50,7 @@ export function CommandBar({ session, write, bench, follow, saveSetting, onShift
       <div class="buttons">
         {/* On a phone they stand below the large figures. */}
         {!picture && <ReadButtons session={session} />}
-        <WriteButton session={session} write={write} />
+        <WriteButton session={session} write={write} brief={picture !== null} />
       </div>
     </section>
   );

@@ -84,8 +84,10 @@ export function ProgramView(props: ProgramViewProps) {
           onSelect={select}
           onPoint={point}
         />
-        <ChecksPanel editor={session.editor} />
-        <ProgramExits {...{ session, sharing, onPrint }} />
+        <div class="program-foot">
+          <ProgramExits {...{ session, sharing, onPrint }} />
+          <ChecksPanel editor={session.editor} />
+        </div>
       </>
     ) : (
       <MemoryPicture knowledge={session.knowledge} memory={looking} />
