@@ -18,7 +18,9 @@ interface ModelPageProps {
   readonly onGone: () => void;
 }
 
-/** All that is said of a model, beside or below its settings, which say its name. Each part is kept as it is changed. */
+/**
+ * All that is said of a model, beside or below its settings, which say its name. Each part is kept as it is changed.
+ */
 export function ModelPage({ session, places, record, onGone }: ModelPageProps) {
   const words = libraryMessages.value;
   const { library } = session;
