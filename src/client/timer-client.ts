@@ -153,7 +153,10 @@ export class TimerClient {
     return this.#exchange.schedule.repeats;
   }
 
-  /** Asks the timer what it is (GETSWVER). */
+  /**
+   * Asks the timer what it is (GETSWVER).
+   * @param options how long and how often it is asked, and what stops that.
+   */
   identify({ signal, ...policy }: IdentifyOptions = {}): Promise<Identity> {
     return this.#inTurn(() => this.#identify(signal, policy));
   }
@@ -176,6 +179,7 @@ export class TimerClient {
    * Sends one frame as it is, whatever it may do, and never again. Works before {@link identify} too.
    * @param code the command's letter, 0..255.
    * @param data 0 to 252 bytes. Length and checksum are filled in.
+   * @param options what stops it.
    * @returns the frame that answers it, the one with the next letter; null when none came in time.
    * @throws CodecError when there is no such frame; TimerError `port-lost`, `closed`, or `aborted` before it went out.
    */

@@ -23,6 +23,7 @@ const VENDORS: ReadonlyMap<number, PortKind> = new Map([
  * The kind of adapter, by the vendor of its USB chip: FTDI, Silicon Labs CP210x, WCH CH340, Prolific PL2303. `usb`: of
  * another vendor; `bluetooth`: a Bluetooth serial port; `other`: a port that says nothing of itself, as those built
  * into a computer.
+ * @param info what `getInfo()` of the port gives.
  */
 export function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): PortKind {
   if (bluetoothServiceClassId !== undefined) return 'bluetooth';
@@ -34,6 +35,7 @@ export function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): Po
  * The name under which settings of a port are remembered: `usb:0403:6001` (vendor and product, four hexadecimal digits
  * each), `bluetooth:` and the service class, or `other`. Nothing in Web Serial tells two adapters of one kind apart, so
  * they share a name.
+ * @param info what `getInfo()` of the port gives.
  */
 export function portKey({ usbVendorId, usbProductId, bluetoothServiceClassId }: PortInfo): string {
   if (bluetoothServiceClassId !== undefined) return `bluetooth:${fullUuid(bluetoothServiceClassId)}`;

@@ -65,7 +65,10 @@ export class ReplayTimer {
   #controller: ReadableStreamDefaultController<Uint8Array> | undefined;
   #cut = false;
 
-  /** @param entries as `parseCapture` gives them; they are copied. */
+  /**
+   * @param entries as `parseCapture` gives them; they are copied.
+   * @param options the clock by which it answers.
+   */
   constructor(entries: readonly CaptureEntry[], { clock = realClock }: ReplayTimerOptions = {}) {
     this.#clock = clock;
     const { unasked, exchanges } = sorted(entries);

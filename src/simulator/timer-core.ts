@@ -54,6 +54,7 @@ export class TimerCore {
   #awakeSince: number;
   #phaseBeforeSleep: TimerPhase = 'discharged';
 
+  /** @param options what it is, how it departs from the usual reading, and what it holds. */
   constructor({ identity, quirks, clock, memories = [], sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
     this.identity = identity;
     this.#quirks = quirks;
