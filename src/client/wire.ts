@@ -86,11 +86,6 @@ export class Wire {
     });
   }
 
-  /** Why nothing more can be sent; undefined while it can. */
-  get lost(): TimerError | undefined {
-    return this.#lost;
-  }
-
   /**
    * How often damage was seen since the first request: bytes that belong to no frame, errors of the line, impossible
    * replies.

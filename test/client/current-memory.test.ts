@@ -79,10 +79,13 @@ describe('an answer that names another memory than the one that was read', () =>
   });
 
   it('that cannot be is not followed by one that is believed alone', async () => {
-    const { client, timer, run } = bench();
+    const made = bench();
+    const { client, timer, run } = made;
     answering(timer, 'GETMEMORY', (count) => [[200], [4]][count]);
+    const count = counting(made);
     expect((await run(client.readProgram())).memory).toBe(0);
     expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([[], {}]);
+    expect(count(), 'until two agree, and once at the end').toBe(5);
   });
 
   it('that names no memory at all is asked for again', async () => {
