@@ -92,7 +92,7 @@ function utf8(text: string): number[] {
     const code = character.codePointAt(0) as number;
     const more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x1_0000 ? 2 : 3;
     bytes.push((FIRST[more] as number) + (code >> (6 * more)));
-    for (let shift = 6 * (more - 1); shift >= 0; shift -= 6) bytes.push(0x80 + ((code >> shift) & 0x3f));
+    bytes.push(...Array.from({ length: more }, (_, at) => 0x80 + ((code >> (6 * (more - 1 - at))) & 0x3f)));
   }
   return bytes;
 }

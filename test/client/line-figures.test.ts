@@ -77,7 +77,7 @@ describe('how slow the timer was found to be', () => {
 
 describe('requests that may still be answered', () => {
   const make = () => {
-    const clock = new VirtualClock();
+    const clock = new VirtualClock(5000);
     const own = new LearnedTiming(timing);
     const requests = new UnansweredRequests(clock, own);
     const send = (request: Request, isUnanswered = true): void =>
@@ -186,6 +186,11 @@ describe('a frame as the reply to a question', () => {
     const quirks = new Quirks({});
     for (let i = 0; i < 2; i++) asReply({ code: 0x76, data }, ask({ name: 'GETLOWRPM' }), quirks, isBare);
     expect(quirks.found.has('bare-checksum')).toBe(!isUsual);
+  });
+
+  it('with its letter as its sum it is none where something else can be answered', () => {
+    const question = ask({ name: 'GETLOWRPM' }, 'no');
+    expect(asReply({ code: 0x76, data: bytes(7) }, question, new Quirks({}), true)).toBeUndefined();
   });
 
   it('of a value of 0 says nothing of what the timer does with others', () => {

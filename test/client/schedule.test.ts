@@ -100,6 +100,29 @@ describe('how far a job is', () => {
     ]);
   });
 
+  it('begins no later part before the one that it is at is done, nor one of which a stage is told', () => {
+    const { schedule, told } = begun([
+      { stage: 'read', names: ['GETSWVER', 'GETMEMORY'] },
+      { stage: 'verify', names: ['GETSWVER'] },
+      { names: ['GETSWVER'] },
+    ]);
+    schedule.enter('read');
+    for (const name of ['GETSWVER', 'GETSWVER', 'GETMEMORY', 'GETSWVER'] as const) schedule.answered(name);
+    schedule.enter('verify');
+    for (const name of ['GETMEMORY', 'GETSWVER', 'GETSWVER'] as const) schedule.answered(name);
+    expect(told.map((text) => text.split('/')[0])).toEqual([
+      'read 0',
+      'read 27',
+      'read 27',
+      'read 46',
+      'read 46',
+      'verify 46',
+      'verify 46',
+      'verify 73',
+      'verify 100',
+    ]);
+  });
+
   it('is nothing before the timer is known, and all of it when nothing has to be asked', () => {
     for (const [known, text] of [
       [null, 'read 0/0 0.00 Mnull 0'],

@@ -107,6 +107,15 @@ describe('the plan of a write', () => {
   });
 });
 
+describe('the longest write', () => {
+  it('reads no idle throttle on a timer that is not known to have one, when the goal knows none', () => {
+    const identity = { ...HELD.identity, timerClass: 'B' };
+    const [read] = longestWrite(of({ identity, idleThrottle: null }), false);
+    expect(read?.names).not.toContain('GETLOWRPM');
+    expect(longestWrite(of({ identity }), false)[0]?.names).toContain('GETLOWRPM');
+  });
+});
+
 describe('what a request that was taken makes of a program', () => {
   it.each([
     ['all times', SETTIMERS([1, 2, 3, 4]), of({ times: [1, 2, 3, 4] })],
