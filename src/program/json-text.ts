@@ -150,7 +150,7 @@ class JsonReader {
       return plain;
     }
     const code = this.#text.slice(this.#at + 2, this.#at + 6);
-    if (letter !== 'u' || !/^[0-9A-Fa-f]{4}$/.test(code)) this.#refuse('no such character can follow \\');
+    if (letter !== 'u' || !/[0-9A-Fa-f]{4}/.test(code)) this.#refuse('no such character can follow \\');
     this.#at += 6;
     return String.fromCharCode(Number.parseInt(code, 16));
   }

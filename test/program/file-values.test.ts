@@ -90,6 +90,7 @@ describe('a program in a file', () => {
       { motorStop: '1.250' },
       ['wrong-type', 'p.motorStop', `p.motorStop must be ${time}`, { value: '1.250' }],
     ],
+    ['no slots', { slots: 5 }, ['wrong-type', 'p.slots', 'p.slots must be a list', { value: 5 }]],
     [
       'too few slots',
       { slots: ROWS.slice(0, 2) },

@@ -85,6 +85,12 @@ describe('where a value stands in a text', () => {
   });
 });
 
+describe('where a text begins', () => {
+  it('is behind the blanks before it', () => {
+    expect(placeInText(' \n  {"a": 1}', 'missing')).toEqual({ line: 2, column: 3 });
+  });
+});
+
 describe('JSON that a person can read', () => {
   it.each([
     [{}, '{}'],

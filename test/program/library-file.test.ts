@@ -96,6 +96,9 @@ describe('a library file', () => {
     ['another JSON', '{ "name": "sidus-timer", "version": 1 }', 'bad-file format 1:1'],
     ['a list', '[]', 'bad-file format 1:1'],
     ['a word', 'null', 'bad-file format 1:1'],
+    ['a number', '5', 'bad-file format 1:1'],
+    ['a date of writing', changed('"writtenAt"', '"written"'), 'wrong-type writtenAt 1:1'],
+    ['the name of a writer', changed('"writtenBy"', '"written"'), 'wrong-type writtenBy 1:1'],
     ['the letters of UTF-16', `ÿþ${[...TEXT].map((letter) => `${letter}\u0000`).join('')}`, 'bad-file encoding'],
     ['UTF-16 without a mark', [...TEXT].map((letter) => `${letter}\u0000`).join(''), 'bad-file encoding'],
     ['UTF-16 of the other order', [...TEXT].map((letter) => `\u0000${letter}`).join(''), 'bad-file encoding'],
@@ -245,7 +248,17 @@ describe('a library file', () => {
   it('carries what is known beside it', () => {
     const { program } = SETTING;
     const facts: FactsOf = new Map<Model | Flight, EntryFacts>([
-      [MODEL, { changedAt: 5, verified: [{ program, at: 7 }] }],
+      [
+        MODEL,
+        {
+          changedAt: 5,
+          verified: [
+            { program, at: 7 },
+            { program, at: 8, simulated: true },
+            { program, at: 9, simulated: false },
+          ],
+        },
+      ],
       [FLIGHT, { changedAt: 9 }],
     ]);
     const file: LibraryFile = parseLibraryFile(formatLibraryFile(LIBRARY, { ...HEAD, facts }));
