@@ -12,9 +12,13 @@ export const ROOMS = {
 
 const LEFT_OUT = /matrix\.test\.ts$|\/noise\.test\.ts$/;
 
-/** @param {keyof typeof ROOMS} room */
+/**
+ * @param {keyof typeof ROOMS} room
+ * @returns {string[]} with MUTANTS_TESTS in the environment those that fit this pattern: quick, while a test is written
+ */
 export function testFilesOf(room) {
+  const wanted = new RegExp(process.env.MUTANTS_TESTS ?? '');
   return ROOMS[room]
     .flatMap((folder) => readdirSync(folder).map((file) => `${folder}/${file}`))
-    .filter((file) => file.endsWith('.test.ts') && !LEFT_OUT.test(file));
+    .filter((file) => file.endsWith('.test.ts') && !LEFT_OUT.test(file) && wanted.test(file));
 }
