@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { expect, test } from 'vitest';
 import { meant, readCsv } from '../app/flights/csv-reader.js';
 import { AppPage } from './app-page.js';
+import { fillLibrary } from './library.js';
 import { isWellMade } from './well-made.js';
 
 test('a flight is logged with one tap, filled in, kept, found again and exported; a short DT is put back', async () => {
@@ -84,4 +85,41 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await page.getByText('No flight fits this filter.').waitFor();
   await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
   await rows.waitFor();
+});
+
+test('a log of 10,000 flights is scrolled to its end, and only what is near is in the page', async () => {
+  const app = await AppPage.open();
+  const { page } = app;
+  const identity = { timerClass: 'B', firmware: '536', functions: 2, memories: 4, servos: 1 };
+  const program = { identity, memory: 0, times: [0, 100, 18_000], positions: [[1, 2, 3]], idleThrottle: null };
+  const nothing = { place: '', model: null, modelName: '', setting: null, settingName: '', round: '', note: '' };
+  const flights = Array.from({ length: 10_000 }, (_, at) => {
+    const flight = { id: `f${at}`, at: at * 3_600_000, program, ...nothing, wind: null, temperature: null, result: at };
+    return { key: flight.id, flight, changedAt: 0 };
+  });
+  await fillLibrary(app, { models: [], settings: [], flights });
+  await page.evaluate(() => location.assign('#library/flights'));
+  await app.reload();
+  const rows = page.locator('.flight-row');
+  await page.getByText('10000 flights', { exact: true }).first().waitFor();
+  await rows.filter({ hasText: '166:39 min' }).waitFor();
+  const height = (): Promise<number> => page.evaluate(() => document.documentElement.scrollHeight);
+  const before = await height();
+  const oldest = rows.filter({ hasText: /No model\s*0 s$/ });
+  await expect
+    .poll(async () => {
+      await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight));
+      return oldest.count();
+    })
+    .toBe(1);
+  await expect.poll(() => rows.count()).toBeLessThan(300);
+  await expect
+    .poll(async () => Math.abs((await height()) / before - 1), 'what is not drawn keeps its place')
+    .toBeLessThan(0.3);
+  await oldest.click();
+  const form = page.getByRole('dialog', { name: 'Flight' });
+  await form.getByRole('textbox', { name: 'Result' }).fill('0,5');
+  await page.keyboard.press('Enter');
+  await form.waitFor({ state: 'hidden' });
+  await rows.filter({ hasText: '0.5 s' }).waitFor();
 });

@@ -1,5 +1,7 @@
 import { expect, it } from 'vitest';
+import { manyRecords } from '../app/library/many.js';
 import { AppPage } from './app-page.js';
+import { fillLibrary } from './library.js';
 import { PHONE } from './page.js';
 
 const open = async (app: AppPage, address: string): Promise<void> => {
@@ -95,6 +97,69 @@ it('all of it goes by the keyboard alone, also another order', async () => {
   await expect
     .poll(() => app.page.locator('.library-models .library-item b:not(.library-more *)').allInnerTexts())
     .toEqual(['Second', 'First']);
+});
+
+it.each(['mouse', 'finger'] as const)('rows are put into another order with a %s by their handles', async (by) => {
+  const app = await AppPage.open(by === 'mouse' ? { viewport: { width: 1280, height: 800 } } : PHONE);
+  const { page } = app;
+  await fillLibrary(app, manyRecords({ models: 5, settings: 0, flights: 0 }));
+  await app.reload();
+  await open(app, '#library');
+  await app.button('Arrange').click();
+  const names = () => page.locator('.library-models li[data-key] b').allInnerTexts();
+  const grip = (at: number) => page.locator('.library-models li[data-key] .grip').nth(at);
+  await grip(4).waitFor();
+  const [first = '', ...others] = await names();
+  /** The middle of a handle. */
+  const middle = async (at: number): Promise<{ x: number; y: number }> => {
+    const box = await grip(at).boundingBox();
+    return { x: (box?.x ?? 0) + (box?.width ?? 0) / 2, y: (box?.y ?? 0) + (box?.height ?? 0) / 2 };
+  };
+  const [from, to] = [await middle(0), await middle(3)];
+  const steps = Array.from({ length: 8 }, (_, at) => ({ x: from.x, y: from.y + ((to.y - from.y) * (at + 1)) / 8 }));
+  if (by === 'mouse') {
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    for (const { x, y } of steps) await page.mouse.move(x, y);
+    await page.mouse.up();
+  } else {
+    const touch = await page.context().newCDPSession(page);
+    await touch.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [from] });
+    for (const at of steps) await touch.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [at] });
+    await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+  }
+  const moved = [...others.slice(0, 3), first, ...others.slice(3)];
+  await expect.poll(names).toEqual(moved);
+  await app.button('Done').click();
+  await app.reload();
+  await expect.poll(() => page.locator('.library-models .library-item b').allInnerTexts()).toEqual(moved);
+});
+
+it('two tabs that save one thing at the same moment ask, and lose nothing', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await open(app, '#library');
+  await makeModel(app, 'Lancer 07');
+  const other = await app.sibling();
+  const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
+  await noteOf(other).waitFor();
+  // Neither hears of the other.
+  for (const { page } of [app, other]) {
+    await page.evaluate(() => {
+      BroadcastChannel.prototype.postMessage = () => {};
+    });
+  }
+  await noteOf(app).fill('of the first');
+  await noteOf(app).blur();
+  await noteOf(other).fill('of the other');
+  await noteOf(other).blur();
+  const dialog = other.page.getByRole('dialog', { name: 'Another tab has saved this at the same time' });
+  await dialog.getByText('of the first').waitFor();
+  await dialog.getByText('of the other').waitFor();
+  await dialog.getByRole('button', { name: 'Replace it with mine' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+  await expect.poll(() => noteOf(other).inputValue()).toBe('of the other');
+  await app.reload();
+  await expect.poll(() => noteOf(app).inputValue()).toBe('of the other');
 });
 
 it('two tabs stay in step, and neither loses what was typed in the other', async () => {
