@@ -384,7 +384,7 @@ test('a season of three models is flown, and a lost device comes back on another
     temperature: -2.5,
     result: 170,
   });
-  await page.context().close();
+  await page.close();
 
   // Another device, with nothing on it but this page.
   const second = await Device.open();
