@@ -133,7 +133,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     clearTimeout(this.#deleting);
     this.#removed.value = [...this.#removed.peek(), ...this.#list.peek().filter(({ key }) => keys.includes(key))];
     this.#show(this.#list.peek());
-    this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
+    this.#deleting = setTimeout(() => void this.#deleteUnchanged(), UNDO_WAIT);
   }
 
   /** Puts back what was taken out, as long as it has not been deleted. */
@@ -154,6 +154,17 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     for (const since of this.#since) for (const { key } of gone) since.set(key, null);
     const deleted = gone.map(({ key }) => this.#keeper.remove(key));
     void Promise.allSettled(deleted).then(() => this.#onChange());
+  }
+
+  /** What another tab has changed meanwhile is not deleted, also where nobody has told of it. */
+  async #deleteUnchanged(): Promise<void> {
+    const gone = this.#removed.peek();
+    const held = await Promise.all(gone.map(({ key }) => this.#keeper.load(key).catch(() => undefined)));
+    const changed = held.filter((now, at) => now && now.changedAt > (gone[at]?.changedAt ?? 0));
+    const isChanged = (key: string): boolean => changed.some((now) => now?.key === key);
+    this.#removed.value = this.#removed.peek().filter(({ key }) => !isChanged(key));
+    this.flush();
+    if (changed.length > 0) await this.refresh();
   }
 
   /** Tries again to keep what the browser has not kept. */

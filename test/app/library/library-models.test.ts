@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import type { TabChannel } from '../../../src/app/browser/other-tabs.js';
 import { Browse } from '../../../src/app/library/browse.js';
 import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js';
@@ -274,6 +274,21 @@ describe('two tabs that save one thing within moments, before they hear of each 
     one.flush();
     await other.keepSetting({ ...settingIn(other), note: 'still wanted' });
     expect(keptSetting(store)?.note).toBe('still wanted');
+  });
+
+  it('do not delete what the other has changed since, though nobody has told of it', async () => {
+    vi.useFakeTimers();
+    onTestFinished(() => void vi.useRealTimers());
+    const [one, other, store] = await twoTabs();
+    const { id } = settingIn(one);
+    one.settings.remove(id);
+    await other.keepSetting({ ...settingIn(other), note: 'still wanted' });
+    await vi.advanceTimersByTimeAsync(11_000);
+    expect(keptSetting(store)?.note).toBe('still wanted');
+    expect([settingIn(one).note, one.settings.removed.value]).toEqual(['still wanted', []]);
+    one.settings.remove(id);
+    await vi.advanceTimersByTimeAsync(11_000);
+    expect(keptSetting(store)).toBeUndefined();
   });
 
   it('also where the one was not kept at first', async () => {
