@@ -113,9 +113,8 @@ test('a log of 10,000 flights is scrolled to its end, and only what is near is i
     })
     .toBe(1);
   await expect.poll(() => rows.count()).toBeLessThan(300);
-  await expect
-    .poll(async () => Math.abs((await height()) / before - 1), 'what is not drawn keeps its place')
-    .toBeLessThan(0.3);
+  // What is not drawn keeps its place.
+  await expect.poll(async () => Math.abs((await height()) / before - 1)).toBeLessThan(0.3);
   await oldest.click();
   const form = page.getByRole('dialog', { name: 'Flight' });
   await form.getByRole('textbox', { name: 'Result' }).fill('0,5');
