@@ -159,6 +159,7 @@ export class AppPage {
   }
 
   async readAgain(): Promise<void> {
+    await this.actions.waitFor();
     const button = this.page.locator('.actions, .strip-panel').getByRole('button', { name: 'Read again' });
     if ((await button.count()) === 0) await this.showFigures();
     await button.click();
@@ -347,6 +348,12 @@ export class AppPage {
       const number = sessionStorage.getItem('sidus-timer/tab');
       return held.some(({ name }) => name === `sidus-timer/tab/${number}`);
     });
+  }
+
+  /** Gives the window another size, until the page has followed: it hears of it when the next picture is drawn. */
+  async resize(viewport: { readonly width: number; readonly height: number }): Promise<void> {
+    await this.page.setViewportSize(viewport);
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 
   /** Loads the page again. */

@@ -27,23 +27,21 @@ const faults: string[] = [];
 
 async function look(app: AppPage, sizes: readonly Size[], state: string): Promise<void> {
   for (const [width, height] of sizes) {
-    await app.page.setViewportSize({ width, height });
-    await drawn(app);
+    await app.resize({ width, height });
     for (const fault of await app.page.evaluate(outOfReach, OVER))
       faults.push(`${state}, ${width}x${height}: ${fault}`);
   }
   const [first] = sizes;
-  if (first) await app.page.setViewportSize({ width: first[0], height: first[1] });
   // Where there is least room: on a phone its strip, on a tablet and a laptop the rail.
   for (const [width, height] of sizes.filter((size) => size === first || size[0] === 820)) {
-    await app.page.setViewportSize({ width, height });
+    await app.resize({ width, height });
     await app.page.evaluate(spreadText, true);
     await drawn(app);
     for (const fault of await app.page.evaluate(outOfReach, OVER))
       faults.push(`${state}, ${width}x${height} with spread text: ${fault}`);
     await app.page.evaluate(spreadText, false);
   }
-  if (first) await app.page.setViewportSize({ width: first[0], height: first[1] });
+  if (first) await app.resize({ width: first[0], height: first[1] });
 }
 
 const drawn = (app: AppPage): Promise<unknown> =>

@@ -243,7 +243,7 @@ describe('nothing is cut off or covered', () => {
     const app = await AppPage.open({ bench: {} });
     const inEachLook = async (check: (look: string) => Promise<void>): Promise<void> => {
       for (const width of widths) {
-        await app.page.setViewportSize({ width, height: 800 });
+        await app.resize({ width, height: 800 });
         for (const theme of ['light', 'sun']) {
           await showTheme(app, theme);
           await check(`${width} px, ${theme}`);

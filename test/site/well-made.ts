@@ -59,7 +59,7 @@ export async function isWellMade(app: AppPage, screen: string, sizes: Sizes = SI
   // Without what moves: halfway between two colours the contrast is of neither.
   await page.emulateMedia({ reducedMotion: 'reduce' });
   for (const [name, viewport] of Object.entries(sizes)) {
-    await page.setViewportSize(viewport);
+    await app.resize(viewport);
     for (const [index, each] of THEMES.entries()) {
       await showTheme(app, each);
       const rules = index === 0 ? undefined : ['color-contrast', 'link-in-text-block'];
@@ -68,6 +68,6 @@ export async function isWellMade(app: AppPage, screen: string, sizes: Sizes = SI
     expect(await smallTargets(app), `${screen}: ${name}`).toEqual([]);
     await app.expectNoSidewaysScrolling();
   }
-  if (size) await page.setViewportSize(size);
+  if (size) await app.resize(size);
   if (theme) await showTheme(app, theme);
 }
