@@ -157,6 +157,7 @@ export const states = {
     title: 'Before anything is connected',
     reach: async (page) => {
       await page.getByRole('button', { name: 'Connect' }).first().waitFor();
+      await page.locator('.first-steps').waitFor();
     },
   },
   'new-program': {
