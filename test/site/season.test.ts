@@ -307,7 +307,7 @@ test('a season of three models is flown, and a lost device comes back on another
     buffer: await picture(app),
   });
   await page.getByRole('img', { name: 'Picture of Lancer 07' }).waitFor();
-  await about.getByText('Backups').waitFor();
+  await about.getByRole('heading', { name: 'Backups' }).waitFor();
   await first.tag('Lancer 07', LANCER);
   await about.getByRole('button', { name: 'Arrange' }).click();
   await about.getByRole('button', { name: 'Move new propeller up' }).click();
