@@ -190,7 +190,7 @@ class Device {
   async showsTheSeason(): Promise<void> {
     const { page } = this.app;
     const about = await this.goTo('Lancer 07');
-    const names = (list: string) => page.locator(`${list} .library-item b`).allInnerTexts();
+    const names = (list: string) => page.locator(`${list} li[data-key] .library-item b`).allInnerTexts();
     await expect.poll(() => names('.library-models')).toEqual(['Lancer 07', 'Vega 12', 'Ridge 3']);
     await expect
       .poll(() => names('.library-settings'))
