@@ -83,7 +83,7 @@ test('after one visit a whole day on the field needs no network, from the connec
   await app.text('All of it is on this device').waitFor();
   await app.text('What is new').click();
   await page.getByRole('heading', { level: 3, name: /^Version / }).waitFor();
-  await app.text('Licences').click();
+  await page.getByText('Licences', { exact: true }).click();
   await app.text(/^preact \d/).click();
   await app.text('Copyright (c) 2015-present Jason Miller').waitFor();
 });
