@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { dateFromFile, dateToFile, programFromFile, programToFile } from '../../src/program/file-values.js';
 import type { TimerProgram } from '../../src/program/index.js';
-import { CodecError } from '../../src/protocol/index.js';
+import { refusalOf } from './refusal.js';
 
 const PROGRAM: TimerProgram = {
   identity: { timerClass: 'Q', firmware: '536', functions: 2, memories: 4, servos: 1 },
@@ -20,15 +20,6 @@ const { slots: ROWS } = programToFile(PROGRAM) as { slots: object[] };
 const slots = (at: number, other: object): object => ({
   slots: ROWS.map((row, index) => (index === at ? { ...row, ...other } : row)),
 });
-
-function refusalOf(work: () => unknown): unknown {
-  try {
-    return work();
-  } catch (error) {
-    if (error instanceof CodecError) return [error.code, error.field, error.message, error.details];
-    throw error;
-  }
-}
 
 describe('a program in a file', () => {
   it('comes back as it was, its first time by the name that it has on this class', () => {

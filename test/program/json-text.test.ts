@@ -1,15 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { placeInText, readJson, writeJson } from '../../src/program/json-text.js';
-import { CodecError } from '../../src/protocol/index.js';
-
-function refusalOf(work: () => unknown): unknown {
-  try {
-    return work();
-  } catch (error) {
-    if (error instanceof CodecError) return [error.code, error.field, error.message, error.details];
-    throw error;
-  }
-}
+import { refusalOf } from './refusal.js';
 
 describe('a text of JSON', () => {
   it.each([
