@@ -2,16 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { requireShape, type TimerProgram } from '../../src/program/index.js';
 import { entries } from '../../src/program/library.js';
 import { flag, id, list, measured, record, text, whole, within, word } from '../../src/program/require.js';
-import { CodecError } from '../../src/protocol/index.js';
-
-function refusalOf(work: () => unknown): unknown {
-  try {
-    return work();
-  } catch (error) {
-    if (error instanceof CodecError) return [error.code, error.field, error.message, error.details];
-    throw error;
-  }
-}
+import { refusalOf } from './refusal.js';
 
 const SMALL = { timerClass: 'B', firmware: '536', functions: 1, memories: 1, servos: 1 };
 const program = (other: Partial<TimerProgram>): TimerProgram => ({

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import {
   type CaptureEntry,
   COMMANDS,
-  CodecError,
+  type CodecError,
   type CodecErrorDetails,
   decodeReply,
   decodeRequest,
@@ -15,21 +15,13 @@ import {
   type Request,
   requireIdentity,
 } from '../../src/protocol/index.js';
+import { refusalOf } from '../program/refusal.js';
 
 const identity: Identity = { timerClass: 'Q', firmware: '536', functions: 2, memories: 4, servos: 1 };
 const of = (other: object): Identity => ({ ...identity, ...other });
 const bytes = (...data: number[]) => Uint8Array.from(data);
 
 type Refusal = [code: CodecError['code'], field: string, message: string, details: CodecErrorDetails];
-
-function refusalOf(work: () => unknown): unknown {
-  try {
-    return work();
-  } catch (error) {
-    if (!(error instanceof CodecError)) throw error;
-    return [error.code, error.field, error.message, error.details];
-  }
-}
 
 /** What is refused is named with its place and its figures, so that a program can say it in its own words. */
 describe('a refusal names the place and the figures', () => {
