@@ -14,6 +14,7 @@ import './timeline/small-lanes.css';
 import * as v from 'valibot';
 import { afterPaint, nextTask } from './browser/after-paint.js';
 import { media } from './browser/doors.js';
+import { holdDroppedFiles } from './browser/dropped-files.js';
 import { tried } from './browser/services.js';
 import { loadSetting } from './browser/settings.js';
 import { earlyClicks } from './early-clicks.js';
@@ -33,6 +34,7 @@ if (!isStart) root.replaceChildren();
 // Who has seen the first steps needs no room for them.
 if (loadSetting('first-steps', v.boolean())) root.querySelector('.first-steps-room')?.remove();
 root.hidden = false;
+holdDroppedFiles();
 const doEarlyClick = earlyClicks(root);
 // Without a first picture there is none to wait for.
 if (isStart) afterPaint(open);

@@ -1,9 +1,13 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import type { Page } from 'playwright';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, inject, onTestFinished, test } from 'vitest';
 import { formatLibraryFile, type Library, parseLibraryFile } from '../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../program/library-examples.js';
 import { AppPage } from './app-page.js';
+import { newPage } from './page.js';
 import { isWellMade } from './well-made.js';
 
 /** A season: three models, twelve settings, thirty flights. */
@@ -65,6 +69,34 @@ async function exported(app: AppPage): Promise<Library> {
 
 /** A browser that has no question where a file is to lie. */
 const noPicker = (): void => void Object.defineProperty(window, 'showSaveFilePicker', { value: undefined });
+
+test('a file that is dropped while the page is still coming is not opened by the browser, and is not lost', async () => {
+  const page = await newPage();
+  let comes = (): void => {};
+  const late = new Promise<void>((resolve) => {
+    comes = resolve;
+  });
+  await page.route(/\/dialogs-[^/]*\.js$/, async (route) => {
+    await late;
+    await route.continue();
+  });
+  await page.goto(inject('site'));
+  const app = new AppPage(page);
+  await app.button('Connect').waitFor();
+  const folder = mkdtempSync(join(tmpdir(), 'sidus-drop-'));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  const path = join(folder, 'season.sidus.json');
+  writeFileSync(path, TEXT);
+  const mouse = await page.context().newCDPSession(page);
+  const data = { items: [], files: [path], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+    await mouse.send('Input.dispatchDragEvent', { type, x: 200, y: 200, data });
+  }
+  expect(await page.evaluate(() => location.protocol), 'the page is still there').toBe('http:');
+  comes();
+  await page.getByRole('heading', { name: 'Import season.sidus.json' }).waitFor();
+  await app.button('Import 45').waitFor();
+});
 
 test('a season goes into one file, the device is emptied, and the file brings all of it back', async () => {
   const app = await opened(noPicker);

@@ -1,0 +1,65 @@
+import { afterEach, expect, it, vi } from 'vitest';
+import { holdDroppedFiles, takeDroppedFiles } from '../../../src/app/browser/dropped-files.js';
+
+const FILE = new File(['{}'], 'a.sidus');
+const ends: (() => void)[] = [];
+afterEach(() => {
+  for (const end of ends.splice(0)) end();
+});
+
+/** What a browser tells of something that is moved over the page. */
+function tell(type: 'dragover' | 'dragleave' | 'drop', files: File[] | null, out = true) {
+  const dataTransfer = { types: files ? ['Files'] : ['text/plain'], files: files ?? [], dropEffect: 'move' };
+  const event = new Event(type, { bubbles: true, cancelable: true });
+  Object.assign(event, { dataTransfer, relatedTarget: out ? null : document.body });
+  document.body.dispatchEvent(event);
+  return { isOurs: event.defaultPrevented, effect: dataTransfer.dropEffect };
+}
+
+function taker(takes = true) {
+  const spies = { takes: () => takes, over: vi.fn(), drop: vi.fn() };
+  ends.push(takeDroppedFiles(spies));
+  return spies;
+}
+
+it('holds what is dropped before there is anybody to take it, the last of it', () => {
+  holdDroppedFiles();
+  const later = new File(['{}'], 'b.sidus');
+  expect(tell('dragover', [FILE])).toEqual({ isOurs: true, effect: 'copy' });
+  expect([tell('drop', [FILE]).isOurs, tell('drop', [later]).isOurs]).toEqual([true, true]);
+  expect(taker().drop.mock.calls).toEqual([[[later]]]);
+  expect(taker().drop, 'only one has it').not.toHaveBeenCalled();
+});
+
+it('gives it to the taker at once, and holds it again when that has gone', () => {
+  const first = taker();
+  tell('drop', [FILE]);
+  expect(first.drop).toHaveBeenCalledTimes(1);
+  ends.splice(0)[0]?.();
+  expect(tell('drop', [FILE]).isOurs).toBe(true);
+  expect([first.drop, taker().drop].map((spy) => spy.mock.calls.length)).toEqual([1, 1]);
+});
+
+it('keeps the browser from taking a file that is not wanted now', () => {
+  const busy = taker(false);
+  expect(tell('dragover', [FILE])).toEqual({ isOurs: true, effect: 'none' });
+  expect(tell('drop', [FILE]).isOurs).toBe(true);
+  expect([busy.drop.mock.calls, busy.over.mock.calls]).toEqual([[], [[false], [false]]]);
+});
+
+it('tells when files are over the page, and when they have left it, not each part of it', () => {
+  const { over } = taker();
+  tell('dragover', [FILE]);
+  tell('dragleave', [FILE], false);
+  tell('dragleave', [FILE]);
+  expect(over.mock.calls).toEqual([[true], [false]]);
+});
+
+it('leaves all else that is dragged to the browser', () => {
+  const { drop } = taker();
+  expect([tell('dragover', null), tell('drop', null)]).toEqual([
+    { isOurs: false, effect: 'move' },
+    { isOurs: false, effect: 'move' },
+  ]);
+  expect(drop).not.toHaveBeenCalled();
+});
