@@ -31,6 +31,9 @@ const ACTIONS: Readonly<Record<string, (bench: LinkBench) => void>> = {
   recheck: ({ link }) => void link.recheck(),
 };
 
+/** The actions of which the browser tells by an event. */
+const PLUG: ReadonlySet<unknown> = new Set(['unplug', 'replug', 'replugSame', 'returnAsNew']);
+
 const action = fc.oneof(
   { weight: 3, arbitrary: fc.constantFrom(...Object.keys(ACTIONS)) },
   { weight: 1, arbitrary: fc.constant('read') },
@@ -55,8 +58,11 @@ it('whatever happens, one port is open at most, and a timer is found when all is
         adapter.port.device.onopenchange = () => expect(opened().length).toBeLessThanOrEqual(1);
       };
       watch();
+      // Of a plug that is pulled and put back in one go the link hears a moment later.
+      let isHeard = true;
 
       for (const what of actions) {
+        isHeard = typeof what === 'object' && 'ms' in what ? true : isHeard && !PLUG.has(what);
         if (typeof what === 'string' && what !== 'read') ACTIONS[what]?.(bench);
         else if (what === 'read') {
           if (link.state.status === 'on')
@@ -69,7 +75,7 @@ it('whatever happens, one port is open at most, and a timer is found when all is
         else await clock.advance(what.ms);
         watch();
         if (link.state.status === 'off') expect(opened()).toEqual([]);
-        if (link.state.status === 'on') expect(opened()[0]).toBe(link.state.port);
+        if (link.state.status === 'on' && isHeard) expect(opened()[0]).toBe(link.state.port);
       }
 
       if (!adapter.port.connected) adapter.replug();
@@ -90,6 +96,6 @@ it('whatever happens, one port is open at most, and a timer is found when all is
       expect(opened()).toEqual([]);
       expect(await canBeOpened(adapter.port)).toBe(true);
     }),
-    { numRuns: 300 },
+    { numRuns: 300, examples: [[['choose', { ms: 0 }, 'unplug', 'replug'], false]] },
   );
 });
