@@ -77,7 +77,11 @@ export async function openPage(root: HTMLElement, theme: Theme): Promise<void> {
     session.library.flush();
   });
   // A page that is put away on a phone may be ended without another word.
-  document.addEventListener('visibilitychange', () => document.hidden && session.keptWork.keepNow());
+  document.addEventListener('visibilitychange', () => {
+    if (!document.hidden) return;
+    session.keptWork.keepNow();
+    session.library.keepClashes();
+  });
   // What another tab has found out, or left behind, since this one was looked at last.
   document.addEventListener('visibilitychange', () => document.hidden || void session.knowledge.refresh());
   onWake(() => session.link.recheck());

@@ -1,12 +1,7 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { Keeper } from '../storage/index.js';
-import { type Merged, merged } from './merged.js';
-
-/** Another tab has saved a record a moment before this one, and the two do not agree: the pilot is to choose. */
-export interface Clash<T> extends Merged<T> {
-  /** What the storage holds. */
-  readonly theirs: T;
-}
+import { type Clash, Clashes } from './clashes.js';
+import { merged } from './merged.js';
 
 /** So long a deleted record can be put back, in milliseconds. */
 const UNDO_WAIT = 10_000;
@@ -44,15 +39,25 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
   /** What the storage held when it was heard last, and what it was asked to keep since then, by key. */
   readonly #held = new Map<string, T>();
   readonly #sent = new Map<string, readonly T[]>();
-  readonly #clashes = signal<readonly Clash<T>[]>([]);
+  readonly #clashes: Clashes<T>;
   /** Where the pilot has to say what is to be kept. The storage holds what another tab has saved. */
-  readonly clashes: ReadonlySignal<readonly Clash<T>[]> = this.#clashes;
+  readonly clashes: ReadonlySignal<readonly Clash<T>[]>;
 
-  /** @param onChange called when the storage holds something else than before: for the other tabs. */
-  constructor(keeper: Keeper<T>, inOrder: (a: T, b: T) => number, onChange: () => void) {
+  /**
+   * @param copyOf makes another record of one, with a key of its own.
+   * @param onChange called when the storage holds something else than before: for the other tabs.
+   */
+  constructor(
+    keeper: Keeper<T>,
+    inOrder: (a: T, b: T) => number,
+    copyOf: (record: T) => T,
+    onChange: () => void,
+  ) {
     this.#keeper = keeper;
     this.#inOrder = inOrder;
     this.#onChange = onChange;
+    this.#clashes = new Clashes(keeper, copyOf);
+    this.clashes = this.#clashes.list;
   }
 
   get(key: string | null): T | undefined {
@@ -182,14 +187,21 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
 
   /** The pilot has chosen what is to be kept of the first record on which two tabs do not agree. */
   async settle(choice: 'mine' | 'theirs'): Promise<void> {
-    const [clash, ...more] = this.#clashes.peek();
-    this.#clashes.value = more;
-    if (clash && choice === 'mine') await this.save({ ...clash.record, changedAt: Date.now() });
+    const [clash] = this.#clashes.list.peek();
+    if (!clash) return;
+    this.settled(clash.record.key);
+    if (choice === 'mine') await this.save({ ...clash.record, changedAt: Date.now() });
   }
 
   /** He has chosen elsewhere. */
   settled(key: string): void {
-    this.#clashes.value = this.#clashes.peek().filter(({ record }) => record.key !== key);
+    const gone = this.#clashes.end(key);
+    if (gone !== undefined) this.#show(this.#list.peek().filter((each) => each.key !== gone));
+  }
+
+  /** The page may not come back: see {@link Clashes.keepCopies}. */
+  keepClashes(): void {
+    this.#clashes.keepCopies();
   }
 
   /**
@@ -219,7 +231,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
     if (both.disagreed.length === 0) return await this.save(both.record);
     this.#note([record], true);
     batch(() => {
-      this.#clashes.value = [...this.#clashes.peek(), { ...both, theirs: held }];
+      this.#clashes.add({ ...both, theirs: held });
       this.#show([...this.#list.peek(), held]);
     });
     return false;

@@ -1,8 +1,9 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
-import type { Flight, Model, Setting } from '../../program/index.js';
+import { type Flight, LIMITS, type Model, type Setting } from '../../program/index.js';
 import type { TabChannel } from '../browser/other-tabs.js';
 import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
-import { type Clash, Collection } from './collection.js';
+import type { Clash } from './clashes.js';
+import { Collection } from './collection.js';
 
 /** What the tabs say to each other when one of them has changed the library. */
 const CHANGED = 'library changed';
@@ -43,9 +44,9 @@ export class Library {
     const latestFirst = (a: FlightRecord, b: FlightRecord): number =>
       b.flight.at - a.flight.at || (a.key < b.key ? -1 : 1);
     const tell = (): void => this.#tell();
-    this.models = new Collection(storage.models, byOrder, tell);
-    this.settings = new Collection(storage.settings, byOrder, tell);
-    this.flights = new Collection(storage.flights, latestFirst, tell);
+    this.models = new Collection(storage.models, byOrder, copyOfModel, tell);
+    this.settings = new Collection(storage.settings, byOrder, copyOfSetting, tell);
+    this.flights = new Collection(storage.flights, latestFirst, copyOfFlight, tell);
     this.kept = computed(() =>
       [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
     );
@@ -137,6 +138,12 @@ export class Library {
   /** The page is left: what was taken out is deleted. */
   flush(): void {
     for (const each of [this.models, this.settings, this.flights]) each.flush();
+    this.keepClashes();
+  }
+
+  /** The page may not come back: what the pilot has not decided is there twice. */
+  keepClashes(): void {
+    for (const each of [this.models, this.settings, this.flights]) each.keepClashes();
   }
 
   /** The storage does again what it did not before: reads what it has not given back, keeps what it has not kept. */
@@ -157,4 +164,25 @@ export class Library {
 
 function nextOrder(records: readonly { readonly order: number }[]): number {
   return Math.max(0, ...records.map(({ order }) => order)) + 1;
+}
+
+/** The values of this tab beside those of another one. What its timers hold is known of one model alone. */
+function copyOfModel({ model, ...rest }: ModelRecord): ModelRecord {
+  const key = newId();
+  return { ...rest, key, verified: [], model: { ...model, id: key, name: secondName(model.name) } };
+}
+
+function copyOfSetting({ setting, ...rest }: SettingRecord): SettingRecord {
+  const key = newId();
+  return { ...rest, key, setting: { ...setting, id: key, name: secondName(setting.name) } };
+}
+
+function copyOfFlight({ flight, ...rest }: FlightRecord): FlightRecord {
+  const key = newId();
+  return { ...rest, key, flight: { ...flight, id: key } };
+}
+
+function secondName(name: string): string {
+  const end = ' (2)';
+  return [...name].slice(0, LIMITS.name - end.length).join('') + end;
 }

@@ -5,6 +5,7 @@ import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js'
 import { asTags } from '../../../src/app/library/tags.js';
 import { Library } from '../../../src/app/session/library.js';
 import { addressAt } from '../../../src/app/shell/views.js';
+import type { FlightRecord, ModelRecord } from '../../../src/app/storage/index.js';
 import { type Flight, LIMITS, type Model, type Setting } from '../../../src/program/index.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { type Counts, manyRecords } from './many.js';
@@ -15,6 +16,7 @@ function stored(counts: Counts): MemoryStore {
   const records = manyRecords(counts);
   for (const each of records.models) store.models.records.set(each.key, each);
   for (const each of records.settings) store.settings.records.set(each.key, each);
+  for (const each of records.flights) store.flights.records.set(each.key, each);
   return store;
 }
 
@@ -247,6 +249,43 @@ describe('two tabs that save one thing within moments, before they hear of each 
       choice === 'mine' ? { note: 'of the other', name: 'another', tags: [] } : { note: 'of the one', tags: [] },
     );
     expect(settingIn(other)).toEqual(keptSetting(store));
+  });
+
+  it('keep both where the page is left before the pilot has chosen', async () => {
+    const [one, other, store] = await twoTabs();
+    const long = 'x'.repeat(LIMITS.name);
+    await one.keepSetting({ ...settingIn(one), note: 'of the one' });
+    await other.keepSetting({ ...settingIn(other), note: 'of the other', name: long });
+    await one.keepModel({ ...(one.models.list.value[0] as ModelRecord).model, note: 'of the one' });
+    await other.keepModel({ ...(other.models.list.value[0] as ModelRecord).model, note: 'of the other' });
+    await one.keepFlight({ ...(one.flights.list.value[0] as FlightRecord).flight, note: 'of the one' });
+    await other.keepFlight({ ...(other.flights.list.value[0] as FlightRecord).flight, note: 'of the other' });
+    // Put away, come back to, and left.
+    other.keepClashes();
+    other.flush();
+    const next = new Library(store);
+    await Promise.all([next.load(), next.flights.load()]);
+    const notes = ['of the one', 'of the other'];
+    expect(next.settings.list.value.map(({ setting }) => setting.note).sort()).toEqual(notes);
+    expect(next.models.list.value.map(({ model }) => model.note).sort()).toEqual(notes);
+    expect(next.flights.list.value.map(({ flight }) => flight.note).sort()).toEqual(notes);
+    const names = next.settings.list.value.map(({ setting }) => setting.name);
+    expect(names).toContain(`${long.slice(4)} (2)`);
+    for (const { key, setting } of next.settings.list.value) expect(setting.id).toBe(key);
+  });
+
+  it.each(['mine', 'theirs'] as const)('are one again when the pilot comes back and chooses: %s', async (choice) => {
+    const [one, other, store] = await twoTabs();
+    await one.keepSetting({ ...settingIn(one), note: 'of the one' });
+    await other.keepSetting({ ...settingIn(other), note: 'of the other' });
+    other.keepClashes();
+    await other.refresh();
+    expect(other.settings.list.value).toHaveLength(2);
+    await other.settings.settle(choice);
+    expect([...store.settings.records.values()].map(({ setting }) => setting.note)).toEqual([
+      choice === 'mine' ? 'of the other' : 'of the one',
+    ]);
+    expect(other.settings.list.value).toHaveLength(1);
   });
 
   it('lose nothing of several changes that follow each other', async () => {
