@@ -1,6 +1,6 @@
 import { CodecError, type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
 import { requireShape, type TimerProgram } from './program.js';
-import { date, flag, id, list, measured, record, refuse, text, whole, within, word } from './require.js';
+import { date, flag, id, list, measured, record, refuse, text, whole, wholes, within, word } from './require.js';
 
 /*
  * What a pilot keeps beside the timer. The same shapes lie in files and in the page's storage; each is checked by one
@@ -230,11 +230,9 @@ export function requireProgram(value: unknown, path = 'program'): TimerProgram {
       of.memory === null || of.memory === undefined
         ? null
         : whole(of.memory, `${path}.memory`, 0, identity.memories - 1),
-    times: list(of.times, `${path}.times`, 256).map((time, at) => whole(time, `${path}.times[${at}]`, 0, MAX_TIME)),
+    times: wholes(of.times, `${path}.times`, 256, 0, MAX_TIME),
     positions: list(of.positions, `${path}.positions`, 255).map((row, servo) =>
-      list(row, `${path}.positions[${servo}]`, 256).map((step, slot) =>
-        whole(step, `${path}.positions[${servo}][${slot}]`, 0, 255),
-      ),
+      wholes(row, `${path}.positions[${servo}]`, 256, 0, 255),
     ),
     idleThrottle:
       of.idleThrottle === null || of.idleThrottle === undefined

@@ -82,6 +82,15 @@ export function whole(value: unknown, path: string, min: number, max: number): n
   return measured(value, path, min, max) as number;
 }
 
+/** A list of whole numbers. Only of one that is refused it is made up where it stands: a library has a hundred thousand. */
+export function wholes(value: unknown, path: string, most: number, min: number, max: number): number[] {
+  return list(value, path, most).map((each, at) =>
+    Number.isInteger(each) && (each as number) >= min && (each as number) <= max
+      ? (each as number) + 0
+      : whole(each, `${path}[${at}]`, min, max),
+  );
+}
+
 export function measured(value: unknown, path: string, min: number, max: number): number | null {
   if (value === null || value === undefined) return null;
   if (typeof value !== 'number' || Number.isNaN(value)) refuse('wrong-type', path, 'a number, or null', value);
