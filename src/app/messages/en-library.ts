@@ -191,7 +191,8 @@ export const library = {
   },
   clash: {
     title: 'Another tab has saved this at the same time',
-    lead: (name: string) => `Both tabs have changed “${name}”. What the other tab has saved is kept until you choose. If you leave without choosing, both are kept.`,
+    lead: (name: string) =>
+      `Both tabs have changed “${name}”. What the other tab has saved is kept until you choose. If you leave without choosing, both are kept.`,
     flightOf: (model: string, day: string) => [model, `flight of ${day}`].filter(Boolean).join(', '),
     /** @param field by its name in a record of the library. */
     field: (field: string) => FIELDS[field] ?? field,

@@ -47,12 +47,7 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
    * @param copyOf makes another record of one, with a key of its own.
    * @param onChange called when the storage holds something else than before: for the other tabs.
    */
-  constructor(
-    keeper: Keeper<T>,
-    inOrder: (a: T, b: T) => number,
-    copyOf: (record: T) => T,
-    onChange: () => void,
-  ) {
+  constructor(keeper: Keeper<T>, inOrder: (a: T, b: T) => number, copyOf: (record: T) => T, onChange: () => void) {
     this.#keeper = keeper;
     this.#inOrder = inOrder;
     this.#onChange = onChange;
