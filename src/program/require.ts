@@ -82,7 +82,7 @@ export function whole(value: unknown, path: string, min: number, max: number): n
   return measured(value, path, min, max) as number;
 }
 
-/** A list of whole numbers. Only of one that is refused it is made up where it stands: a library has a hundred thousand. */
+/** A list of whole numbers. Where one stands is made up for those that are refused: a library has 100,000 of them. */
 export function wholes(value: unknown, path: string, most: number, min: number, max: number): number[] {
   return list(value, path, most).map((each, at) =>
     Number.isInteger(each) && (each as number) >= min && (each as number) <= max
