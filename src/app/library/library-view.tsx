@@ -58,40 +58,57 @@ export function LibraryView({ session, browse, path, places, onProgram, onGo }: 
       </section>
     );
   }
+  const unread = library.unread.value;
   return (
-    <div class={`library columns-${columns} ${place.model === null ? 'no-model' : ''}`}>
-      {shows(0) && (
-        <ModelList {...{ session, browse, places, onGo }} alone={one} chosen={place.model} setting={place.setting} />
-      )}
-      {shows(1) && (columns < 3 || place.model !== null) && (
-        <ModelColumn
-          {...{ session, browse, places, model, onGo }}
-          key={place.model}
-          isLoose={place.model === NO_MODEL}
-          chosen={place.setting}
-          back={columns < 3}
-        >
-          {one && model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />}
-        </ModelColumn>
-      )}
-      {shows(2) && !one && depth < 2 && (
-        <section class="library-detail">
-          {model ? (
-            <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />
-          ) : (
-            <LibraryBeginning {...{ session, browse }} />
-          )}
-        </section>
-      )}
-      {shows(2) && depth === 2 && (
-        <section class="library-detail">
-          <SettingPage
-            key={place.setting}
-            {...{ session, setting, places, onProgram, onGo }}
-            back={one ? place.model : null}
-          />
-        </section>
-      )}
+    <>
+      {unread && <Unread library={library} />}
+      <div class={`library columns-${columns} ${place.model === null ? 'no-model' : ''}`}>
+        {shows(0) && (
+          <ModelList {...{ session, browse, places, onGo }} alone={one} chosen={place.model} setting={place.setting} />
+        )}
+        {shows(1) && (columns < 3 || place.model !== null) && (
+          <ModelColumn
+            {...{ session, browse, places, model, onGo }}
+            key={place.model}
+            isLoose={place.model === NO_MODEL}
+            chosen={place.setting}
+            back={columns < 3}
+          >
+            {one && model && <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />}
+          </ModelColumn>
+        )}
+        {shows(2) && !one && depth < 2 && (
+          <section class="library-detail">
+            {model ? (
+              <ModelPage {...{ session, places }} record={model} onGone={() => onGo('')} />
+            ) : (
+              !unread && <LibraryBeginning {...{ session, browse }} />
+            )}
+          </section>
+        )}
+        {shows(2) && depth === 2 && (
+          <section class="library-detail">
+            <SettingPage
+              key={place.setting}
+              {...{ session, setting, places, onProgram, onGo }}
+              back={one ? place.model : null}
+            />
+          </section>
+        )}
+      </div>
+    </>
+  );
+}
+
+/** What is not seen is not said to be missing. */
+function Unread({ library }: { readonly library: Session['library'] }) {
+  const words = libraryMessages.value;
+  return (
+    <div class="notice bad" role="alert">
+      <p>{words.unread}</p>
+      <button type="button" onClick={() => void library.load()}>
+        {words.readAgain}
+      </button>
     </div>
   );
 }

@@ -45,7 +45,7 @@ export function ModelColumn(props: ModelColumnProps) {
         </a>
       )}
       {!model && !isLoose ? (
-        <p class="hint">{words.setting.modelGone}</p>
+        !session.library.unread.value && <p class="hint">{words.setting.modelGone}</p>
       ) : (
         <>
           <div class="library-head">

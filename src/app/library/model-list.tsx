@@ -47,7 +47,7 @@ export function ModelList({ session, browse, chosen, setting, places, alone, onG
       />
       {found === null ? (
         <>
-          {isEmpty && alone && <p class="hint">{words.empty.lead}</p>}
+          {isEmpty && alone && !library.unread.value && <p class="hint">{words.empty.lead}</p>}
           <Models {...{ session, browse, chosen }} />
           <div class="buttons">
             <button type="button" onClick={() => (making.value = true)}>

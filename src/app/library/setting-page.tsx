@@ -41,7 +41,7 @@ export function SettingPage(props: SettingPageProps) {
     return (
       <>
         {way}
-        <p class="hint">{words.setting.gone}</p>
+        {!library.unread.value && <p class="hint">{words.setting.gone}</p>}
       </>
     );
   }

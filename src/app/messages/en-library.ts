@@ -28,6 +28,8 @@ const FIELDS: Readonly<Record<string, string>> = {
 export const library = {
   title: 'Library',
   coming: 'Loading what this device keeps',
+  unread: 'This browser does not give out the models and settings that it may keep.',
+  readAgain: 'Try again',
   empty: {
     title: 'No model yet',
     /** Such as it will look. */

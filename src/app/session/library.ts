@@ -33,6 +33,8 @@ export class Library {
   readonly flights: Collection<FlightRecord>;
   /** Whether all that was typed would be there after a reload. */
   readonly kept: ReadonlySignal<boolean>;
+  /** Models or settings were asked for and not given: what is missing among them may be there. */
+  readonly unread: ReadonlySignal<boolean>;
   /** Another tab has saved something else in the same place a moment before: the pilot has to choose. */
   readonly clash: ReadonlySignal<LibraryClash | null>;
   readonly #channel: TabChannel | null;
@@ -50,6 +52,7 @@ export class Library {
     this.kept = computed(() =>
       [this.models, this.settings, this.flights].every(({ unsaved }) => unsaved.value.size === 0),
     );
+    this.unread = computed(() => this.models.failed.value || this.settings.failed.value);
     this.clash = computed(() => {
       const [model] = this.models.clashes.value;
       const [setting] = this.settings.clashes.value;

@@ -33,6 +33,29 @@ it('is empty at first, and says what a model is for', async () => {
   expect(screen.queryByRole('link', { name: /setting/ })).toBeNull();
 });
 
+it.each(['', 'model-0', 'model-0/setting-0'])(
+  'that is not given out is never said to be empty or gone, at “%s”, and comes when it is asked for again',
+  async (path) => {
+    const store = new MemoryStore();
+    const { models, settings } = manyRecords({ models: 2, settings: 4, flights: 0 });
+    for (const each of models) store.models.records.set(each.key, each);
+    for (const each of settings) store.settings.records.set(each.key, each);
+    const all = [store.models.all, store.settings.all] as const;
+    const refuse = () => Promise.reject(new DOMException('held by an old tab', 'UnknownError'));
+    store.models.all = refuse;
+    store.settings.all = refuse;
+    const app = await opened({ store });
+    app.models.views.show('library', path);
+    await idle();
+    screen.getByText('This browser does not give out the models and settings that it may keep.');
+    expect(screen.queryByText(/No model yet|A model holds|not in the library any more/)).toBeNull();
+    [store.models.all, store.settings.all] = all;
+    await press('Try again');
+    expect(screen.queryByText(/does not give out/)).toBeNull();
+    expect(screen.getAllByText(/Lancer 01|fly-off 0/).length).toBeGreaterThan(0);
+  },
+);
+
 it('a note is kept a moment after the last key, without leaving its field', async () => {
   const app = await at('model-0/setting-0');
   await write('Note', 'opens well');
