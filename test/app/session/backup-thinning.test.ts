@@ -75,7 +75,8 @@ describe('backups before writes, over three years', () => {
       { at: at + 3, memory: 0 },
       { at: at + 4, model: 'Lancer', memory: 0 },
     ].map(backup);
-    expect(left(made)).toEqual(made.slice(0, 4));
+    const today = backup({ at: NOW });
+    expect(left([...made, today])).toEqual([...made.slice(0, 4), today]);
   });
 
   it('stay where the pilot has asked for them', () => {
@@ -93,6 +94,12 @@ describe('backups before writes, over three years', () => {
   it('stay where the clock of the device has gone back', () => {
     const later = [1, 2, 3].map((hours) => backup({ at: NOW + 5 * DAY + hours }));
     expect(left(later)).toEqual(later);
+  });
+
+  it('stay where the clock of the device is years ahead for once', () => {
+    const today = [1, 2, 3].map((hours) => backup({ at: NOW - hours * 3_600_000 }));
+    expect(left(today, NOW + 4000 * DAY)).toEqual(today);
+    expect(left(left(all, NOW + 4000 * DAY)), 'and it comes to the same when it is right again').toEqual(kept);
   });
 
   it('are 3000 at most: the oldest give way', () => {

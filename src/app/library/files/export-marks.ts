@@ -32,13 +32,16 @@ export class ExportMarks {
       const records = [library.models, library.settings, library.flights].flatMap(
         ({ list }): readonly { changedAt: number }[] => list.value,
       );
-      const since = Math.max(exportedAt ?? 0, putOffAt ?? 0);
+      const at = now();
+      // One of the future was made while the clock of a device was wrong; that of another may go ahead a little.
+      const isRight = (mark: number | null): mark is number => mark !== null && mark <= at + DAY;
+      const since = Math.max(0, ...[exportedAt, putOffAt].filter(isRight));
       const changed = records.filter(({ changedAt }) => changedAt > since).map(({ changedAt }) => changedAt);
       if (changed.length < ENOUGH) return null;
       // Before any export the first entry is as good a beginning.
       const from = since || Math.min(...changed);
-      if (now() - from < LONG) return null;
-      return { changes: changed.length, days: exportedAt === null ? null : Math.floor((now() - exportedAt) / DAY) };
+      if (at - from < LONG) return null;
+      return { changes: changed.length, days: isRight(exportedAt) ? Math.floor((at - exportedAt) / DAY) : null };
     });
   }
 

@@ -413,6 +413,13 @@ describe('the word that it is time for an export', () => {
     expect(reminder()).toContain('6 changes since the last export, 45 days ago.');
   });
 
+  it('comes also where the last export was marked while the clock of the device was years ahead', async () => {
+    const ahead = Date.now() + 3000 * DAY;
+    localStorage.setItem('sidus-timer/library-exported', JSON.stringify({ exportedAt: ahead, putOffAt: ahead }));
+    await season(old);
+    expect(reminder()).toContain('6 entries of your library are on this device alone.');
+  });
+
   it('does not come for what a file has brought to an empty device', async () => {
     await library({});
     const settings = many.map((each) => ({ ...each, at: old }));
