@@ -1,7 +1,13 @@
 import { plural } from './plural.js';
 
-const either = (names: readonly string[]): string =>
-  names.length < 2 ? (names[0] ?? '') : `${names.slice(0, -1).join(', ')} or ${names.at(-1)}`;
+/** So many are called by name in one sentence. The list of models has all of them. */
+const NAMED = 6;
+
+/** One of them: “Lancer, Vega or 3 more”. */
+const either = (names: readonly string[]): string => {
+  const all = names.length <= NAMED ? names : [...names.slice(0, NAMED - 1), `${names.length - NAMED + 1} more`];
+  return all.length < 2 ? (all[0] ?? '') : `${all.slice(0, -1).join(', ')} or ${all.at(-1)}`;
+};
 
 /** Whose timer is connected: by what it holds, or by the pilot's word. */
 const recognition = {

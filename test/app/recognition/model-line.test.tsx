@@ -57,6 +57,14 @@ describe('what is said of the model', () => {
     expect(session.modelAtHand.value?.name).toBe('Two');
   });
 
+  it('is short where hundreds hold the same, also of one name; the list has all of them', async () => {
+    const many = Array.from({ length: 300 }, (_, at) => ({ ...record(`m${at}`, HELD[0]), order: at }));
+    await withModels(...many.map((each) => ({ ...each, model: { ...each.model, name: 'Lancer' } })));
+    expect(line()).toBe('This may be Lancer, Lancer, Lancer, Lancer, Lancer or 295 more. Which model is it?');
+    await press('Another…');
+    expect(list().getAllByRole('button', { name: /^Lancer/ })).toHaveLength(300);
+  });
+
   it('is nothing where no model is kept, and the strip still offers to name one', async () => {
     const { session } = await withModels();
     expect(line()).toBeUndefined();
