@@ -1,4 +1,4 @@
-import { checksum, type Frame, MAX_LENGTH, MIN_LENGTH, TERMINATOR, ZEROS_NEEDED, ZEROS_SENT } from './frame.js';
+import { checksum, type Frame, MIN_LENGTH, TERMINATOR, ZEROS_NEEDED, ZEROS_SENT } from './frame.js';
 
 /**
  * Why bytes were skipped.
@@ -39,13 +39,13 @@ export interface FrameDecoderOptions {
   readonly quirks?: DecoderQuirks | undefined;
 }
 
-/** The longest frame without its zeros: length, 254 bytes more, terminator. */
-const LONGEST = MAX_LENGTH + 1;
+/**
+ * Twice the longest frame without its zeros, which has 256 bytes: what is held, and the sums that are kept. A frame
+ * inside another can ask for no more than that.
+ */
+const ROOM = 512;
 /** The longest piece of a chunk that the data of its frames share, in bytes. */
 const SHARED = 4096;
-/** Sums that are kept: a power of two, and more than a frame inside another can ask for. */
-const SUMS = 2 * LONGEST;
-const NO_DATA = new Uint8Array(0);
 /** The one reply for which the source prints a checksum that leaves the data out: to GETLOWRPM. */
 const BARE_CHECKSUM: readonly number[] = [0x76];
 
@@ -74,7 +74,7 @@ export class FrameDecoder {
    * another that turned out to be none mostly stays where it is: a stream of false headers would move all of it for
    * each.
    */
-  readonly #held = new Uint8Array(2 * LONGEST);
+  readonly #held = new Uint8Array(ROOM);
   /**
    * Where in there the frame begins, how far it has come, and where it will be whole. When it has come that far, none
    * is held.
@@ -86,9 +86,9 @@ export class FrameDecoder {
   #zeros = 0;
   /**
    * Sums of the bytes up to each place, from one header on whose sum was wrong to `#summed`, in a ring: the headers
-   * that stand inside its frame need no byte added up again.
+   * that stand inside its frame need no byte added up again. Only the difference of two of them means something.
    */
-  readonly #sums = new Uint8Array(SUMS);
+  readonly #sums = new Uint8Array(ROOM);
   #summed = 0;
 
   constructor(options: FrameDecoderOptions = {}) {
@@ -112,13 +112,13 @@ export class FrameDecoder {
     const frames: Frame[] = [];
     let at = 0;
     while (this.#to < this.#whole) {
-      if (at === chunk.length) return frames;
       at = this.#fill(chunk, at, chunk.length);
-      if (this.#to === this.#whole) this.#scan(this.#held, this.#from, this.#to, frames);
+      if (this.#to < this.#whole) return frames;
+      this.#scan(this.#held, this.#from, this.#to, frames);
     }
     // Zeros at the front are only counted: where bytes come one by one, five of a short frame's nine pushes end here.
     let zeros = this.#zeros;
-    for (; at < chunk.length && chunk[at] === 0; at++) zeros++;
+    for (; chunk[at] === 0; at++) zeros++;
     this.#zeros = zeros;
     this.#summed = 0;
     if (at < chunk.length) this.#scan(chunk, at, chunk.length, frames);
@@ -158,14 +158,12 @@ export class FrameDecoder {
    * @param givenUp why the frame that begins at `from` is no longer waited for.
    */
   #scan(bytes: Uint8Array, from: number, end: number, frames: Frame[], givenUp?: RejectionReason): void {
-    const held = bytes === this.#held;
-    const listening = this.#onRejected !== undefined;
     let at = from;
-    let zeros = this.#zeros;
+    let zeros = givenUp ? 0 : this.#zeros;
     // Where the bytes begin that belong to no frame so far, how many zeros came before them in earlier chunks, and why
     // the first header among them was refused.
     let skipped = from;
-    let skippedZeros = zeros;
+    let skippedZeros = this.#zeros;
     let reason = givenUp;
     // One copy for many frames of a chunk: an array of its own for each would cost more than finding them. Not by
     // slice(), which gives no copy of a Buffer of Node. It goes no further than `SHARED`: a frame that somebody keeps
@@ -173,44 +171,36 @@ export class FrameDecoder {
     let own: ArrayBuffer | undefined;
     let ownFrom = 0;
     let ownEnd = 0;
-    if (givenUp) {
-      zeros = 0;
-      at++;
-    }
     while (at < end) {
       const length = bytes[at] as number;
       if (length === 0) {
-        const first = at++;
-        while (at < end && bytes[at] === 0) at++;
-        zeros += at - first;
+        zeros++;
+        at++;
         continue;
       }
       if (zeros >= ZEROS_NEEDED) {
         if (length >= MIN_LENGTH && at + length >= end) {
           // Not whole yet. What came before its zeros belongs to no frame; the rest has to wait.
-          if (listening) this.#report(bytes, skipped, at, skippedZeros, zeros, reason);
+          this.#report(bytes, skipped, at, skippedZeros, zeros, reason);
           this.#hold(bytes, at, end);
           this.#zeros = zeros;
           return;
         }
         const wrong = this.#fault(bytes, at, length);
         if (!wrong) {
-          if (listening) this.#report(bytes, skipped, at, skippedZeros, zeros, reason);
-          let data: Uint8Array = NO_DATA;
-          if (length > MIN_LENGTH) {
-            if (held) {
-              data = bytes.slice(at + 2, at + length - 1);
-            } else {
-              if (!own || at + length > ownEnd) {
-                ownFrom = at;
-                ownEnd = Math.min(end, at + SHARED);
-                own = new Uint8Array(bytes.subarray(ownFrom, ownEnd)).buffer;
-              }
-              data = new Uint8Array(own, at + 2 - ownFrom, length - MIN_LENGTH);
-            }
+          this.#report(bytes, skipped, at, skippedZeros, zeros, reason);
+          if (!own || at + length > ownEnd) {
+            ownFrom = at;
+            ownEnd = Math.min(end, at + SHARED);
+            own = new Uint8Array(bytes.subarray(ownFrom, ownEnd)).buffer;
           }
+          const data = new Uint8Array(own, at + 2 - ownFrom, length - MIN_LENGTH);
           const frame = { code: bytes[at + 1] as number, data };
-          if (this.#onFrame) this.#tell(frame, bytes.subarray(at, at + length + 1), zeros);
+          this.#onFrame?.(
+            frame,
+            withZeros(zeros, bytes.subarray(at, at + length + 1)),
+            bytes[at + length - 1] !== checksum(frame.code, data),
+          );
           frames.push(frame);
           at += length + 1;
           zeros = 0;
@@ -226,14 +216,15 @@ export class FrameDecoder {
       // The four zeros before a header cover every fourth byte: where that is not zero, they begin at none of the four.
       while (at + 3 < end && bytes[at + 3] !== 0) at += 4;
     }
-    if (listening) this.#report(bytes, skipped, end, skippedZeros, zeros, reason);
+    this.#report(bytes, skipped, end, skippedZeros, zeros, reason);
     this.#zeros = zeros;
   }
 
   /** Holds the frame that begins at `at` and is not whole at `end`. */
   #hold(bytes: Uint8Array, at: number, end: number): void {
     const size = (bytes[at] as number) + 1;
-    const stays = bytes === this.#held && at + size <= bytes.length;
+    // In a chunk it never does: that ends before the frame.
+    const stays = at + size <= bytes.length;
     this.#from = stays ? at : 0;
     this.#to = stays ? end : 0;
     this.#whole = this.#from + size;
@@ -246,28 +237,31 @@ export class FrameDecoder {
   #fault(bytes: Uint8Array, at: number, length: number): RejectionReason | undefined {
     if (length < MIN_LENGTH) return 'length';
     if (bytes[at + length] !== TERMINATOR) return 'terminator';
-    const last = at + length - 1;
-    if (at >= this.#summed && sumOf(bytes, at + 1, last) === bytes[last]) return undefined;
-    if (this.#sumOnce(bytes, at + 1, last) === bytes[last] || this.#isBare(bytes, at, length)) return undefined;
-    return 'checksum';
+    return this.#isSumRight(bytes, at, at + length - 1) || this.#isBare(bytes, at, length) ? undefined : 'checksum';
   }
 
-  /** The sum of the bytes from `from` to `to`, modulo 256; those that are in `#sums` already are not added up again. */
-  #sumOnce(bytes: Uint8Array, from: number, to: number): number {
-    const sums = this.#sums;
-    let at = this.#summed;
-    let sum = sums[at % SUMS] as number;
-    if (at <= from) {
-      at = from;
-      sum = 0;
-      sums[at % SUMS] = 0;
+  /** Whether the byte at `last` is the sum of those between it and the length byte at `at`. */
+  #isSumRight(bytes: Uint8Array, at: number, last: number): boolean {
+    if (at >= this.#summed) {
+      const isRight = sumOf(bytes, at + 1, last) === bytes[last];
+      if (!isRight) this.#addUp(bytes, at, last);
+      return isRight;
     }
+    this.#addUp(bytes, at, last);
+    const sums = this.#sums;
+    return (((sums[last % ROOM] as number) - (sums[(at + 1) % ROOM] as number)) & 0xff) === bytes[last];
+  }
+
+  /** Keeps the sums from `from` to `to`; those that are kept already are not added up again. */
+  #addUp(bytes: Uint8Array, from: number, to: number): void {
+    const sums = this.#sums;
+    let at = Math.max(from, this.#summed);
+    let sum = sums[at % ROOM] as number;
     while (at < to) {
       sum += bytes[at++] as number;
-      sums[at % SUMS] = sum;
+      sums[at % ROOM] = sum;
     }
     this.#summed = at;
-    return ((sums[to % SUMS] as number) - (sums[from % SUMS] as number)) & 0xff;
   }
 
   #isBare(bytes: Uint8Array, at: number, length: number): boolean {
@@ -276,12 +270,6 @@ export class FrameDecoder {
     const code = bytes[at + 1] as number;
     const letters = bareChecksum === true ? BARE_CHECKSUM : bareChecksum;
     return bytes[at + 3] === code && letters.includes(code);
-  }
-
-  /** Tells of a frame whose bytes from the length on are `bytes`. */
-  #tell(frame: Frame, bytes: Uint8Array, zeros: number): void {
-    const bare = bytes[bytes.length - 2] !== checksum(frame.code, frame.data);
-    this.#onFrame?.(frame, withZeros(zeros, bytes), bare);
   }
 
   /**
@@ -297,8 +285,8 @@ export class FrameDecoder {
     reason: RejectionReason | undefined,
   ): void {
     const end = to - zerosAfter;
-    if (!this.#onRejected || end <= from) return;
-    this.#onRejected({ reason: reason ?? 'noise', bytes: withZeros(zerosBefore, bytes.subarray(from, end)) });
+    if (end <= from) return;
+    this.#onRejected?.({ reason: reason ?? 'noise', bytes: withZeros(zerosBefore, bytes.subarray(from, end)) });
   }
 }
 

@@ -45,6 +45,14 @@ describe('frames that are whole', () => {
     expect(frame?.data).toEqual(Uint8Array.of(3));
   });
 
+  it('are found behind the rest of one that was held, however much comes with it', () => {
+    const long = encodeFrame(0x62, new Uint8Array(252).fill(7));
+    const short = encodeFrame(0x6b);
+    const decoder = new FrameDecoder();
+    decoder.push(long.subarray(0, -6));
+    expect(decoder.push(concat(long.subarray(-6), ...Array<Uint8Array>(100).fill(short)))).toHaveLength(101);
+  });
+
   it('are read from a Buffer of Node, whose slice is a view', () => {
     const pooled = Buffer.from([...encodeFrame(0x72, [3, 4, 5]), ...encodeFrame(0x76, [6, 7, 8])]);
     const frames = new FrameDecoder().push(pooled);
@@ -92,6 +100,38 @@ describe('frames that are not whole', () => {
     expect(decoder.push(outer.subarray(outer.length - 1))).toEqual([
       { code: 0x62, data: concat(Uint8Array.of(1), inner) },
     ]);
+  });
+});
+
+describe('headers that stand inside what is held', () => {
+  it('find their frame although there is no room left for it where they stand', () => {
+    const frame = encodeFrame(0x62, new Uint8Array(252).fill(7)).subarray(1);
+    // Each false header asks for 255 bytes, the last of which is the header of the next one.
+    const header = fromHex('00 00 00 00 ff');
+    const inside = (length: number) => concat(new Uint8Array(length - header.length).fill(1), header);
+    const bytes = concat(header, inside(250), inside(250), concat(new Uint8Array(245).fill(1), frame));
+    for (const size of [1, 7, 100, bytes.length]) {
+      const pieces = Array.from({ length: Math.ceil(bytes.length / size) }, (_, index) =>
+        bytes.subarray(index * size, (index + 1) * size),
+      );
+      expect(shown(decode(pieces)), `pieces of ${size}`).toHaveLength(1);
+    }
+  });
+
+  it('get no zeros but those that came', () => {
+    const decoder = new FrameDecoder();
+    const found = ['00 00 00 00 05', '01 01 00 00 00', '03 6b 6b 45'].map((piece) => decoder.push(fromHex(piece)));
+    expect(found).toEqual([[], [], []]);
+    // Three behind a byte that is looked at, and one in the next piece.
+    expect(decode(['01 00 00 00', '00 03 6b 6b 45'].map(fromHex))).toHaveLength(1);
+  });
+
+  it('are not waited for when they ask for less than a frame has', () => {
+    const decoder = new FrameDecoder();
+    for (const length of ['01', '02']) {
+      decoder.push(fromHex(`00 00 00 00 ${length}`));
+      expect(decoder.waiting, length).toBe(false);
+    }
   });
 });
 
@@ -148,6 +188,8 @@ describe('a bare checksum', () => {
     const decoder = new FrameDecoder({ quirks: { bareChecksum: true } });
     expect(decode([fromHex('00 00 00 00 00 04 72 01 72 45')], decoder)).toEqual([]);
     expect(decode([fromHex('00 00 00 00 00 05 76 01 01 76 45')], decoder)).toEqual([]);
+    expect(decode([fromHex('00 00 00 00 00 05 76 01 76 02 45')], decoder)).toEqual([]);
+    expect(decode([fromHex('00 00 00 00 00 04 76 01 75 45')], decoder)).toEqual([]);
   });
 });
 
