@@ -21,13 +21,14 @@ export function readJson(text: string): unknown {
 
 /** Where a value begins, or where what it is missing from begins; line and column count from 1. */
 export function placeInText(text: string, path: string): { line: number; column: number } {
-  let best = { path: '', offset: 0 };
+  let begin = 0;
+  // A value is heard behind the one around it: the last one lies deepest.
   new JsonReader(text, (at, offset) => {
     const next = path[at.length];
-    const within = at === '' || (path.startsWith(at) && (next === undefined || next === '.' || next === '['));
-    if (within && at.length >= best.path.length) best = { path: at, offset };
+    const within = path.startsWith(at) && (next === undefined || next === '.' || next === '[');
+    if (at === '' || within) begin = offset;
   }).read();
-  return lineAndColumn(text, best.offset);
+  return lineAndColumn(text, begin);
 }
 
 function lineAndColumn(text: string, offset: number): { line: number; column: number } {
@@ -143,7 +144,7 @@ class JsonReader {
   }
 
   #escape(): string {
-    const letter = this.#text[this.#at + 1] ?? '';
+    const letter = this.#text.charAt(this.#at + 1);
     const plain = ESCAPED.get(letter);
     if (plain !== undefined) {
       this.#at += 2;

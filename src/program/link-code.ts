@@ -42,7 +42,7 @@ export function encodeLink(shared: SharedSetting, options: { readonly longest?: 
     return pack({ ...setting, note });
   };
   let fits = 0;
-  let tooLong = Math.max(1, characters.length - CUT.length);
+  let tooLong = characters.length;
   while (tooLong - fits > 1) {
     const middle = Math.floor((fits + tooLong) / 2);
     if (cutTo(middle).length <= longest) fits = middle;

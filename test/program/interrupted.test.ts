@@ -40,6 +40,7 @@ describe('an interrupted write', () => {
   it('does not mind an idle throttle that was not read, on either side', () => {
     expect(told({ ...GOAL, idleThrottle: null })).toMatchObject({ 0: 'all' });
     expect(told(GOAL, { ...GOAL, idleThrottle: null })).toMatchObject({ 0: 'all' });
+    expect(partWritten({ ...BEFORE, idleThrottle: null }, GOAL, { ...GOAL, idleThrottle: 31 }).foreign).toEqual([]);
   });
 
   it('is explained by every mixture of old and new values, and by nothing else', () => {

@@ -179,6 +179,21 @@ describe('a link', () => {
     );
     expect(encodeLink(long, { longest: whole.length })).toBe(whole);
     expect(decodeLink(encodeLink(long, { longest: 0 })).note).toBe('');
+    const cut = encodeLink(long, { longest: 1000 });
+    expect(encodeLink(long, { longest: cut.length }), 'what just fits').toBe(cut);
+  });
+
+  it('ends what it carries of a note behind a word, however long the gap is', () => {
+    const noted = (note: string) => ({ ...SHARED, note });
+    const gap = noted(`  ab${' '.repeat(400)}${'x'.repeat(400)}`);
+    const longest = encodeLink(noted('x'.repeat(300))).length;
+    expect(decodeLink(encodeLink(gap, { longest })).note).toBe('  ab …');
+  });
+
+  it('carries of a short note what there is room for', () => {
+    const note = '🛩'.repeat(3);
+    const longest = encodeLink({ ...SHARED, note }).length - 1;
+    expect(decodeLink(encodeLink({ ...SHARED, note }, { longest })).note).toBe('🛩 …');
   });
 
   it('is not made of what is no setting', () => {
