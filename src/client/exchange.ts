@@ -226,7 +226,7 @@ export class Exchange {
         isChecked = false;
         continue;
       }
-      if (sent > 0 && beforeRepeat && !isChecked) {
+      if (beforeRepeat && !isChecked) {
         await beforeRepeat();
         isChecked = true;
         continue;
@@ -234,7 +234,7 @@ export class Exchange {
       throwIfAborted(signal);
       if (sent > 0) this.schedule.repeated();
       sent++;
-      const misprints = !wire.unanswered.isEmpty ? 'no' : strict ? 'known' : 'yes';
+      const misprints = strict ? 'known' : 'yes';
       const outcome = await this.#once(() => wire.ask({ request, identity: this.identity, misprints }));
       if (outcome.kind === 'answer') {
         this.schedule.answered(name);
@@ -273,12 +273,12 @@ export class Exchange {
 
   /**
    * Before a timer counts as silent, the latest reply that it can give to the first of those requests is waited for: it
-   * may be slow.
+   * may be slow. There is time for that: the last attempt has had so much, and has not used it.
    * @returns whether something came, and it makes sense to go on.
    */
   async #comesLate(request: Request, seen: () => Disturbance, signal: AbortSignal | undefined): Promise<boolean> {
     const left = this.#silentSince + LATEST_REPLY - this.#clock.now();
-    if (left <= 0 || !this.#isSilent(request, seen()) || !this.schedule.hasTimeFor(left)) return false;
+    if (!this.#isSilent(request, seen())) return false;
     const isHeard = await this.#wire.pause(left, signal, true);
     throwIfAborted(signal);
     if (!isHeard) return false;
@@ -323,9 +323,7 @@ export class Exchange {
       return true;
     }
     this.schedule.repeated();
-    const outcome = await this.#once(() =>
-      this.#wire.ask({ request: { name }, identity: this.identity, misprints: 'no' }),
-    );
+    const outcome = await this.#once(() => this.#wire.ask({ request: { name }, identity: this.identity }));
     if (outcome.kind !== 'answer') return false;
     this.#wire.unanswered.settle();
     if (outcome.answer.name === 'GETSWVER') await this.requireIdentity(signal, outcome.answer);
@@ -334,8 +332,7 @@ export class Exchange {
 
   /** Waits until nothing that was asked before can be answered any more. */
   async #outwait(signal: AbortSignal | undefined): Promise<void> {
-    const left = this.#latestReply - this.#clock.now();
-    if (left > 0) await this.#wire.pause(left, signal);
+    await this.#wire.pause(this.#latestReply - this.#clock.now(), signal);
     throwIfAborted(signal);
     this.#wire.unanswered.settle();
   }

@@ -25,15 +25,15 @@ export interface LineEntry {
 }
 
 /** The names of the DOMExceptions with which Web Serial lets a stream fail that is replaced by a new one. */
-const KINDS: Readonly<Record<string, LineErrorKind>> = {
-  FramingError: 'framing',
-  ParityError: 'parity',
-  BreakError: 'break',
-  BufferOverrunError: 'overrun',
-};
+const KINDS: ReadonlyMap<unknown, LineErrorKind> = new Map([
+  ['FramingError', 'framing'],
+  ['ParityError', 'parity'],
+  ['BreakError', 'break'],
+  ['BufferOverrunError', 'overrun'],
+]);
 
 /** What kind of error of the line a stream failed with. */
 export function lineErrorKind(error: unknown): LineErrorKind {
-  const name = error instanceof Object && 'name' in error ? String(error.name) : '';
-  return KINDS[name] ?? 'other';
+  const { name } = Object(error) as { readonly name?: unknown };
+  return KINDS.get(name) ?? 'other';
 }

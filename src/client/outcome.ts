@@ -35,9 +35,9 @@ export interface Question {
   readonly identity: Identity | null;
   /**
    * Whether a letter that belongs to another command may be taken for the reply's: `known` where this timer was seen to
-   * use it.
+   * use it. Default: it may not.
    */
-  readonly misprints: 'no' | 'known' | 'yes';
+  readonly misprints?: 'known' | 'yes';
 }
 
 /**
@@ -54,7 +54,7 @@ export function asReply(
   const letter = answers(frame.code, request.name);
   if (!letter) return undefined;
   const match = isBare ? 'misprint' : letter;
-  if (match === 'misprint' && (misprints === 'no' || !quirks.mayMisprint(request.name, misprints))) return undefined;
+  if (match === 'misprint' && !(misprints && quirks.mayMisprint(request.name, misprints))) return undefined;
   let reply: Reply;
   try {
     reply = decodeReply(frame, { identity: identity ?? undefined, quirks: quirks.assumed, pending: request });

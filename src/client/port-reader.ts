@@ -56,9 +56,9 @@ export class PortReader {
       this.#reader = reader;
       try {
         for (;;) {
-          const { value, done } = await reader.read();
-          if (done) return;
-          if (value) this.#options.onBytes(value);
+          const { value } = await reader.read();
+          if (!value) return;
+          this.#options.onBytes(value);
         }
       } catch (error) {
         failed = readable;

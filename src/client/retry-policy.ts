@@ -28,7 +28,7 @@ export interface RetryPolicy {
    * false.
    */
   readonly strict?: boolean | undefined;
-  /** Makes sure, before the request goes out again after something stayed unanswered, that it still may. */
+  /** Makes sure, before the request goes out behind something that stayed unanswered, that it still may. */
   readonly beforeRepeat?: (() => Promise<void>) | undefined;
 }
 

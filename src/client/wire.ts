@@ -30,9 +30,20 @@ export interface WireOptions {
 
 /** What was sent and waits for its answer. */
 interface Waiting {
-  /** Whether this frame is the answer; then it is taken, and the wait is over. */
+  /** Whether this frame is a reply to it; the wait is over with one that makes sense. */
   readonly take: (frame: Frame) => boolean;
+  readonly note: (kind: Sign) => void;
   readonly giveUp: () => void;
+  readonly fail: (error: TimerError) => void;
+}
+
+/** What shows that somebody is there. */
+type Sign = 'stray' | 'damaged';
+
+/** What waits for the time to pass. */
+interface Pause {
+  readonly hear: () => void;
+  readonly fail: (error: TimerError) => void;
 }
 
 const NO_BYTES = new Uint8Array(0);
@@ -58,11 +69,9 @@ export class Wire {
   #damage = 0;
   #strays = 0;
   #lastSent: Frame | undefined;
-  #heard: (() => void) | undefined;
+  #pause: Pause | undefined;
   /** The last frame with its letter in place of its sum. */
   #bare: Frame | undefined;
-  /** What came since the last frame went out. */
-  #came: Exclude<Outcome<never>, { kind: 'answer' }> = { kind: 'silent' };
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
     this.#port = port;
@@ -140,34 +149,47 @@ export class Wire {
   /**
    * Settles once nothing has come for a moment, or on a line that never falls silent after a second; looks into an
    * unfinished frame then.
+   * @throws TimerError `port-lost` or `closed`.
    */
   async silence(signal: AbortSignal | undefined): Promise<void> {
     const { clock } = this.#options;
     const latest = clock.now() + DRAIN;
     for (;;) {
-      const left = SILENCE - (clock.now() - this.#lastByteAt);
-      if (left <= 0 || this.#lost || signal?.aborted || clock.now() > latest) break;
+      const left = Math.min(this.#lastByteAt + SILENCE, latest) - clock.now();
+      if (left <= 0 || signal?.aborted) break;
       await this.pause(left, signal);
     }
     this.#dispatch(this.#decoder.idle(), false);
   }
 
   /**
-   * Settles after so many milliseconds, or at once when the port is lost or the signal asks to stop.
+   * Settles after so many milliseconds, or at once when the signal asks to stop.
    * @param untilHeard also when something comes that shows that somebody is there.
    * @returns whether something came for which it was told to settle.
+   * @throws TimerError `port-lost` or `closed`, as soon as it is.
    */
-  pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<boolean> {
-    if (this.#lost || signal?.aborted) return Promise.resolve(false);
-    return new Promise((resolve) => {
-      const settle = (isHeard: boolean): void => {
+  async pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<boolean> {
+    if (this.#lost) throw this.#lost;
+    if (signal?.aborted) return false;
+    return new Promise((resolve, reject) => {
+      const end = (): void => {
         cancel();
         signal?.removeEventListener('abort', stop);
-        this.#heard = undefined;
+        this.#pause = undefined;
+      };
+      const settle = (isHeard: boolean): void => {
+        end();
         resolve(isHeard);
       };
       const stop = (): void => settle(false);
-      if (untilHeard) this.#heard = () => settle(true);
+      const hear = (): void => {
+        if (untilHeard) settle(true);
+      };
+      const fail = (error: TimerError): void => {
+        end();
+        reject(error);
+      };
+      this.#pause = { hear, fail };
       const cancel = this.#options.clock.after(ms, stop);
       signal?.addEventListener('abort', stop);
     });
@@ -190,30 +212,33 @@ export class Wire {
     if (this.#lost) throw this.#lost;
     this.#requireFree();
     this.#reader.start();
-    this.#came = { kind: 'silent' };
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
-    const ended = new Promise<Outcome<T>>((settle) => {
+    const ended = new Promise<Outcome<T>>((settle, fail) => {
+      // What tells most of all that came.
+      let came: Exclude<Outcome<T>, { kind: 'answer' }> = { kind: 'silent' };
+      const note = (kind: Sign): void => {
+        if (came.kind === 'silent' || came.kind === 'stray') came = { kind };
+      };
       const take = (frame: Frame): boolean => {
         const outcome = judge(frame);
-        if (outcome?.kind === 'bad') {
+        if (!outcome) return false;
+        if (outcome.kind === 'answer') {
+          this.#waiting = undefined;
+          settle(outcome);
+        } else {
           this.#noteDamage();
-          this.#came = outcome;
+          came = outcome;
         }
-        if (outcome?.kind !== 'answer') return false;
-        this.#waiting = undefined;
-        settle(outcome);
         return true;
       };
-      this.#waiting = { take, giveUp: () => settle(this.#came) };
+      this.#waiting = { take, note, giveUp: () => settle(came), fail };
     });
     const sentAt = this.#options.clock.now();
     const cancel = this.#waitFor(bytes.length + size);
     try {
       await Promise.race([this.#send(bytes), ended]);
       const outcome = await ended;
-      const isAnswered = outcome.kind === 'answer';
-      if (!isAnswered && this.#lost) throw this.#lost;
-      this.unanswered.note(bytes, sentAt, !isAnswered);
+      this.unanswered.note(bytes, sentAt, outcome.kind !== 'answer');
       return outcome;
     } finally {
       cancel();
@@ -237,7 +262,7 @@ export class Wire {
       this.#lose(new TimerError('port-lost', 'the port takes no more bytes', {}, error));
     } finally {
       writer.releaseLock();
-      if (this.#writer === writer) this.#writer = undefined;
+      this.#writer = undefined;
     }
   }
 
@@ -259,13 +284,12 @@ export class Wire {
     const begin = clock.now();
     let cancel: () => void = () => {};
     const look = (): void => {
-      const now = clock.now();
-      const quietFor = now - this.#lastByteAt;
       // A late reply to another request may have shown meanwhile that this timer takes longer.
       const until = begin + replyTime(size, timing);
-      const isComing = quietFor < SILENCE && now < until + overtime(timing);
-      if (now < until || isComing) {
-        cancel = clock.after(Math.max(until - now, isComing ? SILENCE - quietFor : 0), look);
+      const quiet = Math.min(this.#lastByteAt + SILENCE, until + overtime(timing));
+      const left = Math.max(until, quiet) - clock.now();
+      if (left > 0) {
+        cancel = clock.after(left, look);
         return;
       }
       this.#dispatch(this.#decoder.idle(), false);
@@ -283,19 +307,16 @@ export class Wire {
   /** @param inTime whether they were whole just now, and were not hidden behind a false header. */
   #dispatch(frames: readonly Frame[], inTime: boolean): void {
     for (const frame of frames) {
-      const isRequest = commandOf(frame.code)?.direction === 'request';
-      if (!isRequest) this.#noteSign('stray');
-      const damage = this.#damage;
-      if (this.#waiting?.take(frame) || this.#damage > damage) continue;
+      if (commandOf(frame.code)?.direction !== 'request') this.#noteSign('stray');
+      if (this.#waiting?.take(frame)) continue;
       if (this.#lastSent && sameFrame(frame, this.#lastSent)) this.#quirks.note('echo');
       else if (!this.unanswered.take(frame, inTime)) this.#strays++;
     }
   }
 
-  /** Something came that shows that somebody is there. What tells most of it is kept. */
-  #noteSign(kind: 'stray' | 'damaged'): void {
-    if (this.#came.kind === 'silent' || this.#came.kind === 'stray') this.#came = { kind };
-    this.#heard?.();
+  #noteSign(kind: Sign): void {
+    this.#waiting?.note(kind);
+    this.#pause?.hear();
   }
 
   #noteDamage(): void {
@@ -312,7 +333,8 @@ export class Wire {
   #lose(error: TimerError): void {
     if (this.#lost) return;
     this.#lost = error;
-    this.#waiting?.giveUp();
+    this.#waiting?.fail(error);
+    this.#pause?.fail(error);
     if (error.code === 'port-lost') tell(this.#options.onLost, error);
   }
 
@@ -323,5 +345,5 @@ export class Wire {
 }
 
 function sameFrame(a: Frame, b: Frame): boolean {
-  return a.code === b.code && a.data.length === b.data.length && a.data.every((byte, index) => byte === b.data[index]);
+  return a.code === b.code && a.data.join() === b.data.join();
 }
