@@ -11,15 +11,15 @@ function name(): string {
   return own;
 }
 
-describe('the storage of the browser', () => {
-  const PORT = {
-    key: 'usb 0403:6001',
-    usedAt: 5,
-    settings: { baudRate: 'find', dataBits: 8, parity: 'none', stopBits: 1, dtr: null, rts: null },
-    foundRate: 9600,
-    quirks: { 'timer/Q': { bigEndianTimes: true, positionsNeedMove: true } },
-  } as const;
+const PORT = {
+  key: 'usb 0403:6001',
+  usedAt: 5,
+  settings: { baudRate: 'find', dataBits: 8, parity: 'none', stopBits: 1, dtr: null, rts: null },
+  foundRate: 9600,
+  quirks: { 'timer/Q': { bigEndianTimes: true, positionsNeedMove: true } },
+} as const;
 
+describe('the storage of the browser', () => {
   it('gives back what was saved, by key and in the order of the keys, also to the next page', async () => {
     const own = name();
     const shelf = browserStorage(own).ports;
@@ -217,6 +217,68 @@ describe('what each older version has stored', () => {
       ]);
     },
   );
+});
+
+describe('a library of the first day', () => {
+  it('is read as it was, also a servo whose ends nobody had looked at', async () => {
+    const own = name();
+    const database = await openStorage(own);
+    const use = { duty: 'rudder', name: '', low: 95, high: 20, reversed: false } as const;
+    const program = SETTING.program;
+    const model = { ...MODEL, servos: [use], photo: 'abcd', archived: true };
+    const record = { key: MODEL.id, order: 2, changedAt: 5, verified: [{ program, at: 4, simulated: true }], model };
+    const setting = { key: SETTING.id, order: 1, changedAt: 5, setting: { ...SETTING, from: 'backup' } };
+    const flight = { key: FLIGHT.id, changedAt: 5, flight: FLIGHT };
+    const backup = { key: 'b', savedAt: 1, reason: 'write', program, simulated: false, model: MODEL.id };
+    await database.put('models', record);
+    await database.put('settings', setting);
+    await database.put('flights', flight);
+    await database.put('backups', backup);
+    database.close();
+    const { models, settings, flights, backups, aside } = browserStorage(own);
+    const servos = [{ ...use, low: 20, high: 95 }];
+    expect(await models.all()).toEqual([{ ...record, model: { ...model, servos } }]);
+    expect([await settings.all(), await flights.all(), await backups.all()]).toEqual([[setting], [flight], [backup]]);
+    expect(await aside.all()).toEqual([]);
+  });
+});
+
+describe('an old version of the page in another tab', () => {
+  /** It has something on the only shelf that it knows. */
+  async function oldTab(own: string, letsGo: boolean) {
+    const old = await openDB(own, 4, {
+      upgrade: (database) => void database.createObjectStore('ports', { keyPath: 'key' }),
+      blocking: (_, __, event) => letsGo && (event.target as IDBDatabase).close(),
+    });
+    await old.put('ports', { ...PORT, key: 'old' });
+    return old;
+  }
+  const codeOf = (asked: Promise<unknown>) =>
+    asked.then(
+      () => null,
+      (cause) => StorageError.of(cause).code,
+    );
+
+  it('that holds on is named as the reason, goes on, and loses nothing', async () => {
+    const own = name();
+    const old = await oldTab(own, false);
+    const { models, ports } = browserStorage(own);
+    expect(await Promise.all([codeOf(models.all()), codeOf(ports.all())])).toEqual(['blocked', 'blocked']);
+    await old.put('ports', { ...PORT, key: 'typed there' });
+    old.close();
+    const next = browserStorage(own);
+    expect((await next.ports.all()).map(({ key }) => key)).toEqual(['old', 'typed there']);
+    expect(await next.models.all()).toEqual([]);
+  });
+
+  it('that lets go is passed at once, and is told that it keeps nothing any more', async () => {
+    const own = name();
+    const old = await oldTab(own, true);
+    const { models, ports } = browserStorage(own);
+    expect([await models.all(), (await ports.all()).map(({ key }) => key)]).toEqual([[], ['old']]);
+    expect(await codeOf(old.put('ports', PORT))).toBe('failed');
+    expect(await codeOf(openDB(own, 4)), 'loaded again').toBe('newer');
+  });
 });
 
 describe('an exchange', () => {
