@@ -4,6 +4,7 @@ import type { TabChannel } from '../browser/other-tabs.js';
 import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
 import type { Clash } from './clashes.js';
 import { Collection } from './collection.js';
+import { withPlainNames } from './plain-names.js';
 
 /** What the tabs say to each other when one of them has changed the library. */
 const CHANGED = 'library changed';
@@ -83,7 +84,7 @@ export class Library {
     const before = this.models.get(model.id);
     const order = before?.order ?? nextOrder(this.models.list.peek());
     const verified = before?.verified ?? [];
-    const record = { key: model.id, order, verified, ...changes, model, changedAt: Date.now() };
+    const record = { key: model.id, order, verified, ...changes, model: withPlainNames(model), changedAt: Date.now() };
     await this.models.save(record);
     return record;
   }
@@ -109,14 +110,14 @@ export class Library {
   /** A new setting, at the end of the list, or one that has changed. @returns its record. */
   async keepSetting(setting: Setting, changes: Partial<SettingRecord> = {}): Promise<SettingRecord> {
     const order = this.settings.get(setting.id)?.order ?? nextOrder(this.settings.list.peek());
-    const record = { key: setting.id, order, ...changes, setting, changedAt: Date.now() };
+    const record = { key: setting.id, order, ...changes, setting: withPlainNames(setting), changedAt: Date.now() };
     await this.settings.save(record);
     return record;
   }
 
   /** A new flight, or one that has changed. @returns its record. */
   async keepFlight(flight: Flight): Promise<FlightRecord> {
-    const record = { key: flight.id, flight, changedAt: Date.now() };
+    const record = { key: flight.id, flight: withPlainNames(flight), changedAt: Date.now() };
     await this.flights.save(record);
     return record;
   }

@@ -6,6 +6,7 @@ import {
   type Model,
   type Setting,
 } from '../../../program/index.js';
+import { withPlainNames } from '../../session/plain-names.js';
 import { programKey } from '../../session/record-keys.js';
 import { type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 
@@ -132,7 +133,13 @@ export function recordsOf(
         const model = { ...entry.entry, id, name: asCopy ? freeName(entry.entry.name, names) : entry.entry.name };
         const here = heldModels.get(id);
         const verified = latest([...(here?.verified ?? []), ...(entry.facts.verified ?? [])]);
-        records.models.push({ key: id, model, order: here?.order ?? ++order.models, changedAt, verified });
+        records.models.push({
+          key: id,
+          model: withPlainNames(model),
+          order: here?.order ?? ++order.models,
+          changedAt,
+          verified,
+        });
       } else if (isOf(entry, 'settings')) {
         const beside = [...held.settings, ...records.settings].filter(
           ({ setting }) => setting.model === entry.entry.model,
@@ -141,12 +148,12 @@ export function recordsOf(
         const setting = { ...entry.entry, id, name: asCopy ? freeName(entry.entry.name, names) : entry.entry.name };
         records.settings.push({
           key: id,
-          setting,
+          setting: withPlainNames(setting),
           order: heldSettings.get(id)?.order ?? ++order.settings,
           changedAt,
         });
       } else if (isOf(entry, 'flights')) {
-        records.flights.push({ key: id, flight: { ...entry.entry, id }, changedAt });
+        records.flights.push({ key: id, flight: withPlainNames({ ...entry.entry, id }), changedAt });
       }
     }
   }

@@ -1,0 +1,31 @@
+import { expect, it } from 'vitest';
+import { withPlainNames } from '../../../src/app/session/plain-names.js';
+import { requireFlight, requireModel, requireSetting } from '../../../src/program/index.js';
+import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
+
+const TURNS = ['\u202a', '\u202b', '\u202d', '\u202e', '\u2066', '\u2067', '\u2068', '\u2069'];
+const [servo] = MODEL.servos;
+
+it.each(TURNS)('%j in a name turns no sentence round', (turn) => {
+  const model = {
+    ...MODEL,
+    name: `${turn}Lancer 07`,
+    memoryNames: [`${turn}calm`],
+    servos: servo ? [{ ...servo, name: turn }] : [],
+  };
+  expect(withPlainNames(model)).toMatchObject({ name: 'Lancer 07', memoryNames: ['calm'] });
+  const setting = { ...SETTING, name: turn, tags: [turn, `a${turn}b`] };
+  expect(withPlainNames(setting)).toMatchObject({ name: '–', tags: ['ab'] });
+  const flight = { ...FLIGHT, modelName: turn, settingName: turn, place: `Turda${turn}`, round: `${turn}3` };
+  expect(withPlainNames(flight)).toMatchObject({ modelName: '', settingName: '', place: 'Turda', round: '3' });
+  expect(JSON.stringify([model, setting, flight].map(withPlainNames))).not.toContain(turn);
+  requireModel(withPlainNames(model));
+  requireSetting(withPlainNames(setting));
+  requireFlight(withPlainNames(flight));
+});
+
+it.each(['Lancer 07', 'שחף 3', 'شاهين ٧', '👩‍👩‍👧 🛩️', 'a\u200db', 'Ła̷n̴c̵e̶r', '<b>'])('%j stays as it is', (name) => {
+  expect(withPlainNames({ ...MODEL, name })).toEqual({ ...MODEL, name });
+  expect(withPlainNames({ ...SETTING, name, tags: [name] })).toEqual({ ...SETTING, name, tags: [name] });
+  expect(withPlainNames({ ...FLIGHT, place: name })).toEqual({ ...FLIGHT, place: name });
+});
