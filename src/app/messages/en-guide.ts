@@ -171,6 +171,16 @@ export const troubles = {
         'What the timer held before is kept: see the backups under Memories.',
       ],
     },
+    noDt: {
+      title: 'DT does not come, or at the wrong time',
+      steps: [
+        'Look at the top: it says which memory flies next, and its DT. Another memory has another DT.',
+        'Does the start switch spring back by itself, each time? While it is held the sequence does not begin, and no DT comes.',
+        'Is the battery charged, and its plug in all the way? Without the timer no DT comes.',
+        'Hold the model safely and click the DT row in the Bench view. Does the servo go there, and does it let go of what it holds?',
+        'Do not fly before you have seen DT move at its time, with the timer run to its end, propeller off.',
+      ],
+    },
     noMove: {
       title: 'A servo does not move',
       steps: [
@@ -187,6 +197,16 @@ export const troubles = {
         'After a flight the timer locks the motor. Hold to UNLOCK in the Bench view frees it. The propeller may start: hold the model, and keep clear of the propeller.',
         'Has the start switch sprung back? While it is held the motor only idles.',
         'Is the motor stop longer than 0.1 s?',
+      ],
+    },
+    noLibrary: {
+      title: 'My models and settings are not here',
+      steps: [
+        'Is something in the search field, or was it put into the archive? Empty the field, and click Archive.',
+        'Each browser keeps a library of its own. Open this page in the browser, the profile and at the address where you kept them.',
+        'Does the page say that its storage does not answer, or that another tab holds it? Close the other tabs of this page, and load it again.',
+        'A private window forgets all of it when it is closed, and so does a browser that deletes its data.',
+        'On another device, or when they are gone: click Import in the library, and choose the file of your last export.',
       ],
     },
   },
