@@ -1,12 +1,14 @@
+import { signal } from '@preact/signals';
 import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import type { TabChannel } from '../../../src/app/browser/other-tabs.js';
 import { Browse } from '../../../src/app/library/browse.js';
+import { LibraryFiles } from '../../../src/app/library/files/library-files.js';
 import { addressOf, NO_MODEL, placeOf } from '../../../src/app/library/place.js';
 import { asTags } from '../../../src/app/library/tags.js';
 import { Library } from '../../../src/app/session/library.js';
 import { addressAt } from '../../../src/app/shell/views.js';
 import type { FlightRecord, ModelRecord } from '../../../src/app/storage/index.js';
-import { type Flight, LIMITS, type Model, type Setting } from '../../../src/program/index.js';
+import { type Flight, formatLibraryFile, LIMITS, type Model, type Setting } from '../../../src/program/index.js';
 import { appBench, idle, MemoryStore, run } from '../bench/bench.js';
 import { type Counts, manyRecords } from './many.js';
 
@@ -168,6 +170,65 @@ describe('two tabs', () => {
     await run(reading);
     expect(one.settings.list.value.map(({ setting }) => setting.name)).toEqual(['saved meanwhile']);
   });
+});
+
+describe('what is deleted in one tab, while another one', () => {
+  /** Both tabs have read a model with a setting; they hear of each other, or not. */
+  async function twoModels(hear: boolean): Promise<readonly [Library, Library, MemoryStore]> {
+    await appBench();
+    const store = stored({ models: 1, settings: 1, flights: 0 });
+    const tabs = hear ? twoTabs(store) : ([new Library(store), new Library(store)] as const);
+    await Promise.all(tabs.flatMap((tab) => [tab.load(), tab.flights.load()]));
+    return [...tabs, store];
+  }
+  const modelIn = (tab: Library) => tab.models.list.value[0]?.model as Model;
+  const notesIn = (store: MemoryStore) => [...store.models.records.values()].map(({ model }) => model.note);
+
+  it.each([true, false])('changes it, is as that wants it after an undo; they hear of each other: %s', async (hear) => {
+    const [one, other, store] = await twoModels(hear);
+    one.removeModel('model-0');
+    await run(other.keepModel({ ...modelIn(other), note: 'from the other' }));
+    await idle(5000);
+    one.undoRemove();
+    await idle();
+    expect(notesIn(store)).toEqual(['from the other']);
+    await run(one.keepModel({ ...modelIn(one), memoryNames: ['fly-off'] }));
+    expect(store.models.records.get('model-0')?.model).toMatchObject({
+      note: 'from the other',
+      memoryNames: ['fly-off'],
+    });
+    expect([one.clash.value, store.settings.records.size]).toEqual([null, 1]);
+  });
+
+  it.each([
+    [true, 1000],
+    [false, 1000],
+    [true, 20_000],
+    [false, 20_000],
+  ])(
+    'imports it from a file, is there as the file has it; they hear of each other: %s, %i ms later',
+    async (hear, ms) => {
+      const [one, other, store] = await twoModels(hear);
+      const { note: before } = modelIn(other);
+    const model = { ...modelIn(other), note: 'from the file' };
+      const files = new LibraryFiles({ library: other, storage: signal(null) });
+      const made = { writtenAt: Date.now(), writtenBy: 'a test' };
+      await run(files.open([new File([formatLibraryFile({ models: [model], settings: [], flights: [] }, made)], 'a')]));
+      one.removeModel('model-0');
+      await idle(ms);
+      await run(files.take());
+      await idle();
+      expect(notesIn(store)).toEqual(['from the file']);
+      for (const tab of [one, other]) {
+        await run(tab.refresh());
+        expect(tab.models.list.value.map((record) => record.model.note)).toEqual(['from the file']);
+      }
+      await run(files.undo());
+      await idle();
+      // A tab that has not heard of the deletion knows the model as it was.
+    expect(notesIn(store)).toEqual(hear && ms > 10_000 ? [] : [before]);
+    },
+  );
 });
 
 it('a storage that did not answer at first is asked again when it does', async () => {
