@@ -162,6 +162,33 @@ it('two tabs that save one thing at the same moment ask, and lose nothing', asyn
   await expect.poll(() => noteOf(app).inputValue()).toBe('of the other');
 });
 
+it('two tabs that save one thing at the same moment keep both where nobody chooses', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await open(app, '#library');
+  await makeModel(app, 'Lancer 07');
+  await makeSetting(app, 'calm');
+  const other = await app.sibling();
+  const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
+  await noteOf(other).waitFor();
+  for (const { page } of [app, other]) {
+    await page.evaluate(() => {
+      BroadcastChannel.prototype.postMessage = () => {};
+    });
+  }
+  await noteOf(app).fill('of the first');
+  await noteOf(app).blur();
+  await noteOf(other).fill('of the other');
+  await noteOf(other).blur();
+  await other.page.getByRole('dialog', { name: 'Another tab has saved this at the same time' }).waitFor();
+  await other.page.goto('about:blank');
+  await app.reload();
+  await app.page.getByRole('link', { name: /^calm \(2\)/ }).click();
+  await app.page.getByRole('article', { name: 'calm (2)' }).waitFor();
+  await expect.poll(() => noteOf(app).inputValue()).toBe('of the other');
+  await app.page.getByRole('link', { name: /^calm(?! \()/ }).click();
+  await expect.poll(() => noteOf(app).inputValue()).toBe('of the first');
+});
+
 it('two tabs stay in step, and neither loses what was typed in the other', async () => {
   const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
   await open(app, '#library');
