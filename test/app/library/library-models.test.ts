@@ -210,7 +210,7 @@ describe('what is deleted in one tab, while another one', () => {
     async (hear, ms) => {
       const [one, other, store] = await twoModels(hear);
       const { note: before } = modelIn(other);
-    const model = { ...modelIn(other), note: 'from the file' };
+      const model = { ...modelIn(other), note: 'from the file' };
       const files = new LibraryFiles({ library: other, storage: signal(null) });
       const made = { writtenAt: Date.now(), writtenBy: 'a test' };
       await run(files.open([new File([formatLibraryFile({ models: [model], settings: [], flights: [] }, made)], 'a')]));
@@ -226,7 +226,7 @@ describe('what is deleted in one tab, while another one', () => {
       await run(files.undo());
       await idle();
       // A tab that has not heard of the deletion knows the model as it was.
-    expect(notesIn(store)).toEqual(hear && ms > 10_000 ? [] : [before]);
+      expect(notesIn(store)).toEqual(hear && ms > 10_000 ? [] : [before]);
     },
   );
 });
