@@ -276,7 +276,7 @@ export class AppPage {
       .evaluateAll((all) => all.map(({ textContent }) => textContent ?? '').reverse());
     await this.page.evaluate((hash) => location.assign(hash || '#program'), before);
     await this.line.waitFor({ state: 'hidden' });
-    return names.map((name) => name.replace(/^.* · /, ''));
+    return names.map((name) => name.replace(/^.*\s· /, ''));
   }
 
   /** What the log shows of the writing. */

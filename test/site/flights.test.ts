@@ -36,7 +36,7 @@ test('a flight is logged with one tap, filled in, kept, found again and exported
   await expect.poll(() => app.difference()).toEqual(['DT time | 20 s | 3:00 min']);
   await app.dialog.getByRole('button', { name: 'Write 1 change' }).click();
   await app.result('Verified.');
-  await app.dialog.getByText(/^M1 verified \d\d:\d\d · DT 3:00 min/).waitFor();
+  await app.dialog.getByText(/^M1 verified \d\d:\d\d\s· DT 3:00 min/).waitFor();
   await app.dialog.getByRole('button', { name: 'Flying this' }).click();
   await app.dialog.getByRole('button', { name: 'Disconnect' }).click();
   await app.button('Connect').waitFor();

@@ -101,7 +101,7 @@ test('all memories are backed up, one is copied to another, and the backup is re
   expect(await copy.getByRole('button', { name: 'Copy' }).isDisabled(), 'not before the tick').toBe(true);
   await copy.getByRole('checkbox', { name: 'The propeller is off' }).check();
   await copy.getByRole('button', { name: 'Copy' }).click();
-  await copy.getByText(/^M3 verified \d\d:\d\d · DT 3:00 min · motor stop 10\.0 s · 2 changes$/).waitFor();
+  await copy.getByText(/^M3 verified \d\d:\d\d\s· DT 3:00 min\s· motor stop 10\.0 s\s· 2 changes$/).waitFor();
   await copy.getByText('M1 flies next.').waitFor();
   await app.button('Close').click();
   expect(await memories()).toEqual([before[0], before[1], before[0], before[3]]);

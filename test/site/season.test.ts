@@ -414,5 +414,5 @@ test('a season of three models is flown, and a lost device comes back on another
   await second.app.result('Verified.');
   expect((await second.held())[0]?.times.at(-1)).toBe(20_000);
   await second.app.dialog.getByRole('button', { name: 'Flying this' }).click();
-  await second.app.dialog.getByText(/^Flight logged \d\d:\d\d · Lancer 07 · /).waitFor();
+  await second.app.dialog.getByText(/^Flight logged \d\d:\d\d\s· Lancer 07\s· /).waitFor();
 });

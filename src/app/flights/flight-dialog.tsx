@@ -1,5 +1,6 @@
 import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
+import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/flights.js';
 import { dtText, figureText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
@@ -62,11 +63,9 @@ function Form({ id, session, log }: FormProps) {
   return (
     <form class="flight-form" ref={box} noValidate onSubmit={done}>
       <p class="flight-of">
-        <strong>{[flight.modelName || row.noModel, flight.settingName].filter(Boolean).join(' · ')}</strong>
+        <strong>{dotted([flight.modelName || row.noModel, flight.settingName])}</strong>
         <span>{heldText(flight.program)}</span>
-        <span class="hint">
-          {[dayHeading(flight.at), timeOfDay(flight.at), flight.place].filter(Boolean).join(' · ')}
-        </span>
+        <span class="hint">{dotted([dayHeading(flight.at), timeOfDay(flight.at), flight.place])}</span>
       </p>
       <Result form={form} />
       <Round form={form} />

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/flights.js';
 import { dtText } from '../messages/index.js';
 import type { ShortDt } from '../session/short-dt.js';
@@ -149,16 +150,16 @@ export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) 
     wind === null ? null : words.wind(measureText(wind)),
     temperature === null ? null : words.temperature(measureText(temperature)),
     note.split('\n')[0] || null,
-  ].filter((fact) => fact !== null);
+  ];
   return (
     <li>
       <button type="button" class="flight-row" onClick={() => onOpen(key)}>
         <span class="flight-time">{timeOfDay(flight.at)}</span>
         <span class="flight-what">
           <b>{name || day}</b>
-          {!of && flight.settingName && ` · ${flight.settingName}`}
-          {facts.length > 0 && <small>{facts.join(' · ')}</small>}
+          {!of && flight.settingName && `\u00a0· ${flight.settingName}`}
         </span>
+        {facts.some(Boolean) && <small class="flight-facts">{dotted(facts)}</small>}
         <span class="flight-end">
           {result === null ? (
             <small>{words.noResult}</small>

@@ -1,4 +1,5 @@
 import { useEffect } from 'preact/hooks';
+import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/flights.js';
 import type { Session } from '../session/session.js';
 import { timeOfDay } from './flight-list.js';
@@ -51,7 +52,7 @@ export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThis
     const names = [last.modelName || row.noModel, last.settingName, heldText(last.program)];
     return (
       <div class="flying-this">
-        <p class="hint">{names.filter(Boolean).join(' · ')}</p>
+        <p class="hint">{dotted(names)}</p>
         <button type="button" class="primary" onClick={() => log.flyAgain(last)}>
           {words.again}
         </button>

@@ -1,4 +1,5 @@
 import { useSignal } from '@preact/signals';
+import { dotted } from '../messages/dotted.js';
 import { timerName } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import type { Session } from '../session/session.js';
@@ -125,14 +126,12 @@ function ModelRowContent({ record, count, isChosen, isKept }: ModelRowProps) {
     <a class="library-item" href={addressOf(record.key)} aria-current={isChosen ? 'true' : undefined}>
       <b>{name}</b>
       <span>
-        {[
+        {dotted([
           timerClass === null ? words.models.noClass : timerName({ timerClass }),
           words.models.settings(count),
           archived && words.models.archived,
           !isKept && words.unkept.mark,
-        ]
-          .filter(Boolean)
-          .join(' · ')}
+        ])}
       </span>
     </a>
   );

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { dotted } from '../messages/dotted.js';
 import { dateText } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { libraryMessages } from '../messages/library.js';
@@ -74,16 +75,14 @@ function SettingRowContent({ record, address, model, isChosen, isOpen, isKept }:
         <span>{dt && `${dt.label} ${dt.text}`}</span>
       </span>
       <span>
-        {[
+        {dotted([
           model,
           isOpen && words.list.open,
           dateText(at),
           ...tags,
           archived && words.models.archived,
           !isKept && words.unkept.mark,
-        ]
-          .filter(Boolean)
-          .join(' · ')}
+        ])}
       </span>
     </a>
   );

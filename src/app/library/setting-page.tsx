@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals';
 import { LIMITS, type Setting } from '../../program/index.js';
-import { clockText, messages, timerName } from '../messages/index.js';
+import { clockText, dutyName, messages, timerName } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import { newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
@@ -29,6 +29,7 @@ interface SettingPageProps {
 export function SettingPage(props: SettingPageProps) {
   const { session, places, setting: record, back, onGo } = props;
   const words = libraryMessages.value;
+  const { servoName } = messages.value;
   const { library } = session;
   const way = back !== null && (
     <a class="library-back" href={addressOf(back)}>
@@ -48,6 +49,10 @@ export function SettingPage(props: SettingPageProps) {
   const { setting } = record;
   const model = library.models.get(setting.model) ?? null;
   const { program } = setting;
+  const names = program.positions.map((_, servo) => {
+    const use = model?.model.servos[servo];
+    return use ? `${servoName(servo)} ${dutyName(use)}` : servoName(servo);
+  });
   const change = (changed: Partial<Setting>): void => {
     if (library.settings.removed.peek().some(({ key }) => key === record.key)) return;
     // Onto what the library holds by now: another tab may have changed another part of it.
@@ -68,7 +73,7 @@ export function SettingPage(props: SettingPageProps) {
         onSave={(note) => change({ note })}
       />
       <div class="setting-lanes">
-        <SmallLanes program={program} />
+        <SmallLanes program={program} names={names} />
       </div>
       <KeyFigures program={program} />
       <div class="buttons">

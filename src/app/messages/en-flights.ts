@@ -1,3 +1,4 @@
+import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
 /** The log of flights. These words come with it, not with the first picture. */
@@ -14,14 +15,14 @@ export const flights = {
   failed: 'This browser does not give out the flights that it may keep.',
   again: 'Try again',
   nothingFound: 'No flight fits this filter.',
-  day: (date: string, place: string) => (place === '' ? date : `${date} · ${place}`),
+  day: (date: string, place: string) => dotted([date, place]),
   dayCount: (count: number) => plural(count, 'flight', 'flights'),
   flying: {
     /** One tap: what the timer holds is flown now. */
     button: 'Flying this',
     /** @param figures such as “DT 3:00 min”. */
-    held: (memory: string | null, figures: readonly string[]) => [memory, ...figures].filter(Boolean).join(' · '),
-    logged: (time: string, names: readonly string[]) => [`Flight logged ${time}`, ...names.filter(Boolean)].join(' · '),
+    held: (memory: string | null, figures: readonly string[]) => dotted([memory, ...figures]),
+    logged: (time: string, names: readonly string[]) => dotted([`Flight logged ${time}`, ...names]),
     fillIn: 'Fill in',
     undo: 'Undo',
     again: 'Fly this again',
@@ -32,8 +33,8 @@ export const flights = {
     noModel: 'No model',
     round: (round: string) =>
       /^\d/.test(round) ? `Round ${round}` : `${round.charAt(0).toUpperCase()}${round.slice(1)}`,
-    wind: (wind: string) => `${wind} m/s`,
-    temperature: (degrees: string) => `${degrees} °C`,
+    wind: (wind: string) => `${wind}\u00a0m/s`,
+    temperature: (degrees: string) => `${degrees.replace('-', '−')}\u00a0°C`,
     noResult: 'no result',
     dt: (time: string) => `DT ${time}`,
   },

@@ -1,3 +1,4 @@
+import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
 /** Which memory flies next, and what is known of the others. */
@@ -70,13 +71,13 @@ export const memories = {
   stage: (stage: string, memory: string) => `${stage} ${memory}`,
   saved: (count: number) => `${plural(count, 'memory was', 'memories were')} read and kept.`,
   /** “M3: DT 3:00 min → 4:00 min · Motor stop 10.0 s, stays”. */
-  figures: (memory: string, figures: readonly string[]) => `${memory}: ${figures.join(' · ')}`,
+  figures: (memory: string, figures: readonly string[]) => `${memory}: ${dotted(figures)}`,
   stays: (label: string, value: string) => `${label} ${value}, stays`,
   same: (memory: string) => `${memory} holds all of this already. It is read back and compared.`,
   changes: (count: number) => (count === 0 ? 'no changes' : plural(count, 'change', 'changes')),
   figure: (label: string, value: string) => `${label} ${value}`,
   verified: (memory: string, time: string, figures: readonly string[]) =>
-    `${memory} verified ${time} · ${figures.join(' · ')}`,
+    `${memory} verified ${time} · ${dotted(figures)}`,
   uncertain: (memory: string, open: readonly string[], more: number) =>
     `It is not known what ${memory} holds: ${open.join(', ')}${more > 0 ? `, and ${more} more` : ''}. Do not fly it before it is read.`,
   either: (field: string, one: string, other: string) => `${field} is ${one} or ${other}`,

@@ -1,3 +1,4 @@
+import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
 /** The setting sheet. Only the view that prints it needs these sentences. */
@@ -51,7 +52,7 @@ export const print = {
   flights: 'Flights',
   columns: ['Date', 'Round', 'Wind m/s', 'Temp. °C', 'Time', 'Remarks'],
   printed: (date: string) => `printed ${date}`,
-  continued: (model: string, setting: string) => [model, setting].filter(Boolean).join(' · '),
+  continued: (model: string, setting: string) => dotted([model, setting]),
   /** Where the values come from. */
   origins: {
     typed: (date: string) => `Typed, last changed ${date}`,

@@ -1,3 +1,4 @@
+import { dotted } from './dotted.js';
 import { plural } from './plural.js';
 
 /** From the difference that is shown to the verdict. */
@@ -58,7 +59,7 @@ export const write = {
   stopping: 'Stopping after this request',
   verified: { title: 'Verified.', advice: 'The timer was read back after writing and held what was wanted.' },
   verdict: (memory: string, time: string, figures: readonly string[], changes: number) =>
-    [`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')].join(' · '),
+    dotted([`${memory} verified ${time}`, ...figures, plural(changes, 'change', 'changes')]),
   inWords: 'In words',
   asItIs: 'as it is',
   insteadOf: (value: string) => `instead of ${value}`,

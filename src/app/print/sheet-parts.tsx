@@ -1,4 +1,5 @@
 import type { ComponentChildren } from 'preact';
+import { dotted } from '../messages/dotted.js';
 import { print } from '../messages/en-print.js';
 import { messages } from '../messages/index.js';
 import { QrCode } from '../ui/qr-code.js';
@@ -119,7 +120,7 @@ function SheetLegend({ sheet, group }: { readonly sheet: Sheet; readonly group: 
   const isAbsolute = ['B', 'E'].includes(sheet.program.identity.timerClass);
   return (
     <div class="leaf-legend">
-      {group.length > NAMED_IN_HEAD && names.length > 0 && <p class="leaf-uses">{names.join(' · ')}</p>}
+      {group.length > NAMED_IN_HEAD && names.length > 0 && <p class="leaf-uses">{dotted(names)}</p>}
       <p>
         {print.positions} {isAbsolute && program.absolute}
       </p>

@@ -1,6 +1,7 @@
 import { useSignal } from '@preact/signals';
 import { differences, sameLayout } from '../../program/index.js';
 import { comparingMessages } from '../messages/comparing.js';
+import { dotted } from '../messages/dotted.js';
 import { dateText, dayText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import { heldNow } from '../session/held-now.js';
@@ -80,11 +81,9 @@ function Row({ session, record, backup, following, onLoad, onCompare }: ModelBac
   return (
     <li class="model-backup">
       <p>
-        <strong>{memory}</strong> {figures.join(' · ')}{' '}
+        <strong>{memory}</strong> {dotted(figures)}{' '}
         <span class="hint">
-          {[dateText(savedAt), all.reasons[backup.reason], differsText(session, record, backup)]
-            .filter(Boolean)
-            .join(' · ')}
+          {dotted([dateText(savedAt), all.reasons[backup.reason], differsText(session, record, backup)])}
         </span>
       </p>
       <div class="buttons">

@@ -11,11 +11,17 @@ const MAX_POSITION = 130;
 /** The least distance of two functions, and the room after DT, as shares of the width. */
 const SPACING = { minGap: 0.05, runOut: 0.06 };
 
+interface SmallLanesProps {
+  readonly program: TimerProgram;
+  /** What each servo is called, at its lane. Without them the picture is too small for names. */
+  readonly names?: readonly string[];
+}
+
 /**
  * A program to be recognised by: a lane for each servo, how long the motor runs, DT. It says nothing to who does not
  * see it: its figures stand beside it.
  */
-export function SmallLanes({ program }: { readonly program: TimerProgram }) {
+export function SmallLanes({ program, names }: SmallLanesProps) {
   const { identity, times, positions } = program;
   const dt = times[identity.functions] ?? 0;
   const scale = stretchedScale(times.slice(1), SPACING);
@@ -45,6 +51,13 @@ export function SmallLanes({ program }: { readonly program: TimerProgram }) {
         {motor > 0 && <path class="small-motor" d={`M0 ${height - 3}H${x(motor)}`} />}
         <path class="small-dt" d={`M${x(dt)} 0V${height}`} />
       </svg>
+      {names && (
+        <div class="small-names" aria-hidden="true">
+          {names.map((name) => (
+            <span key={name}>{name}</span>
+          ))}
+        </div>
+      )}
     </div>
   );
 }

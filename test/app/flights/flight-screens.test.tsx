@@ -8,8 +8,11 @@ beforeEach(() => localStorage.clear());
 
 const form = () => within(screen.getByRole('dialog', { name: 'Flight' }));
 const flights = ({ session }: AppBench) => session.library.flights.list.value.map(({ flight }) => flight);
-const rows = () => [...document.querySelectorAll('.flight-row')].map(({ textContent }) => textContent);
-const days = () => [...document.querySelectorAll('.flight-day h2')].map(({ textContent }) => textContent);
+/** What each says, with plain spaces. */
+const texts = (selector: string) =>
+  [...document.querySelectorAll(selector)].map(({ textContent }) => textContent.replaceAll('\u00a0', ' '));
+const rows = () => texts('.flight-row');
+const days = () => texts('.flight-day h2');
 
 async function toLog(app: AppBench): Promise<void> {
   app.models.views.show('library', 'flights');

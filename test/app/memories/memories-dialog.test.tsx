@@ -5,7 +5,7 @@ import { type AppBench, idle } from '../bench/bench.js';
 import { connected, press } from '../screen.js';
 
 const dialog = (name: string) => within(screen.getByRole('dialog', { name }));
-const lines = () => within(screen.getByRole('dialog')).getByRole('alert').textContent;
+const lines = () => within(screen.getByRole('dialog')).getByRole('alert').textContent.replaceAll('\u00a0', ' ');
 
 /** A timer whose third memory has another DT, in front of the dialog that shows the copy of the first one into it. */
 async function reviewed(): Promise<AppBench> {

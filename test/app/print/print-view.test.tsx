@@ -56,8 +56,8 @@ describe('the print view', () => {
       'Lancer 07',
     ]);
     expect(sheets()[0]?.textContent).toMatch(/Read from the timer \d+ Nov 2026/);
-    choose(/^No model · found$/);
-    choose(/^Lancer 07 · wind$/);
+    choose(/^No model\s· found$/);
+    choose(/^Lancer 07\s· wind$/);
     expect(sheets().map((sheet) => sheet.querySelector('.leaf-name')?.textContent)).toEqual([
       'calm morning',
       'found',

@@ -213,6 +213,6 @@ describe('the dialog of a write', () => {
     );
     await press('Write without a backup');
     expect(bench.timer.core.content.times[10]).toBe(36_000);
-    expect(screen.getByRole('alert').textContent).toMatch(/M1 verified .* DT 6:00 min · .* · 1 change$/);
+    expect(screen.getByRole('alert').textContent).toMatch(/M1 verified .* DT 6:00 min\s· .*\s· 1 change$/);
   });
 });

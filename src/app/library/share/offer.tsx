@@ -30,11 +30,11 @@ export function SettingOffer({ sharing, shared, page }: OfferProps) {
     <>
       <p>{words.lead}</p>
       {qr ? (
-        <>
+        <div class="share-code">
           <p>{words.scan}</p>
           <QrCode text={qr.link} label={words.qr(shared.name)} />
           {qr.isCut && <p class="hint">{words.cut}</p>}
-        </>
+        </div>
       ) : (
         <p class="hint">{words.tooLong}</p>
       )}

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
 import { formatTime } from '../../editing/units.js';
+import { dotted } from '../../messages/dotted.js';
 import { share } from '../../messages/en-share.js';
 import { dateText, messages, timerName } from '../../messages/index.js';
 import type { Session } from '../../session/session.js';
@@ -54,7 +55,7 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
 
 function Shown({ shared }: { readonly shared: SharedSetting }) {
   const { received: words } = share;
-  const { program: table, seconds } = messages.value;
+  const { program: table, seconds, servoName } = messages.value;
   const { program, name, modelName, note, tags, at } = shared;
   const { identity, times } = program;
   return (
@@ -64,15 +65,16 @@ function Shown({ shared }: { readonly shared: SharedSetting }) {
           <strong>{name}</strong> {modelName && words.from(modelName)}
         </p>
         <p class="hint">
-          {words.timer(timerName(identity), identity.firmware, identity.functions - 1, identity.servos)}
-          {' · '}
-          {words.dated(dateText(at))}
+          {dotted([
+            words.timer(timerName(identity), identity.firmware, identity.functions - 1, identity.servos),
+            words.dated(dateText(at)),
+          ])}
         </p>
         <p class="hint">{words.lead}</p>
       </div>
       <KeyFigures program={program} />
       <div class="received-lanes">
-        <SmallLanes program={program} />
+        <SmallLanes program={program} names={program.positions.map((_, servo) => servoName(servo))} />
       </div>
       {/* With many servos it scrolls, by the keyboard too. */}
       <section class="received-table" tabindex={0} aria-label={table.tableCaption}>
@@ -180,5 +182,5 @@ function Ways({ session, sharing, received, shared, onProgram, onLibrary }: Ways
 }
 
 function nameOf({ library }: Session, model: string | null, name: string): string {
-  return [library.models.get(model)?.model.name, name].filter(Boolean).join(' · ');
+  return dotted([library.models.get(model)?.model.name, name]);
 }
