@@ -112,7 +112,7 @@ export const files = {
   },
   reminder: {
     text: (changes: number, days: number) =>
-      `${plural(changes, 'change', 'changes')} since the last export, ${days} days ago. Models and settings are on this device alone.`,
+      `${plural(changes, 'change', 'changes')} since the last export, ${days} days ago. Models, settings and flights are on this device alone.`,
     never: (entries: number) =>
       `${plural(entries, 'entry', 'entries')} of your library ${entries === 1 ? 'is' : 'are'} on this device alone. If the device is lost, only a file brings them back.`,
     later: 'Not now',
