@@ -67,6 +67,35 @@ describe('the package in a browser', () => {
     expect(program).toMatchObject({ identity: { timerClass: 'Q', functions: 10 }, memory: 0, idleThrottle: 30 });
   });
 
+  test('the client works as it lies in a module worker, on streams that the page hands over', async () => {
+    const page = await pageOf('/empty.html');
+    await page.route(`${ORIGIN}/worker.js`, (route) =>
+      route.fulfill({
+        contentType: 'text/javascript',
+        body: `import { TimerClient } from '/dist/lib/client/index.js';
+          onmessage = async ({ data: port }) => {
+            const timer = new TimerClient(port);
+            const program = await timer.readProgram();
+            await timer.close();
+            postMessage(program);
+          };`,
+      }),
+    );
+    // A string: what Vitest makes of import() would not be known in the page.
+    const program = await page.evaluate(`(async () => {
+      const { VirtualTimer } = await import('/dist/lib/simulator/index.js');
+      const { readable, writable } = new VirtualTimer();
+      const worker = new Worker('/worker.js', { type: 'module' });
+      const answer = new Promise((resolve, reject) => {
+        worker.addEventListener('message', ({ data }) => resolve(data));
+        worker.addEventListener('error', ({ message }) => reject(new Error(message)));
+      });
+      worker.postMessage({ readable, writable }, [readable, writable]);
+      return answer;
+    })()`);
+    expect(program).toMatchObject({ identity: { timerClass: 'B', functions: 10 }, memory: 0 });
+  });
+
   test('the mock port is put into a page as one classic script', async () => {
     const page = await pageOf('/empty.html');
     const heard = await page.evaluate(async () => {

@@ -1,5 +1,5 @@
-// Runs what consumers write on each runtime that is meant to run the package: the examples of the docs, the vectors and
-// the example for Node. A runtime that says anything else fails, such as one that warns. They come from npm, for Linux
+// Runs what consumers write on each runtime that is meant to run the package: the examples of the docs, the vectors, a
+// module worker and the example for Node. A runtime that says anything else fails, such as one that warns. They come from npm, for Linux
 // alone. The nightly workflow runs it; `npm run test:runtimes`.
 
 import { execFileSync, spawnSync } from 'node:child_process';
@@ -54,6 +54,25 @@ for (const { name, quirks, steps } of streams) {
 console.log('all right');
 `;
 
+/** A module worker: all of the work is done there, and the program comes back as a message. */
+const WORKER = `import { Worker } from 'node:worker_threads';
+
+const worker = new Worker(new URL('inside.js', import.meta.url));
+worker.once('message', async ({ times }) => {
+  console.log(times.at(-1));
+  await worker.terminate();
+});
+`;
+const INSIDE = `import { parentPort } from 'node:worker_threads';
+import { TimerClient } from 'sidus-timer/client';
+import { VirtualTimer } from 'sidus-timer/simulator';
+
+const timer = new TimerClient(new VirtualTimer());
+const program = await timer.readProgram();
+await timer.close();
+parentPort.postMessage(program);
+`;
+
 /** @param {string[]} args */
 function npm(...args) {
   return execFileSync('npm', args, { cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
@@ -72,11 +91,14 @@ function scripts() {
     return { file: `example-${index}.js`, says: said(code).join('\n') };
   });
   writeFileSync(join(folder, 'vectors.js'), VECTORS);
+  writeFileSync(join(folder, 'worker.js'), WORKER);
+  writeFileSync(join(folder, 'inside.js'), INSIDE);
   copyFileSync(join(root, 'examples/node-backup/timer.js'), join(folder, 'timer.js'));
   const tool = { file: 'timer.js', hears: /^(memory \d\n)*closed\n$/ };
   return [
     ...list,
     { file: 'vectors.js', says: 'all right' },
+    { file: 'worker.js', says: '18000' },
     { ...tool, args: ['/dev/timer', 'backup', 'all.json', '--all'], says: /4 of 4 memories are in all\.json/ },
     { ...tool, args: ['/dev/timer', 'dt', '180'], says: 'Verified.' },
     { ...tool, args: ['/dev/timer', 'restore', 'all.json'], says: /^(M\d: Verified\.\n?){4}$/ },
