@@ -40,7 +40,7 @@ export function programToFile({ identity, memory, times, positions, idleThrottle
 /** @throws CodecError with the place where it stands in the file as field. */
 export function programFromFile(value: unknown, path: string): TimerProgram {
   const of = record<{ identity: 0; memory: 0; motorStop: 0; reserved: 0; idleThrottle: 0; slots: 0 }>(value, path);
-  const identity = identityOf(of.identity, `${path}.identity`);
+  const identity = identityOf(of.identity, path);
   const count = slotCount(identity);
   const rows = list(of.slots, `${path}.slots`, count).map((row, slot) => rowOf(row, `${path}.slots[${slot}]`, slot));
   if (rows.length !== count) {

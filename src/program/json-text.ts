@@ -196,6 +196,7 @@ export function writeJson(value: unknown, indent = ''): string {
   const [open, close] = Array.isArray(value) ? ['[', ']'] : ['{ ', ' }'];
   if (lines.length === 0) return `${open}${close}`.replace('  ', '');
   const length = lines.reduce((sum, line) => sum + line.length + 2, indent.length + 4);
-  if (length <= WIDEST && !lines.some((line) => line.includes('\n'))) return `${open}${lines.join(', ')}${close}`;
+  // What has several lines inside is longer in any case.
+  if (length <= WIDEST) return `${open}${lines.join(', ')}${close}`;
   return `${open.trim()}\n${lines.map((line) => inner + line).join(',\n')}\n${indent}${close.trim()}`;
 }

@@ -1,6 +1,20 @@
 import { CodecError, type Identity, MAX_POSITION, MAX_TIME, requireIdentity } from '../protocol/index.js';
 import { requireShape, type TimerProgram } from './program.js';
-import { date, flag, id, list, measured, record, refuse, text, whole, wholes, within, word } from './require.js';
+import {
+  date,
+  flag,
+  id,
+  list,
+  measured,
+  optional,
+  record,
+  refuse,
+  text,
+  whole,
+  wholes,
+  within,
+  word,
+} from './require.js';
 
 /*
  * What a pilot keeps beside the timer. The same shapes lie in files and in the page's storage; each is checked by one
@@ -156,7 +170,7 @@ export function requireSetting(value: unknown, path = 'setting'): Setting {
   const of = record<Setting>(value, path);
   return {
     id: id(of.id, `${path}.id`),
-    model: of.model === null || of.model === undefined ? null : id(of.model, `${path}.model`),
+    model: optional(of.model, (given) => id(given, `${path}.model`)),
     name: text(of.name, `${path}.name`, LIMITS.name, 1),
     note: text(of.note, `${path}.note`, LIMITS.note),
     tags: list(of.tags, `${path}.tags`, LIMITS.tags).map((tag, at) => text(tag, `${path}.tags[${at}]`, LIMITS.tag, 1)),
@@ -174,9 +188,9 @@ export function requireFlight(value: unknown, path = 'flight'): Flight {
     id: id(of.id, `${path}.id`),
     at: date(of.at, `${path}.at`),
     place: text(of.place, `${path}.place`, LIMITS.place),
-    model: of.model === null || of.model === undefined ? null : id(of.model, `${path}.model`),
+    model: optional(of.model, (given) => id(given, `${path}.model`)),
     modelName: text(of.modelName, `${path}.modelName`, LIMITS.name),
-    setting: of.setting === null || of.setting === undefined ? null : id(of.setting, `${path}.setting`),
+    setting: optional(of.setting, (given) => id(given, `${path}.setting`)),
     settingName: text(of.settingName, `${path}.settingName`, LIMITS.name),
     program: requireProgram(of.program, `${path}.program`),
     wind: measured(of.wind, `${path}.wind`, 0, 50),
@@ -223,35 +237,33 @@ export function entries<T extends { readonly id: string }>(
  */
 export function requireProgram(value: unknown, path = 'program'): TimerProgram {
   const of = record<TimerProgram>(value, path);
-  const identity = identityOf(of.identity, `${path}.identity`);
+  const identity = identityOf(of.identity, path);
   const program: TimerProgram = {
     identity,
-    memory:
-      of.memory === null || of.memory === undefined
-        ? null
-        : whole(of.memory, `${path}.memory`, 0, identity.memories - 1),
+    memory: optional(of.memory, (given) => whole(given, `${path}.memory`, 0, identity.memories - 1)),
     times: wholes(of.times, `${path}.times`, 256, 0, MAX_TIME),
     positions: list(of.positions, `${path}.positions`, 255).map((row, servo) =>
       wholes(row, `${path}.positions[${servo}]`, 256, 0, 255),
     ),
-    idleThrottle:
-      of.idleThrottle === null || of.idleThrottle === undefined
-        ? null
-        : whole(of.idleThrottle, `${path}.idleThrottle`, 0, 255),
+    idleThrottle: optional(of.idleThrottle, (given) => whole(given, `${path}.idleThrottle`, 0, 255)),
   };
   within(path, () => requireShape(program));
   return program;
 }
 
-/** Makes sure that a value is what a timer can say of itself. */
+/**
+ * Makes sure that a value is what a timer can say of itself.
+ * @param path of the program that it stands in.
+ */
 export function identityOf(value: unknown, path: string): Identity {
-  const { timerClass, firmware, functions, memories, servos } = record<Identity>(value, path);
+  const place = `${path}.identity`;
+  const { timerClass, firmware, functions, memories, servos } = record<Identity>(value, place);
   const identity = { timerClass, firmware, functions, memories, servos } as Identity;
-  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${path}.${name}`, 3);
+  for (const name of ['timerClass', 'firmware'] as const) text(identity[name], `${place}.${name}`, 3);
   for (const name of ['functions', 'memories', 'servos'] as const) {
-    if (typeof identity[name] !== 'number') refuse('wrong-type', `${path}.${name}`, 'a number', identity[name]);
+    if (typeof identity[name] !== 'number') refuse('wrong-type', `${place}.${name}`, 'a number', identity[name]);
   }
-  within(path.replace(/\.?identity$/, ''), () => requireIdentity(identity));
+  within(path, () => requireIdentity(identity));
   return identity;
 }
 

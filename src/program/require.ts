@@ -66,6 +66,11 @@ export function id(value: unknown, path: string): string {
   return value;
 }
 
+/** What may be missing: null, too, says that it is. */
+export function optional<T>(value: unknown, check: (given: unknown) => T): T | null {
+  return value === null || value === undefined ? null : check(value);
+}
+
 export function flag(value: unknown, path: string): boolean {
   if (typeof value !== 'boolean') refuse('wrong-type', path, 'true or false', value);
   return value;

@@ -8,6 +8,7 @@ describe('a text of JSON', () => {
     ['"\\"\\\\\\/\\b\\f\\n\\r\\t"', '"\\/\b\f\n\r\t'],
     ['"a\\u0041b"', 'aAb'],
     [' [ true , false , null , -1.5e2 ] ', [true, false, null, -150]],
+    ['[1e2, 1E+2, 1e-2]', [100, 100, 0.01]],
   ])('%s is read', (text, value) => {
     expect(readJson(text)).toEqual(value);
   });

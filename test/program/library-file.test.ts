@@ -266,6 +266,46 @@ describe('a library file', () => {
     expect(file).toMatchObject(HEAD);
   });
 
+  it.each<[string, (text: string) => string, string]>([
+    ['a list', (text) => text.replace(/"verified": \[.*?\n {6}\]/s, '"verified": 5'), 'wrong-type models[0].verified'],
+    ['of objects', (text) => text.replace('"verified": [', '"verified": [5, '), 'wrong-type models[0].verified[0]'],
+    [
+      'simulated or not',
+      (text) => text.replace('"simulated": true', '"simulated": 1'),
+      'wrong-type models[0].verified[0].simulated',
+    ],
+    [
+      'changed on a day',
+      (text) => text.replace('"changedAt": "', '"changedAt": "on '),
+      'wrong-type models[0].changedAt',
+    ],
+  ])('has to say what is known beside it as %s', (_, change, expected) => {
+    const facts: FactsOf = new Map([
+      [MODEL, { changedAt: 5, verified: [{ program: SETTING.program, at: 8, simulated: true }] }],
+    ]);
+    const text = formatLibraryFile(LIBRARY, { ...HEAD, facts });
+    expect(change(text)).not.toBe(text);
+    expect(refused(change(text)).replace(/ \d+:\d+$/, '')).toBe(expected);
+  });
+
+  it('names what it passes over inside a program, by its place', () => {
+    const text = changed('"identity": {', '"identity": { "serial": 7,').replace(
+      '"slot": "start",',
+      '"slot": "start", "time": "0.00",',
+    );
+    expect(parseLibraryFile(text).ignored).toEqual([
+      'settings[0].program.identity.serial',
+      'settings[0].program.slots[0].time',
+    ]);
+  });
+
+  it.each([
+    [{ ...HEAD, writtenAt: Number.NaN }, 'not-an-integer', 'writtenAt'],
+    [{ ...HEAD, writtenBy: 'x'.repeat(201) }, 'out-of-range', 'writtenBy'],
+  ])('is not written with a head that could not be read again (%#)', (head, code, field) => {
+    expect(() => formatLibraryFile(LIBRARY, head)).toThrowError(expect.objectContaining({ code, field }));
+  });
+
   it('is as its schema says, and the schema says nothing that is not tested', () => {
     expect(breach(schema, JSON.parse(TEXT))).toBeUndefined();
     expect(breach(schema, { ...JSON.parse(TEXT), version: 2 })).toBe('version: const');

@@ -1,8 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { requireFlight, requireModel, requireProgram, requireSetting } from '../../src/program/index.js';
+import {
+  requireFlight,
+  requireLibrary,
+  requireModel,
+  requireProgram,
+  requireSetting,
+} from '../../src/program/index.js';
 import { CodecError } from '../../src/protocol/index.js';
 import { FLIGHT, MODEL, SETTING } from './library-examples.js';
+import { refusalOf } from './refusal.js';
 
 const codeOf = (work: () => unknown): string => {
   try {
@@ -56,6 +63,7 @@ describe.each([
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], high: 19 }] }, 'out-of-range model.servos[0].low'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], high: 131 }] }, 'out-of-range model.servos[0].high'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], low: 1.5 }] }, 'not-an-integer model.servos[0].low'],
+  [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], reversed: 1 }] }, 'wrong-type model.servos[0].reversed'],
   [requireModel, MODEL, { memoryNames: Array(256).fill('') }, 'wrong-count model.memoryNames'],
   [requireSetting, SETTING, { tags: Array(21).fill('x') }, 'wrong-count setting.tags'],
   [requireSetting, SETTING, { tags: [''] }, 'out-of-range setting.tags[0]'],
@@ -76,6 +84,33 @@ test('what is empty may be missing', () => {
   expect(requireModel(model)).toEqual({ ...MODEL, photo: null, timerClass: null });
   const { wind, temperature, result, ...flight } = FLIGHT;
   expect(requireFlight(flight)).toEqual({ ...FLIGHT, wind: null, temperature: null, result: null });
+  for (const nothing of [null, undefined]) {
+    expect(requireSetting({ ...SETTING, model: nothing })).toEqual({ ...SETTING, model: null });
+    const alone = requireFlight({ ...FLIGHT, model: nothing, setting: nothing });
+    expect(alone).toEqual({ ...FLIGHT, model: null, setting: null });
+    const program = { ...SETTING.program, memory: nothing, idleThrottle: nothing };
+    expect(requireProgram(program)).toEqual({ ...SETTING.program, memory: null, idleThrottle: null });
+  }
+});
+
+test.each([
+  [5, 'wrong-type library'],
+  [{ models: 5, settings: [], flights: [] }, 'wrong-type models'],
+  [{ models: [], settings: 5, flights: [] }, 'wrong-type settings'],
+  [{ models: [], settings: [], flights: 5 }, 'wrong-type flights'],
+  [{ models: [], settings: [], flights: [{ ...FLIGHT, id: '' }] }, 'wrong-type flights[0].id'],
+])('a library that is %j is refused: %s', (library, refused) => {
+  expect(codeOf(() => requireLibrary(library))).toBe(refused);
+});
+
+test('a picture says what it must be', () => {
+  const photo = 'a picture';
+  expect(refusalOf(() => requireModel({ ...MODEL, photo }))).toEqual([
+    'wrong-type',
+    'model.photo',
+    'model.photo must be base64',
+    { value: photo },
+  ]);
 });
 
 describe('a program', () => {
@@ -84,7 +119,10 @@ describe('a program', () => {
     [{ memory: 4 }, 'out-of-range program.memory'],
     [{ times: program.times.slice(1) }, 'wrong-count program.times'],
     [{ times: program.times.map(() => 65_536) }, 'out-of-range program.times[0]'],
+    [{ times: program.times.map(() => -1) }, 'out-of-range program.times[0]'],
+    [{ times: program.times.map(() => 0.5) }, 'not-an-integer program.times[0]'],
     [{ positions: program.positions.slice(1) }, 'wrong-count program.positions'],
+    [{ positions: 5 }, 'wrong-type program.positions'],
     [{ positions: program.positions.map((row) => row.map(() => 256)) }, 'out-of-range program.positions[0][0]'],
     [{ idleThrottle: 256 }, 'out-of-range program.idleThrottle'],
     [{ identity: { ...program.identity, functions: 0 } }, 'bad-identity program.identity.functions'],

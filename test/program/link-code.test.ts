@@ -197,6 +197,9 @@ describe('a link', () => {
   });
 
   it('is not made of what is no setting', () => {
+    expect(() => encodeLink({ ...SHARED, modelName: 'x'.repeat(61) })).toThrowError(
+      expect.objectContaining({ code: 'out-of-range', field: 'setting.modelName' }),
+    );
     fc.assert(
       fc.property(program, (of) => {
         expect(() => encodeLink({ ...SHARED, program: { ...of, times: of.times.slice(1) } })).toThrow(CodecError);

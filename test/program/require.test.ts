@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { requireShape, type TimerProgram } from '../../src/program/index.js';
 import { entries } from '../../src/program/library.js';
-import { flag, id, list, measured, record, text, whole, within, word } from '../../src/program/require.js';
+import { flag, id, list, measured, record, text, whole, wholes, within, word } from '../../src/program/require.js';
 import { refusalOf } from './refusal.js';
 
 const SMALL = { timerClass: 'B', firmware: '536', functions: 1, memories: 1, servos: 1 };
@@ -93,6 +93,7 @@ describe('a value from outside is refused with its place, what it must be, and t
     expect([text('😀😀😀', 'p', 3), text('a', 'p', 3, 1), list([1], 'p', 1)]).toEqual(['😀😀😀', 'a', [1]]);
     expect([whole(0, 'p', 0, 3), whole(3, 'p', 0, 3), measured(null, 'p', 0, 3)]).toEqual([0, 3, null]);
     expect(Object.is(measured(-0, 'p', 0, 3), 0), 'a negative zero does not come back from a file').toBe(true);
+    expect(wholes([-0, 3], 'p', 2, 0, 3).map((each) => Object.is(each, -0))).toEqual([false, false]);
     expect([id('a'.repeat(64), 'p'), id('-_Z9', 'p')]).toEqual(['a'.repeat(64), '-_Z9']);
   });
 });
