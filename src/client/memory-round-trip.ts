@@ -113,19 +113,10 @@ export class MemoryRoundTrip {
     if (tell) await job.exchange.schedule.waitFor(() => tell(this.original));
     await job.exchange.requireIdentity(job.signal);
     throwIfAborted(job.signal);
-    const before = this.#at;
     this.#at = null;
-    try {
-      if (await makeCurrent(job, memory)) this.#at = memory;
-    } catch (error) {
-      const { request, sent } = error instanceof TimerError ? error.details : {};
-      // It never went out, so nothing has changed.
-      if (request === 'SETMEMORY' && sent === 0) this.#at = before;
-      throw error;
-    }
-    if (this.#at === null) {
-      throw new TimerError('memory-unknown', 'the timer does not say which memory is current');
-    }
+    const isTold = await makeCurrent(job, memory);
+    if (!isTold) throw new TimerError('memory-unknown', 'the timer does not say which memory is current');
+    this.#at = memory;
   }
 
   async #goBack(cause: unknown): Promise<void> {

@@ -6,7 +6,7 @@ import type { Progress } from './progress.js';
 import { ATTEMPTS, READS } from './retry-policy.js';
 
 /** The questions for what a memory holds: only Q is known to have a motor. */
-function contentQuestions({ timerClass }: Identity, idleThrottle: boolean): CommandName[] {
+function contentQuestions({ timerClass }: Identity, idleThrottle: boolean | undefined): CommandName[] {
   return timerClass === 'Q' || idleThrottle ? ['GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'] : ['GETTIMERS', 'GETSERVOPOS'];
 }
 
@@ -26,10 +26,7 @@ export interface ReadingOptions {
 }
 
 /** The exchanges of {@link readContent} when nothing goes wrong. */
-export function readingPlan(
-  identity: Identity,
-  { idleThrottle = false, strict, known }: ReadingOptions = {},
-): CommandName[] {
+export function readingPlan(identity: Identity, { idleThrottle, strict, known }: ReadingOptions): CommandName[] {
   const content = contentQuestions(identity, idleThrottle);
   const ends: CommandName[] = ['GETMEMORY', 'GETSWVER'];
   if (!strict) return ['GETMEMORY', ...content, ...ends];
@@ -92,7 +89,7 @@ async function isStillCurrent(job: ClientJob, memory: number | null, how: Readin
  */
 export async function agreedContent(
   job: ClientJob,
-  { strict = false, idleThrottle = false }: ReadingOptions,
+  { strict, idleThrottle }: ReadingOptions,
   before: MemoryValues | undefined,
 ): Promise<{ content: MemoryValues; agreed: boolean }> {
   let previous = before;
@@ -114,8 +111,8 @@ export async function agreedContent(
 /** @returns what was read, and whether anything speaks against believing it alone. */
 async function readOnce(
   job: ClientJob,
-  strict: boolean,
-  idleThrottle: boolean,
+  strict: boolean | undefined,
+  idleThrottle: boolean | undefined,
 ): Promise<{ content: MemoryValues; doubtful: boolean }> {
   const { exchange, identity, signal, quirks } = job;
   const seen = exchange.watch();
@@ -162,11 +159,11 @@ function textOf({ times, positions, idleThrottle }: MemoryValues): string {
   return JSON.stringify([times, positions, idleThrottle]);
 }
 
-/** What the times say of their byte order: `other` when they rise only with their bytes exchanged. */
-function byteOrderOf(times: readonly number[]): 'this' | 'other' | 'open' {
+/** What the times say of their byte order, if anything: `other` when they rise only with their bytes exchanged. */
+function byteOrderOf(times: readonly number[]): 'this' | 'other' | undefined {
   const isThis = rises(times);
   const isOther = rises(times.map(swapBytes));
-  return isThis === isOther ? 'open' : isThis ? 'this' : 'other';
+  return isThis === isOther ? undefined : isThis ? 'this' : 'other';
 }
 
 /** Whether these times say nothing new of their byte order. */

@@ -88,9 +88,9 @@ export class Schedule {
     const isIt = (part: JobPart): boolean => part.stage === stage && (part.memory ?? null) === this.memory;
     const { parts } = this.#job;
     const next = parts.findIndex((part, index) => index >= this.#at && isIt(part));
-    if (next > this.#at || this.#stage === undefined) {
-      this.#at = Math.max(next, this.#at);
-      this.#left = [...(parts[this.#at]?.names ?? [])];
+    if (next > this.#at) {
+      this.#at = next;
+      this.#left = [...(parts[next] as JobPart).names];
     }
     this.#stage = stage;
     this.#report();

@@ -199,10 +199,7 @@ export class TimerClient {
   readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
     const { idleThrottle = false } = options;
     return this.#inTurn(async () => {
-      const job = await this.#job(options, (identity) => ({
-        stage: 'read',
-        names: readingPlan(identity, { idleThrottle }),
-      }));
+      const job = await this.#job(options, (identity) => ({ names: readingPlan(identity, { idleThrottle }) }));
       return readContent(job, 'read', { idleThrottle });
     });
   }

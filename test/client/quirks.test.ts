@@ -38,6 +38,26 @@ describe('a timer that departs from the usual reading', () => {
     expect([client.damageSeen, client.strays]).toEqual([false, 0]);
   });
 
+  it('a sum that leaves out the data is found with the first reading, which is made twice for it', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, quirks: { bareChecksumReply: true } });
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
+    expect(found(client)).toEqual(['bare-checksum']);
+    expect(names(timer.core.answered).filter((name) => name === 'GETLOWRPM')).toHaveLength(2);
+  });
+
+  it('an idle throttle without a value is believed from two readings, and from one once that is known', async () => {
+    const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
+    answering(timer, 'GETLOWRPM', (count) => (count === 0 ? [] : undefined));
+    expect(await run(client.readProgram())).toEqual(contentOf(timer));
+    const other = bench({ identity: { timerClass: 'Q' } });
+    answering(other.timer, 'GETLOWRPM', () => []);
+    const asked = () => names(other.timer.core.answered).filter((name) => name === 'GETTIMERS').length;
+    expect((await other.run(other.client.readProgram())).idleThrottle).toBeNull();
+    expect(asked()).toBe(2);
+    expect((await other.run(other.client.readProgram())).idleThrottle).toBeNull();
+    expect(asked()).toBe(3);
+  });
+
   it('no index of the memory: unknown, never memory 0; reading and writing go on', async () => {
     const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
     const baseline = await run(client.readProgram());
@@ -225,6 +245,21 @@ describe('times with their high byte first', () => {
     const goal = edited(baseline, [[10, 30000]]);
     expect((await run(client.writeProgram(goal, { baseline }))).result).toBe('verified');
     expect(contentOf(timer)).toEqual(goal);
+  });
+
+  it('are suspected where two of them are equal, too, and times that tell nothing take nothing back', async () => {
+    const { client, timer, run } = bench();
+    const rising = [0x0200, 0x0101, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808];
+    timer.core.content.times = [0, ...rising];
+    await run(client.readProgram());
+    expect(found(client)).toEqual(['times-big-endian']);
+    timer.core.content.times = Array<number>(11).fill(0x0101);
+    const baseline = await run(client.readProgram());
+    await run(client.writeProgram(edited(baseline, [], [[0, 0, 1]]), { baseline }));
+    expect(found(client)).toEqual(['times-big-endian']);
+    timer.core.content.times = Array.from({ length: 11 }, (_, slot) => 100 * Math.ceil(slot / 2));
+    await run(client.readProgram());
+    expect(found(client), 'times that rise as they are').toEqual([]);
   });
 
   it('are a hint only: the pilot may decide that they are as they were read', async () => {

@@ -123,6 +123,23 @@ describe('how far a job is', () => {
     ]);
   });
 
+  it('finds the next part of a stage that comes twice, and stays at the one that has begun', () => {
+    const { schedule, told } = begun([
+      { stage: 'read', names: ['GETSWVER'] },
+      { stage: 'write', names: ['SETLOWRPM'] },
+      { stage: 'read', names: ['GETMEMORY'] },
+    ]);
+    for (const stage of ['read', 'read', 'write', 'read'] as const) schedule.enter(stage);
+    expect(told.map((text) => text.split('/')[0])).toEqual(['read 0', 'read 0', 'write 27', 'read 46']);
+  });
+
+  it('goes step by step through a part without a stage, too', () => {
+    const { schedule, told } = begun([{ stage: 'read', names: ['GETMEMORY'] }, { names: ['GETSWVER', 'GETMEMORY'] }]);
+    schedule.enter('read');
+    for (const name of ['GETMEMORY', 'GETMEMORY', 'GETSWVER'] as const) schedule.answered(name);
+    expect(told.map((text) => text.split('/')[0])).toEqual(['read 0', 'read 19', 'read 38', 'read 65']);
+  });
+
   it('is nothing before the timer is known, and all of it when nothing has to be asked', () => {
     for (const [known, text] of [
       [null, 'read 0/0 0.00 Mnull 0'],

@@ -193,6 +193,17 @@ describe('a silence', () => {
   });
 });
 
+describe('the end of a wait', () => {
+  it('shows what an unfinished frame has hidden, which says nothing of how slow the timer is', async () => {
+    const { wire, ask, say, clock, timing } = setUp();
+    await clock.run(ask());
+    const asked = ask({ name: 'GETLOWRPM' });
+    say(concat(FALSE_HEADER, ANSWER));
+    expect(await clock.run(asked)).toEqual({ kind: 'damaged' });
+    expect([wire.strays, timing.delay]).toEqual([0, null]);
+  });
+});
+
 describe('a pause', () => {
   it('lasts as long as it was told to, whatever comes', async () => {
     const { wire, ask, say, timed, clock } = setUp();

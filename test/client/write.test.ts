@@ -88,6 +88,27 @@ describe('write program', () => {
       details: { expected: 0, found: 2 },
     });
     expect(sets(timer.core.answered)).toEqual([]);
+    expect(names(timer.core.answered).slice(5), 'nothing is read of it').toEqual([
+      'GETSWVER',
+      ...['GETSWVER', 'GETMEMORY', 'GETMEMORY', 'GETSWVER'],
+    ]);
+  });
+
+  it('stops as soon as another memory is current behind what was read of the one', async () => {
+    const { client, timer, run } = bench();
+    const baseline = await run(client.readProgram());
+    timer.core.answered.length = 0;
+    timer.core.onAnswer = ({ name }) => {
+      if (name === 'GETSERVOPOS') timer.core.memory = 2;
+    };
+    await expect(run(client.writeProgram(edited(baseline, [[10, 30000]]), { baseline }))).rejects.toMatchObject({
+      code: 'other-memory',
+      details: { expected: 0, found: 2 },
+    });
+    expect(names(timer.core.answered)).toEqual([
+      ...['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'],
+      ...['GETMEMORY', 'GETMEMORY', 'GETSWVER'],
+    ]);
   });
 
   it('puts nothing back when the memory was changed on the way', async () => {
