@@ -21,38 +21,29 @@ function between(lines, start, end) {
 
 const keyOf = ({ line, code, becomes }) => JSON.stringify([line, code, becomes]);
 
-const placesOf = (file, list) =>
-  (list[file] ?? []).flatMap(({ line, mutants }) =>
-    mutants.map(([code, becomes]) => ({ file, at: '', line, code, becomes })),
-  );
-
 /**
  * @param {import('mutation-testing-report-schema').schema.MutationTestResult} report
  * @param {Equivalent} equivalent
- * @param {Equivalent} open as those, without a reason: nobody has judged them yet
- * @returns {{ counts: Record<string, number>, unseen: Mutant[], stale: Mutant[], done: Mutant[] }}
- * `unseen`: survived and not listed; `stale`: listed as equivalent and seen by a test, or no longer there; `done`: the
- * same of an open one.
+ * @returns {{ counts: Record<string, number>, unseen: Mutant[], stale: Mutant[] }} `unseen`: survived and not listed;
+ * `stale`: listed as equivalent and seen by a test, or no longer there.
  */
-export function outcome(report, equivalent, open) {
+export function outcome(report, equivalent) {
   const counts = {
     mutants: 0,
     killed: 0,
     'timed out': 0,
     survived: 0,
     'of these equivalent': 0,
-    'of these open': 0,
     prose: 0,
   };
   const unseen = [];
   const stale = [];
-  const done = [];
   for (const [file, { source, mutants }] of Object.entries(report.files)) {
     const lines = source.split('\n');
-    const listed = new Map([
-      ...placesOf(file, open).map((mutant) => [keyOf(mutant), { ...mutant, list: 'open' }]),
-      ...placesOf(file, equivalent).map((mutant) => [keyOf(mutant), { ...mutant, list: 'equivalent' }]),
-    ]);
+    const listed = (equivalent[file] ?? []).flatMap(({ line, mutants }) =>
+      mutants.map(([code, becomes]) => ({ file, at: '', line, code, becomes })),
+    );
+    const keys = new Set(listed.map(keyOf));
     const found = new Set();
     for (const { status, location, replacement } of mutants) {
       counts[ENDS[status] ?? status] = (counts[ENDS[status] ?? status] ?? 0) + 1;
@@ -64,36 +55,22 @@ export function outcome(report, equivalent, open) {
       const code = between(lines, start, end);
       const becomes = oneLine(replacement ?? '');
       const mutant = { file, at: `${start.line}:${start.column}`, line, code, becomes };
-      const list = listed.get(keyOf(mutant))?.list;
       found.add(keyOf(mutant));
       if (status === 'Timeout') continue;
-      if (list) counts[`of these ${list}`]++;
+      if (keys.has(keyOf(mutant))) counts['of these equivalent']++;
       else unseen.push(mutant);
     }
-    for (const [key, mutant] of listed) if (!found.has(key)) (mutant.list === 'open' ? done : stale).push(mutant);
+    stale.push(...listed.filter((mutant) => !found.has(keyOf(mutant))));
   }
-  return { counts, unseen, stale, done };
+  return { counts, unseen, stale };
 }
 
 /** For whoever has to write a test, or a line of equivalent.json. */
-export function unseenText({ unseen, stale, done }) {
+export function unseenText({ unseen, stale }) {
   const text = ({ file, at, line, code, becomes }) =>
     `  ${file}:${at}  ${line}\n    ${JSON.stringify([code, becomes])}\n`;
   return [
     ...(unseen.length > 0 ? ['No test sees these:\n', ...unseen.map(text)] : []),
     ...(stale.length > 0 ? ['These stand in equivalent.json and are seen by now, or gone:\n', ...stale.map(text)] : []),
-    ...(done.length > 0 ? ['Take these out of open.json, they are seen by now, or gone:\n', ...done.map(text)] : []),
   ].join('');
-}
-
-/** As open.json has them. */
-export function asList(mutants) {
-  const list = {};
-  for (const { file, line, code, becomes } of mutants) {
-    list[file] ??= [];
-    const row = list[file].find((each) => each.line === line);
-    if (row) row.mutants.push([code, becomes]);
-    else list[file].push({ line, mutants: [[code, becomes]] });
-  }
-  return list;
 }
