@@ -1,6 +1,6 @@
 // Runs what consumers write on each runtime that is meant to run the package: the examples of the docs, the vectors, a
-// module worker and the example for Node. A runtime that says anything else fails, such as one that warns. They come from npm, for Linux
-// alone. The nightly workflow runs it; `npm run test:runtimes`.
+// module worker and the example for Node. A runtime that says anything else fails, such as one that warns. They come
+// from npm, for Linux alone. The nightly workflow runs it; `npm run test:runtimes`.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { chmodSync, copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
