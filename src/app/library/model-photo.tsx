@@ -27,7 +27,7 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
     void drawPhoto(photo, place, () => isOld)
       .catch(() => 'unreadable' as const)
       .then((found) => {
-        if (found && !isOld) fault.value = found;
+        if (!isOld) fault.value = found;
       });
     return () => {
       isOld = true;

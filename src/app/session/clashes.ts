@@ -29,14 +29,13 @@ export class Clashes<T extends { readonly key: string }> {
 
   /**
    * One of them is answered.
-   * @returns the key of what was put beside it meanwhile, and goes; undefined: nothing was.
+   * @returns what was put beside it meanwhile, and is to go; undefined: nothing was.
    */
-  end(key: string): string | undefined {
+  end(key: string): T | undefined {
     this.#list.value = this.#list.peek().filter(({ record }) => record.key !== key);
     const copy = this.#copies.get(key);
     this.#copies.delete(key);
-    if (copy) void this.#keeper.remove(copy.key).catch(() => {});
-    return copy?.key;
+    return copy;
   }
 
   /** The page is left before the pilot has answered, and may not come back: what this tab wanted is kept beside it. */

@@ -190,8 +190,11 @@ export class Collection<T extends { readonly key: string; readonly changedAt: nu
 
   /** He has chosen elsewhere. */
   settled(key: string): void {
-    const gone = this.#clashes.end(key);
-    if (gone !== undefined) this.#show(this.#list.peek().filter((each) => each.key !== gone));
+    const copy = this.#clashes.end(key);
+    if (!copy) return;
+    for (const since of this.#since) since.set(copy.key, null);
+    this.#show(this.#list.peek().filter((each) => each.key !== copy.key));
+    void Promise.allSettled([this.#keeper.remove(copy.key)]).then(() => this.#onChange());
   }
 
   /** The page may not come back: see {@link Clashes.keepCopies}. */

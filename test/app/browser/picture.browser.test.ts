@@ -121,4 +121,21 @@ describe('a picture from a file', () => {
     // It has a size, and nothing behind it.
     expect(await taken(jpeg.slice(0, heightAt(jpeg) + 10))).toEqual(['unreadable', true]);
   });
+
+  it.each(['image/jpeg', 'image/png', 'image/webp'])(
+    '%s that was cut off or damaged anywhere is a picture or none',
+    async (type) => {
+      const whole = await made(type, 240, 180);
+      const step = Math.ceil(whole.length / 60);
+      for (let at = 0; at < whole.length; at += step) {
+        const damaged = whole.slice();
+        damaged.fill(at % 256, at, at + 3);
+        for (const file of [whole.slice(0, at), damaged]) {
+          const [found] = await taken(file);
+          if (typeof found === 'string') expect(['unreadable', 'too-large']).toContain(found);
+          else expect(found).toEqual([expect.any(Number), expect.any(Number)]);
+        }
+      }
+    },
+  );
 });
