@@ -2,10 +2,10 @@ import { useEffect, useId, useMemo, useRef } from 'preact/hooks';
 import { LIMITS } from '../../program/index.js';
 import { dotted } from '../messages/dotted.js';
 import { flightMessages } from '../messages/flights.js';
-import { dtText, figureText, messages } from '../messages/index.js';
+import { dtText, messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import { Modal } from '../ui/modal.js';
-import { SlotTable } from '../ui/slot-table.js';
+import { TimesTable } from '../ui/slot-table.js';
 import { FlightForm } from './flight-form.js';
 import { placesOf, ROUND_MAXIMUM, timeOfDay } from './flight-list.js';
 import type { FlightLog } from './flight-log.js';
@@ -268,20 +268,11 @@ function Where({ session, form }: { readonly session: Session; readonly form: Fl
 /** A copy of what the timer held: nothing changes it any more. */
 function Flown({ form }: { readonly form: FlightForm }) {
   const { form: words } = flightMessages.value;
-  const { program: names } = messages.value;
   const { program } = form.flight.value;
   return (
     <details>
       <summary>{words.flown}</summary>
-      <SlotTable
-        program={program}
-        caption={words.flownCaption}
-        headings={[names.time]}
-        rows={program.times.map((time, slot) => ({
-          slot,
-          cells: [figureText(program.identity, { kind: 'time', slot }, time)],
-        }))}
-      />
+      <TimesTable program={program} caption={words.flownCaption} />
     </details>
   );
 }

@@ -1,11 +1,11 @@
-import { clockText, figureText, messages } from '../messages/index.js';
+import { clockText, messages } from '../messages/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import type { Knowledge } from '../session/knowledge.js';
 import { type Known, openValues } from '../session/known.js';
 import { memoryText } from '../session/memory-names.js';
 import type { Session } from '../session/session.js';
 import { Timeline } from '../timeline/timeline.js';
-import { SlotTable } from '../ui/slot-table.js';
+import { TimesTable } from '../ui/slot-table.js';
 import { ValueTable } from '../write/value-table.js';
 import type { Memories } from './memories.js';
 import './memory-look.css';
@@ -18,7 +18,7 @@ interface MemoryLookProps {
 
 /** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
-  const { look: words, memoryName, program } = messages.value;
+  const { look: words, memoryName } = messages.value;
   const { editor, nextFlight, runner } = session;
   const name = memoryText(session, memory);
   const known = session.knowledge.of(memory);
@@ -61,15 +61,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
               </span>
             ))}
           </p>
-          <SlotTable
-            program={known.program}
-            caption={words.tableCaption(name)}
-            headings={[program.time]}
-            rows={known.program.times.map((time, slot) => ({
-              slot,
-              cells: [figureText(known.program.identity, { kind: 'time', slot }, time)],
-            }))}
-          />
+          <TimesTable program={known.program} caption={words.tableCaption(name)} />
         </>
       )}
       {known.state === 'uncertain' && (

@@ -1,6 +1,6 @@
 import type { ComponentChildren } from 'preact';
 import type { TimerProgram } from '../../program/index.js';
-import { messages, slotLabel } from '../messages/index.js';
+import { figureText, messages, slotLabel } from '../messages/index.js';
 import './slot-table.css';
 
 interface SlotTableProps {
@@ -46,4 +46,15 @@ export function SlotTable({ program, caption, headings, rows, children }: SlotTa
       </tbody>
     </table>
   );
+}
+
+/** A whole program to be read: when each function comes, where the servos stand. The motor stop stands beside it. */
+export function TimesTable({ program, caption }: Pick<SlotTableProps, 'program' | 'caption'>) {
+  const { time: heading, origin } = messages.value.program;
+  const { identity, times } = program;
+  const rows = times.map((time, slot) => ({
+    slot,
+    cells: [slot === 0 ? origin : figureText(identity, { kind: 'time', slot }, time)],
+  }));
+  return <SlotTable program={program} caption={caption} headings={[heading]} rows={rows} />;
 }

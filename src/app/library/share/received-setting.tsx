@@ -1,14 +1,13 @@
 import { useSignal } from '@preact/signals';
 import { useEffect, useId, useMemo } from 'preact/hooks';
 import type { SharedSetting } from '../../../program/index.js';
-import { formatTime } from '../../editing/units.js';
 import { dotted } from '../../messages/dotted.js';
 import { share } from '../../messages/en-share.js';
 import { dateText, messages, timerName } from '../../messages/index.js';
 import type { Session } from '../../session/session.js';
 import { SmallLanes } from '../../timeline/small-lanes.js';
 import { KeyFigures } from '../../ui/key-figures.js';
-import { SlotTable } from '../../ui/slot-table.js';
+import { TimesTable } from '../../ui/slot-table.js';
 import { NO_MODEL } from '../place.js';
 import { NEW_MODEL, Received } from './received.js';
 import type { Sharing } from './sharing.js';
@@ -55,9 +54,9 @@ export function ReceivedSetting(props: ReceivedSettingProps) {
 
 function Shown({ shared }: { readonly shared: SharedSetting }) {
   const { received: words } = share;
-  const { program: table, seconds, servoName } = messages.value;
+  const { program: table, servoName } = messages.value;
   const { program, name, modelName, note, tags, at } = shared;
-  const { identity, times } = program;
+  const { identity } = program;
   return (
     <>
       <div class="received-head">
@@ -78,15 +77,7 @@ function Shown({ shared }: { readonly shared: SharedSetting }) {
       </div>
       {/* With many servos it scrolls, by the keyboard too. */}
       <section class="received-table" tabindex={0} aria-label={table.tableCaption}>
-        <SlotTable
-          program={program}
-          caption={table.tableCaption}
-          headings={[table.time]}
-          rows={times.map((time, slot) => ({
-            slot,
-            cells: [slot === 0 ? table.origin : seconds(formatTime(time))],
-          }))}
-        />
+        <TimesTable program={program} caption={table.tableCaption} />
       </section>
       {note !== '' && <p class="received-note">{note}</p>}
       {tags.length > 0 && <p class="hint">{words.tags(tags)}</p>}

@@ -69,10 +69,10 @@ describe('a setting that comes by link', () => {
     expect(rows).toEqual([
       'Function Time S1 S2',
       'Start 0 15 15',
-      'Function 1 0.30 s 25 15',
-      'Function 2 10.50 s 40 60',
-      'Function 3 13.00 s 55 70',
-      'DT 3:00 115 115',
+      'Function 1 0.3 s 25 15',
+      'Function 2 10.5 s 40 60',
+      'Function 3 13.0 s 55 70',
+      'DT 3:00 min 115 115',
     ]);
     await press('Do not keep');
     expect(isOpen()).toBe(false);
