@@ -1,5 +1,5 @@
 import { fireEvent, screen, within } from '@testing-library/preact';
-import { expect, it, onTestFinished } from 'vitest';
+import { expect, it, onTestFinished, vi } from 'vitest';
 import { idle, MemoryStore, run } from '../bench/bench.js';
 import { button, goTo, opened, press, type } from '../screen.js';
 import { manyRecords } from './many.js';
@@ -55,6 +55,18 @@ it.each(['', 'model-0', 'model-0/setting-0'])(
     expect(screen.getAllByText(/Lancer 01|fly-off 0/).length).toBeGreaterThan(0);
   },
 );
+
+it('opens without the flights, and reads each list once, however often one comes back', async () => {
+  const store = new MemoryStore();
+  const { models, settings } = manyRecords({ models: 2, settings: 4, flights: 0 });
+  for (const each of models) store.models.records.set(each.key, each);
+  for (const each of settings) store.settings.records.set(each.key, each);
+  const reads = (['models', 'settings', 'flights'] as const).map((shelf) => vi.spyOn(store[shelf], 'all'));
+  await opened({ store });
+  for (const view of ['library', 'program', 'library'] as const) await goTo(view);
+  expect(screen.getAllByRole('link', { name: /Lancer 01/ }).length).toBeGreaterThan(0);
+  expect(reads.map((read) => read.mock.calls.length)).toEqual([1, 1, 0]);
+});
 
 it('a note is kept a moment after the last key, without leaving its field', async () => {
   const app = await at('model-0/setting-0');
