@@ -51,11 +51,16 @@ const RENAMED = ['drafts', 'unfinished', 'backups'] as const;
 /** The arrangement of the shelves. A browser refuses it when a newer version of this page has been here. */
 const VERSION = 5;
 
+/** Gives the storage once it is open; fails while it is not to be had. */
+type Opened = () => Promise<IDBPDatabase<Schema>>;
+
 /**
- * Opens the storage; every use of it fails where the browser keeps nothing, and where an old version of this page holds
- * on to it.
+ * Opens the storage; every use of it fails where the browser keeps nothing, and as long as an old version of this page
+ * holds on to it.
  */
-export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>> {
+export function openStorage(name = 'sidus-timer'): Opened {
+  /** What was in the way may have gone: it is open then, after all. */
+  let late: IDBPDatabase<Schema> | undefined;
   // Where storage is switched off, opening may throw at once instead of failing later.
   const opened = new Promise<IDBPDatabase<Schema>>((resolve, reject) => {
     if (!service('indexedDB')) return reject(new StorageError('missing', 'the browser has no storage for this page'));
@@ -72,17 +77,20 @@ export function openStorage(name = 'sidus-timer'): Promise<IDBPDatabase<Schema>>
       blocked: () => reject(new StorageError('blocked', 'another tab holds an older version of the storage')),
       // A newer version of this page wants to rearrange the storage: it goes first.
       blocking: (_, __, event) => (event.target as IDBDatabase).close(),
-    }).then(resolve, reject);
+    }).then((database) => {
+      late = database;
+      resolve(database);
+    }, reject);
   });
   // Whoever asks is told; nobody has asked yet.
   opened.catch(() => {});
-  return opened;
+  return async () => late ?? (await opened);
 }
 
 /** Throws the whole storage away. Other tabs let go of it when they are asked. */
-export async function deleteStorage(opened: Promise<IDBPDatabase<Schema>>, name = 'sidus-timer'): Promise<void> {
+export async function deleteStorage(opened: Opened, name = 'sidus-timer'): Promise<void> {
   // One that could not be opened need not be closed.
-  await opened.then(
+  await opened().then(
     (database) => database.close(),
     () => {},
   );
@@ -116,7 +124,7 @@ function drawn(): Promise<void> {
 
 /** One shelf of the storage. What is read from it is checked: another version of this page may have written it. */
 export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
-  readonly #opened: Promise<IDBPDatabase<Schema>>;
+  readonly #opened: Opened;
   readonly #name: StoreName;
   readonly #schema: BaseSchema<unknown, T, BaseIssue<unknown>>;
   readonly #durability: IDBTransactionDurability;
@@ -129,7 +137,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
    * @param onLeft told of what cannot be read and cannot be set aside either.
    */
   constructor(
-    opened: Promise<IDBPDatabase<Schema>>,
+    opened: Opened,
     name: StoreName,
     schema: BaseSchema<unknown, T, BaseIssue<unknown>>,
     durability: IDBTransactionDurability = 'relaxed',
@@ -149,7 +157,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
     if (this.#waiting.get(record.key) !== record) return;
     this.#waiting.delete(record.key);
     const options = { durability: this.#durability };
-    const writing = (await this.#opened).transaction(this.#name, 'readwrite', options);
+    const writing = (await this.#opened()).transaction(this.#name, 'readwrite', options);
     const put = writing.store.put(record);
     // Not left to the page, which may be gone when the record has been put.
     writing.commit?.();
@@ -157,7 +165,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
   }
 
   async exchange({ record, known }: Exchange<T>): Promise<T | null> {
-    const opened = await this.#opened;
+    const opened = await this.#opened();
     const changing = opened.transaction(this.#name, 'readwrite', { durability: this.#durability });
     // Whoever waits for it is told by what follows.
     changing.done.catch(() => {});
@@ -190,16 +198,16 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
 
   async remove(key: string): Promise<void> {
     this.#waiting.delete(key);
-    await (await this.#opened).delete(this.#name, key);
+    await (await this.#opened()).delete(this.#name, key);
   }
 
   async load(key: string): Promise<T | undefined> {
-    const stored: unknown = await (await this.#opened).get(this.#name, key);
+    const stored: unknown = await (await this.#opened()).get(this.#name, key);
     return stored === undefined ? undefined : (await this.#read([stored]))[0];
   }
 
   async all(): Promise<T[]> {
-    return await this.#read(await (await this.#opened).getAll(this.#name));
+    return await this.#read(await (await this.#opened()).getAll(this.#name));
   }
 
   /** What can be read of this; the rest is set aside. */
@@ -220,7 +228,7 @@ export class Shelf<T extends { readonly key: string }> implements Keeper<T> {
       return { key: `${this.#name}/${at}/${String(key)}`.slice(0, 1000), shelf: this.#name, at, stored };
     });
     try {
-      const moving = (await this.#opened).transaction([this.#name, 'aside'], 'readwrite');
+      const moving = (await this.#opened()).transaction([this.#name, 'aside'], 'readwrite');
       for (const { stored, ...record } of records) {
         const { key } = stored as { key: string };
         const now: unknown = await moving.objectStore(this.#name).get(key);
