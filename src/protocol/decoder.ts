@@ -46,6 +46,7 @@ export interface FrameDecoderOptions {
 const ROOM = 512;
 /** The longest piece of a chunk that the data of its frames share, in bytes. */
 const SHARED = 4096;
+const NO_DATA = new Uint8Array(0);
 /** The one reply for which the source prints a checksum that leaves the data out: to GETLOWRPM. */
 const BARE_CHECKSUM: readonly number[] = [0x76];
 
@@ -118,7 +119,7 @@ export class FrameDecoder {
     }
     // Zeros at the front are only counted: where bytes come one by one, five of a short frame's nine pushes end here.
     let zeros = this.#zeros;
-    for (; chunk[at] === 0; at++) zeros++;
+    for (; at < chunk.length && chunk[at] === 0; at++) zeros++;
     this.#zeros = zeros;
     this.#summed = 0;
     if (at < chunk.length) this.#scan(chunk, at, chunk.length, frames);
@@ -158,6 +159,7 @@ export class FrameDecoder {
    * @param givenUp why the frame that begins at `from` is no longer waited for.
    */
   #scan(bytes: Uint8Array, from: number, end: number, frames: Frame[], givenUp?: RejectionReason): void {
+    const onRejected = this.#onRejected;
     let at = from;
     let zeros = givenUp ? 0 : this.#zeros;
     // Where the bytes begin that belong to no frame so far, how many zeros came before them in earlier chunks, and why
@@ -174,27 +176,35 @@ export class FrameDecoder {
     while (at < end) {
       const length = bytes[at] as number;
       if (length === 0) {
-        zeros++;
-        at++;
+        const first = at++;
+        while (at < end && bytes[at] === 0) at++;
+        zeros += at - first;
         continue;
       }
       if (zeros >= ZEROS_NEEDED) {
         if (length >= MIN_LENGTH && at + length >= end) {
           // Not whole yet. What came before its zeros belongs to no frame; the rest has to wait.
-          this.#report(bytes, skipped, at, skippedZeros, zeros, reason);
+          if (onRejected) this.#report(onRejected, bytes, skipped, at, skippedZeros, zeros, reason);
           this.#hold(bytes, at, end);
           this.#zeros = zeros;
           return;
         }
         const wrong = this.#fault(bytes, at, length);
         if (!wrong) {
-          this.#report(bytes, skipped, at, skippedZeros, zeros, reason);
-          if (!own || at + length > ownEnd) {
-            ownFrom = at;
-            ownEnd = Math.min(end, at + SHARED);
-            own = new Uint8Array(bytes.subarray(ownFrom, ownEnd)).buffer;
+          if (onRejected) this.#report(onRejected, bytes, skipped, at, skippedZeros, zeros, reason);
+          let data = NO_DATA;
+          if (length > MIN_LENGTH) {
+            if (bytes === this.#held) {
+              data = bytes.slice(at + 2, at + length - 1);
+            } else {
+              if (!own || at + length > ownEnd) {
+                ownFrom = at;
+                ownEnd = Math.min(end, at + SHARED);
+                own = new Uint8Array(bytes.subarray(ownFrom, ownEnd)).buffer;
+              }
+              data = new Uint8Array(own, at + 2 - ownFrom, length - MIN_LENGTH);
+            }
           }
-          const data = new Uint8Array(own, at + 2 - ownFrom, length - MIN_LENGTH);
           const frame = { code: bytes[at + 1] as number, data };
           this.#onFrame?.(
             frame,
@@ -216,7 +226,7 @@ export class FrameDecoder {
       // The four zeros before a header cover every fourth byte: where that is not zero, they begin at none of the four.
       while (at + 3 < end && bytes[at + 3] !== 0) at += 4;
     }
-    this.#report(bytes, skipped, end, skippedZeros, zeros, reason);
+    if (onRejected) this.#report(onRejected, bytes, skipped, end, skippedZeros, zeros, reason);
     this.#zeros = zeros;
   }
 
@@ -277,6 +287,7 @@ export class FrameDecoder {
    * came in earlier chunks; `zerosAfter` is the length of the run of zeros that ends at `to`.
    */
   #report(
+    onRejected: (rejection: Rejection) => void,
     bytes: Uint8Array,
     from: number,
     to: number,
@@ -286,7 +297,7 @@ export class FrameDecoder {
   ): void {
     const end = to - zerosAfter;
     if (end <= from) return;
-    this.#onRejected?.({ reason: reason ?? 'noise', bytes: withZeros(zerosBefore, bytes.subarray(from, end)) });
+    onRejected({ reason: reason ?? 'noise', bytes: withZeros(zerosBefore, bytes.subarray(from, end)) });
   }
 }
 
