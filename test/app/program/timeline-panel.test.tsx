@@ -21,6 +21,7 @@ async function press(name: string | RegExp): Promise<void> {
   await idle();
 }
 
+const dtOf = ({ identity }: AppBench['editor']): number => identity.value?.functions ?? 0;
 const handle = (name: string): Element => screen.getByRole('slider', { name });
 /** What lies behind the program, as it is chosen; nothing where it is not drawn. */
 const behind = () => {
@@ -64,8 +65,7 @@ describe('the timeline', () => {
   it('brings the servo to the front whose field has the focus', async () => {
     await opened();
     act(() => screen.getByRole('textbox', { name: 'Function 4, S3' }).focus());
-    await idle();
-    expect(handle('Function 4, S3')).toBeTruthy();
+    await expect.poll(() => handle('Function 4, S3')).toBeTruthy();
   });
 
   it('marks in the table the cell of the handle that has the focus, or that the mouse is over', async () => {
@@ -103,19 +103,22 @@ describe('the timeline', () => {
     expect(drawn.filter((name) => name === 'ProgramRow')).toHaveLength(2);
   });
 
-  it('shows in the preview the mark that is moved, and at no moment another one', async () => {
-    await opened();
+  it.each([
+    ['a step later', '3:01 min', () => key('DT time', 'ArrowRight')],
+    ['a step earlier', '2:59 min', () => key('DT time', 'ArrowLeft')],
+    // Past the end that the flight has had until then.
+    ['much later', '5:00 min', ({ editor }: AppBench) => editor.type({ kind: 'time', slot: dtOf(editor) }, '5:00')],
+  ])('shows in the preview the mark that is moved %s, and at no moment another one', async (_, clock, move) => {
+    const app = await opened();
     act(() => (handle('DT time') as SVGElement).focus());
-    await idle(100);
     const facts = document.querySelector('.preview-facts') as Element;
-    expect(facts.querySelector('.preview-dt')).not.toBeNull();
+    await expect.poll(() => facts.querySelector('.preview-dt')).not.toBeNull();
     const removed: Node[] = [];
     const observer = new MutationObserver((records) => removed.push(...records.flatMap((r) => [...r.removedNodes])));
     observer.observe(facts, { subtree: true, childList: true, characterData: true });
-    await key('DT time', 'ArrowRight');
-    await idle(100);
+    await move(app);
+    await expect.poll(() => facts.querySelector('.preview-clock')?.textContent).toBe(clock);
     observer.disconnect();
-    expect(facts.querySelector('.preview-clock')?.textContent).toBe('3:01 min');
     expect(
       removed.map(({ textContent }) => textContent),
       'that it comes down was never not so',
@@ -164,9 +167,8 @@ describe('the timeline', () => {
     const happened = () => preview.getByText(/^(Launch|.* at .*)$/).textContent;
     expect(happened()).toBe('Launch');
     act(() => (handle('Function 6, S1') as SVGElement).focus());
-    await idle(100);
     const time = formatTime(app.editor.working.value?.times[6] ?? 0);
-    expect(happened()).toBe(`Function 6 at ${time} s`);
+    await expect.poll(happened).toBe(`Function 6 at ${time} s`);
     expect(document.querySelector('.timeline-panel .crosshair')).toBeNull();
     fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
     await idle(0);
