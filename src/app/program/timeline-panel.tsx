@@ -1,4 +1,4 @@
-import { computed } from '@preact/signals';
+import { computed, type ReadonlySignal } from '@preact/signals';
 import { useMemo } from 'preact/hooks';
 import { type ProgramField, sameLayout, type TimerProgram } from '../../program/index.js';
 import { dateText, dutyName, messages } from '../messages/index.js';
@@ -19,28 +19,30 @@ interface TimelinePanelProps {
   readonly session: Session;
   readonly picture: ProgramPicture;
   /** The field that has the focus elsewhere on the screen. */
-  readonly selected: ProgramField | null;
+  readonly selected: ReadonlySignal<ProgramField | null>;
   readonly onSelect: (field: ProgramField) => void;
   /** The mouse is over what can be taken hold of, or no longer. */
   readonly onPoint: (field: ProgramField | null) => void;
 }
 
 /** The program on the screen over time, with what the timer holds behind it, and the flight to be played. */
-export function TimelinePanel({ session, picture, selected, onSelect, onPoint }: TimelinePanelProps) {
+export function TimelinePanel({ session, picture, selected: field, onSelect, onPoint }: TimelinePanelProps) {
   const { editor, servoUses } = session;
   const { player, behind } = picture;
-  // All that the picture is made of comes a frame late: it is drawn once, after the field that was typed into.
+  // All that the picture is made of comes a frame late: it is drawn once, after the field that one has typed into or
+  // come to.
   const shown = useMemo(
     () =>
       computed(() => ({
         program: editor.working.value,
         held: editor.changes.value.length > 0 ? editor.baseline.value : null,
         sure: session.standing.value.sure,
+        selected: field.value,
       })),
-    [session],
+    [session, field],
   );
   const [late, catchUp] = useLate(shown);
-  const { program, held, sure } = late.program?.identity === editor.identity.value ? late : shown.peek();
+  const { program, held, sure, selected } = late.program?.identity === editor.identity.value ? late : shown.peek();
   const overlay = useOverlay(session, program, behind.value, held, sure);
   const named = servoUses.named.value;
   const names = useMemo(() => named?.map(dutyName), [named]);

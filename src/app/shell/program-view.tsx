@@ -80,7 +80,7 @@ export function ProgramView(props: ProgramViewProps) {
         <TimelinePanel
           session={session}
           picture={programPicture}
-          selected={selected.value}
+          selected={selected}
           onSelect={select}
           onPoint={point}
         />
