@@ -5,14 +5,17 @@ import { setValues } from '../editing/edit.js';
 import type { Editor } from '../editing/editor.js';
 import { fixFor } from '../editing/fixes.js';
 import { fieldLabel, figureText, messages } from '../messages/index.js';
+import { useLate } from '../timeline/hooks.js';
 import { allNotes } from './field-notes.js';
 import './checks-panel.css';
 
 /** Everything that is to be said about the program, with what puts it right where that is obvious. */
 export function ChecksPanel({ editor }: { readonly editor: Editor }) {
   const { program } = messages.value;
-  const identity = editor.identity.value;
-  const notes = allNotes(editor);
+  // As the picture above it: the field that was typed into is seen first, with its own notes.
+  const said = useMemo(() => computed(() => ({ identity: editor.identity.value, notes: allNotes(editor) })), [editor]);
+  const [late] = useLate(said);
+  const { identity, notes } = late.identity === editor.identity.value ? late : said.peek();
   if (!identity) return null;
   return (
     <section class={`checks ${notes.length === 0 ? 'quiet' : ''}`}>
@@ -22,7 +25,8 @@ export function ChecksPanel({ editor }: { readonly editor: Editor }) {
       ) : (
         <ul>
           {notes.map(({ field, severity, text, finding }) => (
-            <li key={`${field ? fieldKey(field) : ''} ${text}`} class={severity}>
+            // The figures in its text follow each digit: it stays the same element.
+            <li key={`${field ? fieldKey(field) : ''} ${finding?.code}`} class={severity}>
               <strong>{program.severity[severity]}</strong>
               {field && <span class="where">{fieldLabel(identity, field)}</span>}
               <span>{text}</span>

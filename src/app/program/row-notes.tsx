@@ -17,8 +17,9 @@ export function RowNotes({ identity, notes, width }: RowNotesProps) {
   return (
     <tr class="row-notes">
       <td colSpan={width}>
-        {notes.map(({ field, severity, text }) => (
-          <p key={`${fieldKey(field)} ${text}`} class={severity}>
+        {notes.map(({ field, severity, text }, at) => (
+          // The figures in its text follow each digit: it stays the same element.
+          <p key={`${fieldKey(field)} ${at}`} class={severity}>
             <strong>{messages.value.about(fieldLabel(identity, field))}</strong> {text}
           </p>
         ))}

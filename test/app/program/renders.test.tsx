@@ -24,7 +24,7 @@ function drawnBy(name: string, text: string): Record<string, number> {
     if (/^[A-Z]/.test(name)) drawn[name] = (drawn[name] ?? 0) + 1;
     before?.(vnode);
   };
-  // The timeline comes a frame later, and is not waited for.
+  // The timeline and the checks come a frame later, and are not waited for.
   act(() => type(name, text));
   hooks.__r = before;
   return drawn;
@@ -47,7 +47,6 @@ it.each([
       ProgramRow: 1,
       RowMenu: 1,
       RowNotes: 1,
-      ChecksPanel: 1,
       ProgramExits: 1,
       BlockedNote: 1,
       KnownLine: 1,

@@ -733,7 +733,9 @@ describe('the checks', () => {
   it('put right what is obvious, as a step', async () => {
     await connected();
     await enter('Function 3 time', '10.50');
-    await press('Set to 11.1 s: Function 3 time');
+    const fix = 'Set to 11.1 s: Function 3 time';
+    await expect.poll(() => screen.queryByRole('button', { name: fix })).not.toBeNull();
+    await press(fix);
     expect(field('Function 3 time').value).toBe('11.10');
     await press('Undo correcting Function 3 time');
     expect(field('Function 3 time').value).toBe('10.50');
@@ -742,6 +744,7 @@ describe('the checks', () => {
   it('never offer to lengthen the flight for a time that was mistyped', async () => {
     await connected();
     await enter('Function 9 time', '350');
+    await expect.poll(() => document.querySelector('.checks .where')?.textContent).toMatch(/^(Function|DT)/);
     expect(screen.queryByRole('button', { name: /^Set to .*: DT time$/ })).toBeNull();
   });
 });
