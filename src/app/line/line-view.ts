@@ -9,6 +9,8 @@ export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
 
 /** So many entries are shown at first, and so many more whenever their end is reached: more than are in sight. */
 const STEP = 32;
+/** So many stand in one group: a new entry moves the groups below it, and has those of its own alone drawn again. */
+const GROUP = 8;
 
 /** Entries that stand together, newest first. It is the same object for as long as nothing in it changes. */
 export interface LineGroup {
@@ -164,7 +166,7 @@ function hexIn(text: string): string | null {
 function groupsOf(records: readonly LineRecord[]): LineGroup[] {
   const groups: { readonly key: number; readonly records: LineRecord[] }[] = [];
   for (const record of [...records].reverse()) {
-    const key = Math.floor(record.number / STEP);
+    const key = Math.floor(record.number / GROUP);
     const last = groups.at(-1);
     if (last?.key === key) last.records.push(record);
     else groups.push({ key, records: [record] });
