@@ -38,6 +38,13 @@ async function key(name: string, pressed: string): Promise<void> {
   await idle();
 }
 
+/** What is drawn a frame late, or once there is time. */
+const soon = <T,>(read: () => T) =>
+  expect.poll(async () => {
+    await idle(100);
+    return read();
+  });
+
 afterEach(() => localStorage.clear());
 
 describe('the timeline', () => {
@@ -65,7 +72,7 @@ describe('the timeline', () => {
   it('brings the servo to the front whose field has the focus', async () => {
     await opened();
     act(() => screen.getByRole('textbox', { name: 'Function 4, S3' }).focus());
-    await expect.poll(() => handle('Function 4, S3')).toBeTruthy();
+    await soon(() => screen.queryByRole('slider', { name: 'Function 4, S3' })).not.toBeNull();
   });
 
   it('marks in the table the cell of the handle that has the focus, or that the mouse is over', async () => {
@@ -112,12 +119,12 @@ describe('the timeline', () => {
     const app = await opened();
     act(() => (handle('DT time') as SVGElement).focus());
     const facts = document.querySelector('.preview-facts') as Element;
-    await expect.poll(() => facts.querySelector('.preview-dt')).not.toBeNull();
+    await soon(() => facts.querySelector('.preview-dt')).not.toBeNull();
     const removed: Node[] = [];
     const observer = new MutationObserver((records) => removed.push(...records.flatMap((r) => [...r.removedNodes])));
     observer.observe(facts, { subtree: true, childList: true, characterData: true });
     await move(app);
-    await expect.poll(() => facts.querySelector('.preview-clock')?.textContent).toBe(clock);
+    await soon(() => facts.querySelector('.preview-clock')?.textContent).toBe(clock);
     observer.disconnect();
     expect(
       removed.map(({ textContent }) => textContent),
@@ -168,7 +175,7 @@ describe('the timeline', () => {
     expect(happened()).toBe('Launch');
     act(() => (handle('Function 6, S1') as SVGElement).focus());
     const time = formatTime(app.editor.working.value?.times[6] ?? 0);
-    await expect.poll(happened).toBe(`Function 6 at ${time} s`);
+    await soon(happened).toBe(`Function 6 at ${time} s`);
     expect(document.querySelector('.timeline-panel .crosshair')).toBeNull();
     fireEvent.input(preview.getByRole('slider', { name: 'Time of the flight' }), { target: { value: '500' } });
     await idle(0);
