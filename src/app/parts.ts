@@ -4,34 +4,30 @@ import { licenceList } from './shell/licence-part.js';
 import { figures } from './shell/status-strip.js';
 import { onDemand } from './ui/on-demand.js';
 
-/** What the first picture does not need: each comes as a file of its own. */
+const allElse = () => import('./all-else.js');
+
+/** What the first picture does not need. */
 export const program = onDemand(async () => (await import('./shell/program-view.js')).ProgramView);
-export const memories = onDemand(async () => (await import('./memories/memories-page.js')).MemoriesPage);
-export const bench = onDemand(async () => (await import('./shell/bench-view.js')).BenchView);
-export const library = onDemand(async () => (await import('./library-page.js')).LibraryPage);
-export const flights = onDemand(async () => (await import('./flights/flights-view.js')).FlightsView);
-export const compare = onDemand(async () => (await import('./compare/compare-page.js')).ComparePage);
-export const line = onDemand(async () => (await import('./line/line-panel.js')).LinePanel);
-export const settings = onDemand(async () => (await import('./shell/settings-view.js')).SettingsView);
-export const print = onDemand(async () => (await import('./print/print-view.js')).PrintView);
-export const help = onDemand(async () => (await import('./shell/help-view.js')).HelpView);
+export const memories = onDemand(async () => (await allElse()).MemoriesPage);
+export const bench = onDemand(async () => (await allElse()).BenchView);
+export const library = onDemand(async () => (await allElse()).LibraryPage);
+export const flights = onDemand(async () => (await allElse()).FlightsView);
+export const compare = onDemand(async () => (await allElse()).ComparePage);
+export const line = onDemand(async () => (await allElse()).LinePanel);
+export const settings = onDemand(async () => (await allElse()).SettingsView);
+export const print = onDemand(async () => (await allElse()).PrintView);
+export const help = onDemand(async () => (await allElse()).HelpView);
 export const firstSteps = onDemand(async () => (await import('./help/first-steps-card.js')).FirstStepsCard, {
   silent: true,
 });
-export const fileNotice = onDemand(async () => (await fetchFiles()).LibraryFileNotice, {
-  silent: true,
-  later: true,
-});
-export const dialogs = onDemand(async () => (await import('./dialogs.js')).Dialogs, {
-  silent: true,
-  later: true,
-});
+export const fileNotice = onDemand(async () => (await allElse()).LibraryFileNotice, { silent: true, later: true });
+export const dialogs = onDemand(async () => (await allElse()).Dialogs, { silent: true, later: true });
 
 /** What the simulated timers are made of. */
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
 /** What reads and writes the files of the library. */
-export const fetchFiles = () => import('./library-files.js');
+export const fetchFiles = allElse;
 
 /** What reads a QR code where the browser does not. */
 const fetchCodeReader = () => import('qr/decode.js');

@@ -76,7 +76,7 @@ test('a file that is dropped while the page is still coming is not opened by the
   const late = new Promise<void>((resolve) => {
     comes = resolve;
   });
-  await page.route(/\/dialogs-[^/]*\.js$/, async (route) => {
+  await page.route(/\/all-else-[^/]*\.js$/, async (route) => {
     await late;
     await route.continue();
   });

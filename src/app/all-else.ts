@@ -1,0 +1,15 @@
+/**
+ * What neither the start nor the program needs, as one file: each file costs a way to the host and back, and these have
+ * much in common.
+ */
+export { ComparePage } from './compare/compare-page.js';
+export { Dialogs } from './dialogs.js';
+export { FlightsView } from './flights/flights-view.js';
+export { filesOf, LibraryFileNotice } from './library-files.js';
+export { LibraryPage } from './library-page.js';
+export { LinePanel } from './line/line-panel.js';
+export { MemoriesPage } from './memories/memories-page.js';
+export { PrintView } from './print/print-view.js';
+export { BenchView } from './shell/bench-view.js';
+export { HelpView } from './shell/help-view.js';
+export { SettingsView } from './shell/settings-view.js';
