@@ -6,6 +6,11 @@
 export function outOfReach(scope: string): string[] {
   const found: string[] = [];
   const root = document.documentElement;
+  // What is laid out only once it comes in sight is looked at where it will be then.
+  const put = [...document.querySelectorAll<HTMLElement>('main *')].filter(
+    (element) => getComputedStyle(element).contentVisibility === 'auto',
+  );
+  for (const element of put) element.style.contentVisibility = 'visible';
   const over = document.querySelector(scope);
   const all = <E extends Element>(selector: string): E[] => [...(over ?? document).querySelectorAll<E>(selector)];
   const name = (element: Element): string =>
@@ -105,5 +110,6 @@ export function outOfReach(scope: string): string[] {
     }
     for (const back of places.splice(0)) back();
   }
+  for (const element of put) element.style.contentVisibility = '';
   return [...new Set(found)];
 }
