@@ -150,7 +150,9 @@ function WholeTimeline({ program, overlay = null, cursor = null, selected = null
       aria-label={calls.title ?? timeline.title}
     >
       <div class="timeline-top">
-        <Moment program={program} model={model} cursor={cursor} selected={selected} />
+        <div class="timeline-moment">
+          <Moment program={program} model={model} cursor={cursor} selected={selected} />
+        </div>
         <Tools model={model} anchor={anchor} />
       </div>
       <div
