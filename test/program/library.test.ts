@@ -64,6 +64,7 @@ describe.each([
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], high: 131 }] }, 'out-of-range model.servos[0].high'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], low: 1.5 }] }, 'not-an-integer model.servos[0].low'],
   [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], reversed: 1 }] }, 'wrong-type model.servos[0].reversed'],
+  [requireModel, MODEL, { servos: [{ ...MODEL.servos[0], name: 1 }] }, 'wrong-type model.servos[0].name'],
   [requireModel, MODEL, { memoryNames: Array(256).fill('') }, 'wrong-count model.memoryNames'],
   [requireSetting, SETTING, { tags: Array(21).fill('x') }, 'wrong-count setting.tags'],
   [requireSetting, SETTING, { tags: [''] }, 'out-of-range setting.tags[0]'],
