@@ -36,7 +36,7 @@ export function takeDroppedFiles(next: DropTaker): () => void {
 }
 
 function onOver(event: DragEvent): void {
-  if (!isFile(event)) return;
+  if (!isFile(event) || isTaken(event)) return;
   event.preventDefault();
   const takes = taker?.takes() ?? true;
   taker?.over(takes);
@@ -49,12 +49,18 @@ function onLeave(event: DragEvent): void {
 }
 
 function onDrop(event: DragEvent): void {
-  if (!isFile(event)) return;
+  if (!isFile(event) || isTaken(event)) return;
   event.preventDefault();
   taker?.over(false);
   const files = [...(event.dataTransfer?.files ?? [])];
   if (!taker) waiting = files;
   else if (taker.takes()) taker.drop(files);
+}
+
+/** Whether a part of the page has taken it, as the line does with a recording. */
+function isTaken(event: DragEvent): boolean {
+  if (event.defaultPrevented) taker?.over(false);
+  return event.defaultPrevented;
 }
 
 function isFile(event: DragEvent): boolean {

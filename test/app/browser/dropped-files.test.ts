@@ -63,3 +63,18 @@ it('leaves all else that is dragged to the browser', () => {
   ]);
   expect(drop).not.toHaveBeenCalled();
 });
+
+it('leaves alone what a part of the page takes itself, and no longer offers to take it', () => {
+  const take = (event: Event): void => event.preventDefault();
+  document.body.addEventListener('dragover', take);
+  document.body.addEventListener('drop', take);
+  ends.push(() => {
+    document.body.removeEventListener('dragover', take);
+    document.body.removeEventListener('drop', take);
+  });
+  const spies = taker();
+  expect(tell('dragover', [FILE])).toEqual({ isOurs: true, effect: 'move' });
+  tell('drop', [FILE]);
+  expect(spies.drop).not.toHaveBeenCalled();
+  expect(spies.over.mock.calls).toEqual([[false], [false]]);
+});

@@ -323,7 +323,8 @@ describe('a recording', () => {
     await opened();
     vi.useRealTimers();
     const drop = new Event('drop', { bubbles: true, cancelable: true });
-    Object.assign(drop, { dataTransfer: { files: [new File([RECORDING.join('\n')], 'dropped.txt')] } });
+    const files = [new File([RECORDING.join('\n')], 'dropped.txt')];
+    Object.assign(drop, { dataTransfer: { types: ['Files'], files } });
     fireEvent(screen.getByRole('table'), drop);
     expect(await screen.findByText('dropped.txt: a recording of 3 entries.')).toBeTruthy();
     expect(drop.defaultPrevented, 'the browser does not open it').toBe(true);

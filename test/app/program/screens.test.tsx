@@ -289,7 +289,7 @@ describe('writing', () => {
     await press('Write 2 changes');
     const said = dialog.getByRole('alert').textContent;
     expect(said).toContain('Verified.');
-    expect(said).toMatch(/M1 verified \d\d:\d\d · DT 4:00 min · motor stop 10\.0 s · 2 changes/);
+    expect(said).toMatch(/M1 verified \d\d:\d\d\s· DT 4:00 min\s· motor stop 10\.0 s\s· 2 changes/);
     expect([timer.core.content.times[10], timer.core.content.positions[0]?.[2]]).toEqual([24000, 7]);
     const shining = () =>
       [...document.querySelectorAll('td .confirmed input')].map((input) => input.getAttribute('aria-label'));
