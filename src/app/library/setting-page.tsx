@@ -3,6 +3,7 @@ import { LIMITS, type Setting } from '../../program/index.js';
 import { clockText, dutyName, messages, timerName } from '../messages/index.js';
 import { libraryMessages } from '../messages/library.js';
 import { newId } from '../session/library.js';
+import { beginningOf } from '../session/plain-names.js';
 import type { Session } from '../session/session.js';
 import type { SettingRecord } from '../storage/index.js';
 import { SmallLanes } from '../timeline/small-lanes.js';
@@ -196,5 +197,5 @@ function originText({ identity, memory }: Setting['program']): string {
 
 function copyName(name: string): string {
   const { setting } = libraryMessages.value;
-  return setting.copyName(name.slice(0, LIMITS.name - setting.copyName('').length));
+  return setting.copyName(beginningOf(name, LIMITS.name - setting.copyName('').length));
 }

@@ -4,7 +4,7 @@ import type { TabChannel } from '../browser/other-tabs.js';
 import type { FlightRecord, ModelRecord, SettingRecord, Storage } from '../storage/index.js';
 import type { Clash } from './clashes.js';
 import { Collection } from './collection.js';
-import { withPlainNames } from './plain-names.js';
+import { beginningOf, withPlainNames } from './plain-names.js';
 
 /** What the tabs say to each other when one of them has changed the library. */
 const CHANGED = 'library changed';
@@ -188,5 +188,5 @@ function copyOfFlight({ flight, ...rest }: FlightRecord): FlightRecord {
 
 function secondName(name: string): string {
   const end = ' (2)';
-  return [...name].slice(0, LIMITS.name - end.length).join('') + end;
+  return beginningOf(name, LIMITS.name - end.length) + end;
 }

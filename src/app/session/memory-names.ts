@@ -1,5 +1,6 @@
 import { LIMITS, type Model } from '../../program/index.js';
 import { messages } from '../messages/index.js';
+import { beginningOf } from './plain-names.js';
 import type { Session } from './session.js';
 
 /** What the pilot calls a memory of a model; empty where he calls it nothing. */
@@ -26,7 +27,7 @@ export function memoryOf(model: Model | null, memory: number | null): string {
 /** Calls a memory of the model at hand something else; an empty name takes its name away. */
 export async function nameMemory(session: Session, memory: number, name: string): Promise<void> {
   const model = session.modelAtHand.peek();
-  const given = name.trim().slice(0, LIMITS.name);
+  const given = beginningOf(name.trim(), LIMITS.name);
   if (!model || givenName(model, memory) === given) return;
   const memoryNames = [...model.memoryNames];
   while (memoryNames.length <= memory) memoryNames.push('');

@@ -18,3 +18,8 @@ export function withPlainNames<T extends Model | Setting | Flight>(entry: T): T 
   const texts = { modelName, settingName, place, round };
   return { ...entry, ...Object.fromEntries(Object.entries(texts).map(([field, text]) => [field, plain(text)])) };
 }
+
+/** The beginning of a name that has no more room, in whole characters: half an emoji is none. */
+export function beginningOf(name: string, characters: number): string {
+  return [...name].slice(0, characters).join('');
+}

@@ -1,6 +1,7 @@
 import { expect, it } from 'vitest';
-import { withPlainNames } from '../../../src/app/session/plain-names.js';
-import { requireFlight, requireModel, requireSetting } from '../../../src/program/index.js';
+import { asTags } from '../../../src/app/library/tags.js';
+import { beginningOf, withPlainNames } from '../../../src/app/session/plain-names.js';
+import { LIMITS, requireFlight, requireModel, requireSetting } from '../../../src/program/index.js';
 import { FLIGHT, MODEL, SETTING } from '../../program/library-examples.js';
 
 const TURNS = ['\u202a', '\u202b', '\u202d', '\u202e', '\u2066', '\u2067', '\u2068', '\u2069'];
@@ -28,4 +29,12 @@ it.each(['Lancer 07', 'שחף 3', 'شاهين ٧', '👩‍👩‍👧 🛩️',
   expect(withPlainNames({ ...MODEL, name })).toEqual({ ...MODEL, name });
   expect(withPlainNames({ ...SETTING, name, tags: [name] })).toEqual({ ...SETTING, name, tags: [name] });
   expect(withPlainNames({ ...FLIGHT, place: name })).toEqual({ ...FLIGHT, place: name });
+});
+
+it('is cut between characters, not within one', () => {
+  const planes = '✈️'.repeat(30) + '🛩'.repeat(LIMITS.name);
+  const cut = beginningOf(planes, LIMITS.name);
+  expect([cut.isWellFormed(), [...cut].length]).toEqual([true, LIMITS.name]);
+  const [tag = ''] = asTags(`a${'🛩'.repeat(LIMITS.tag)}`);
+  expect([tag.isWellFormed(), [...tag].length]).toEqual([true, LIMITS.tag]);
 });

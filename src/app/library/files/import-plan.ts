@@ -6,7 +6,7 @@ import {
   type Model,
   type Setting,
 } from '../../../program/index.js';
-import { withPlainNames } from '../../session/plain-names.js';
+import { beginningOf, withPlainNames } from '../../session/plain-names.js';
 import { programKey } from '../../session/record-keys.js';
 import { type FlightRecord, isSame, type ModelRecord, type SettingRecord } from '../../storage/index.js';
 
@@ -192,7 +192,7 @@ function latest(verified: ModelRecord['verified']): ModelRecord['verified'] {
 function freeName(name: string, names: readonly string[]): string {
   for (let number = 2; ; number++) {
     const end = ` (${number})`;
-    const free = [...name].slice(0, LIMITS.name - end.length).join('') + end;
+    const free = beginningOf(name, LIMITS.name - end.length) + end;
     if (!names.includes(free)) return free;
   }
 }
