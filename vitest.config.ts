@@ -78,8 +78,9 @@ export default defineConfig({
           environment: 'node',
           include: ['test/site/**/*.test.ts'],
           globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
-          // A journey mostly waits for the line: several can run side by side, and share a browser one after another.
-          maxWorkers: Math.min(3 * maxWorkers, 8),
+          // Half as many again as there are cores: while one waits for its line another works. With more of them each
+          // takes longer, and all together no less. They share a browser one after another.
+          maxWorkers: Math.min(Math.ceil(1.5 * maxWorkers), 8),
           isolate: false,
           // Its turn comes when the other floors are done.
           sequence: { groupOrder: 1 },
