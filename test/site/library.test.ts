@@ -135,14 +135,12 @@ it.each(['mouse', 'finger'] as const)('rows are put into another order with a %s
   await expect.poll(names).toEqual(moved);
 });
 
-it('two tabs that save one thing at the same moment ask, and lose nothing', async () => {
-  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
-  await open(app, '#library');
-  await makeModel(app, 'Lancer 07');
+const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
+
+/** A second tab, which has changed the same note as the first. Neither has heard of the other. */
+async function disagreeing(app: AppPage) {
   const other = await app.sibling();
-  const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
   await noteOf(other).waitFor();
-  // Neither hears of the other.
   for (const { page } of [app, other]) {
     await page.evaluate(() => {
       BroadcastChannel.prototype.postMessage = () => {};
@@ -152,7 +150,14 @@ it('two tabs that save one thing at the same moment ask, and lose nothing', asyn
   await noteOf(app).blur();
   await noteOf(other).fill('of the other');
   await noteOf(other).blur();
-  const dialog = other.page.getByRole('dialog', { name: 'Another tab has saved this at the same time' });
+  return { other, dialog: other.page.getByRole('dialog', { name: 'Another tab has saved this at the same time' }) };
+}
+
+it('two tabs that save one thing at the same moment ask, and lose nothing', async () => {
+  const app = await AppPage.open({ viewport: { width: 1280, height: 800 } });
+  await open(app, '#library');
+  await makeModel(app, 'Lancer 07');
+  const { other, dialog } = await disagreeing(app);
   await dialog.getByText('of the first').waitFor();
   await dialog.getByText('of the other').waitFor();
   await dialog.getByRole('button', { name: 'Replace it with mine' }).click();
@@ -167,19 +172,8 @@ it('two tabs that save one thing at the same moment keep both where nobody choos
   await open(app, '#library');
   await makeModel(app, 'Lancer 07');
   await makeSetting(app, 'calm');
-  const other = await app.sibling();
-  const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
-  await noteOf(other).waitFor();
-  for (const { page } of [app, other]) {
-    await page.evaluate(() => {
-      BroadcastChannel.prototype.postMessage = () => {};
-    });
-  }
-  await noteOf(app).fill('of the first');
-  await noteOf(app).blur();
-  await noteOf(other).fill('of the other');
-  await noteOf(other).blur();
-  await other.page.getByRole('dialog', { name: 'Another tab has saved this at the same time' }).waitFor();
+  const { other, dialog } = await disagreeing(app);
+  await dialog.waitFor();
   await other.page.goto('about:blank');
   await app.reload();
   await app.page.getByRole('link', { name: /^calm \(2\)/ }).click();
@@ -196,7 +190,6 @@ it('two tabs stay in step, and neither loses what was typed in the other', async
   await makeSetting(app, 'calm');
   const other = await app.sibling();
   await other.page.getByRole('article', { name: 'calm' }).waitFor();
-  const noteOf = ({ page }: AppPage) => page.getByRole('textbox', { name: 'Note' });
   await noteOf(app).fill('from the first');
   await noteOf(app).blur();
   await expect.poll(() => noteOf(other).inputValue()).toBe('from the first');
