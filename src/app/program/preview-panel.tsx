@@ -1,6 +1,7 @@
 import { batch, useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { fieldKey, type ProgramField, type TimerProgram } from '../../program/index.js';
+import { whenIdle } from '../browser/when-idle.js';
 import type { Session } from '../session/session.js';
 import { Kept } from '../timeline/kept.js';
 import { flightEnd, timeOf } from '../timeline/preview/flight.js';
@@ -38,7 +39,7 @@ export function PreviewPanel({ session, program, player, selected }: PreviewPane
         if (time !== null) player.take(time);
         drawn.value = program;
       });
-    });
+    }, IDLE_WITHIN);
   }, [player, key, time, program]);
   useEffect(() => () => waiting.current?.(), []);
   const shown = drawn.value.identity === program.identity ? drawn.value : program;
@@ -50,15 +51,4 @@ export function PreviewPanel({ session, program, player, selected }: PreviewPane
       draw={() => <FlightPreview {...{ player, named }} program={shown} onName={(uses) => servoUses.say(uses)} />}
     />
   );
-}
-
-/** @returns what takes it back. */
-function whenIdle(act: () => void): () => void {
-  // Safari knows nothing of being idle.
-  if (typeof requestIdleCallback !== 'function') {
-    const timer = setTimeout(act, IDLE_WITHIN);
-    return () => clearTimeout(timer);
-  }
-  const id = requestIdleCallback(act, { timeout: IDLE_WITHIN });
-  return () => cancelIdleCallback(id);
 }

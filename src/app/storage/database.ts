@@ -2,6 +2,7 @@ import { type DBSchema, deleteDB, type IDBPDatabase, openDB } from 'idb';
 import type { BaseIssue, BaseSchema } from 'valibot';
 import * as v from 'valibot';
 import { service } from '../browser/services.js';
+import { whenIdle } from '../browser/when-idle.js';
 import { withPresentNames } from './former-names.js';
 import { StorageError } from './limit.js';
 import type { AsideRecord } from './records.js';
@@ -116,9 +117,7 @@ function drawn(): Promise<void> {
     };
     addEventListener('pagehide', settle, settled);
     document.addEventListener('visibilitychange', settle, settled);
-    // Safari knows nothing of being idle.
-    if (typeof requestIdleCallback === 'function') requestIdleCallback(settle, { timeout: IDLE_WITHIN });
-    else setTimeout(settle, IDLE_WITHIN);
+    whenIdle(settle, IDLE_WITHIN);
   });
 }
 
