@@ -3,6 +3,7 @@ import { requireShape, sameKind, type TimerProgram } from '../program/index.js';
 import { COMMANDS, encodeRequest, type Frame, type Identity, type ReplyOf, type Request } from '../protocol/index.js';
 import { TimerError, throwIfAborted } from './errors.js';
 import { Exchange } from './exchange.js';
+import { SET_IDLE_THROTTLE, setIdleThrottle } from './idle-throttle.js';
 import type { ClientJob } from './job.js';
 import { LearnedTiming } from './line-timing.js';
 import type { LineErrorKind } from './log.js';
@@ -312,18 +313,9 @@ export class TimerClient {
    * was sent. After any other it may have been set.
    */
   setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
-    return this.#inTurn(async () => {
-      const names = ['GETSWVER', 'SETLOWRPM', 'GETSWVER', 'GETLOWRPM', 'GETLOWRPM', 'GETSWVER'] as const;
-      const { exchange, signal } = await this.#job(options, () => ({ names }));
-      encodeRequest({ name: 'SETLOWRPM', idleThrottle });
-      await exchange.requireIdentity(signal);
-      await exchange.ask({ name: 'SETLOWRPM', idleThrottle }, signal);
-      await exchange.requireIdentity(signal);
-      const reply = await exchange.read({ name: 'GETLOWRPM' }, signal, { twice: true });
-      await exchange.requireIdentity(signal);
-      if (reply.idleThrottle !== null) return reply.idleThrottle;
-      throw new TimerError('bad-reply', 'the reply to GETLOWRPM has no value', { request: 'GETLOWRPM' });
-    });
+    return this.#inTurn(async () =>
+      setIdleThrottle(await this.#job(options, () => ({ names: SET_IDLE_THROTTLE })), idleThrottle),
+    );
   }
 
   /**
