@@ -1,5 +1,5 @@
 /**
- * What a program of one's own needs to talk to a timer: protocol, program and client.
+ * Everything that your own program needs to talk to a timer: protocol, program and client.
  * @module
  */
 

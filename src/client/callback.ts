@@ -1,7 +1,7 @@
 /**
- * Calls a consumer's function. What it throws is reported as an uncaught error is, and does not disturb what is under
- * way here.
- * @returns what the function gave; undefined when there is none, or it threw.
+ * Calls a function of the caller. An error that it throws is reported like an uncaught one and does not disturb the
+ * work here.
+ * @returns what the function gave; undefined when there is none, or when it threw.
  */
 export function tell<Args extends readonly unknown[], Result>(
   callback: ((...args: Args) => Result) | undefined,
@@ -16,7 +16,7 @@ export function tell<Args extends readonly unknown[], Result>(
 }
 
 function report(error: unknown): void {
-  // Node has none.
+  // Node does not have it.
   if (typeof globalThis.reportError === 'function') globalThis.reportError(error);
   else {
     queueMicrotask(() => {

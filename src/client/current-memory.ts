@@ -3,31 +3,31 @@ import { TimerError } from './errors.js';
 import type { ClientJob } from './job.js';
 import { type Belief, type RetryPolicy, TRIES_OF_UNANSWERED, UNANSWERED_OPTIONAL } from './retry-policy.js';
 
-/** Which memory is current. */
+/** What the timer says about its current memory. */
 export interface CurrentMemory {
   /** Counted from 0; null when the timer does not say. */
   readonly memory: number | null;
-  /** Whether the question was answered, with whatever. */
+  /** Whether the question got an answer of any kind. */
   readonly answered: boolean;
   /**
-   * Whether the answer has shown that this timer counts its memories differently than assumed: no earlier number is
-   * right.
+   * Whether the answer has shown that this timer counts its memories in another way than assumed. Then no earlier
+   * number is right.
    */
   readonly renumbered: boolean;
 }
 
 export interface MemoryQuestion {
-  /** What it should be; null: the timer did not say. A single answer is believed when it says so, unless `twice`. */
+  /** The expected memory; null: the timer did not say. One answer that agrees with it is believed, unless `twice`. */
   readonly expected?: number | null | undefined;
-  /** Believes no single answer. */
+  /** Believes no single answer: two must agree. */
   readonly twice?: boolean | undefined;
-  /** Whether no answer, or none that makes sense, is no failure. */
+  /** Whether silence, or an answer that makes no sense, is no failure. */
   readonly optional?: boolean | undefined;
 }
 
 /**
- * Asks which memory is current (GETMEMORY). An answer that is not expected, or that changes how memories are counted,
- * is believed only when two in a row agree: the numbers of all memories depend on it.
+ * Asks which memory is current (GETMEMORY). An unexpected answer, or one that changes how memories are counted, is
+ * believed only when two in a row agree: the numbers of all memories depend on it.
  * @throws TimerError as Exchange.
  */
 export async function askMemory(
@@ -55,7 +55,7 @@ export async function requireMemory(
 ): Promise<CurrentMemory> {
   const now = await askMemory(job, { expected, ...how });
   if (now.memory === expected && !now.renumbered) return now;
-  // Of another timer it says nothing.
+  // The answer must not come from another timer.
   await job.exchange.requireIdentity(job.signal);
   const details = { expected: now.renumbered ? null : expected, found: now.memory };
   if (now.memory === null)
@@ -63,7 +63,7 @@ export async function requireMemory(
   throw new TimerError('other-memory', `memory ${now.memory} is current, not ${expected}`, details);
 }
 
-/** @returns undefined when it may stay unanswered, and does. */
+/** @returns undefined when there was no answer and none is needed. */
 async function ask(
   { exchange, signal, quirks }: ClientJob,
   belief: Belief<ReplyOf<'GETMEMORY'>>,
@@ -80,18 +80,18 @@ async function ask(
   }
 }
 
-/** How long a question is asked that not every timer is known to answer. */
+/** How often to ask a question that not every timer is known to answer. */
 export function policyFor(isKnownUnanswered: boolean): RetryPolicy {
   return isKnownUnanswered ? { tries: TRIES_OF_UNANSWERED } : { unanswered: UNANSWERED_OPTIONAL };
 }
 
-/** Whether this timer does not answer such a question, or not with anything that makes sense. */
+/** Whether this timer gave no answer to such a question, or none that makes sense. */
 export function isNoAnswer(error: unknown, isKnownUnanswered: boolean): error is TimerError {
   if (!(error instanceof TimerError)) return false;
   return error.code === 'no-answer' || error.code === 'bad-reply' || (isKnownUnanswered && error.code === 'unstable');
 }
 
-/** @param agreed whether two answers have said so. */
+/** @param agreed whether two answers in a row agree. */
 async function judge(job: ClientJob, reply: ReplyOf<'GETMEMORY'>, agreed: boolean): Promise<number | null> {
   const { exchange, identity, quirks, signal } = job;
   const isUsual = (memory: number | null): boolean => memory !== null && memory >= 0 && memory < identity.memories;
@@ -102,16 +102,16 @@ async function judge(job: ClientJob, reply: ReplyOf<'GETMEMORY'>, agreed: boolea
     return null;
   }
   if (isUsual(memory)) return memory;
-  // How many memories it has was perhaps misread.
+  // The number of memories may have been misread.
   await exchange.requireIdentity(signal);
   if (memory < 0) {
-    // No timer that counts from 1 has a memory 0.
+    // A timer that counts from 1 has no memory 0.
     quirks.drop('memories-from-one');
     quirks.unassume('memoriesFromOne');
     return 0;
   }
   if (memory === identity.memories && !quirks.assumed.memoriesFromOne) {
-    // One more than the last that is counted from 0: this timer counts from 1.
+    // One more than the last index when counting from 0: this timer counts from 1.
     quirks.note('memories-from-one');
     quirks.assume({ memoriesFromOne: true });
     return memory - 1;

@@ -3,30 +3,30 @@ import type { CommandName, Identity } from '../protocol/index.js';
 
 /**
  * What can go wrong between a request and its reply.
- *
- * - `no-answer`: the timer kept silent, or does not answer this request. `sent` says how often it went out; 0: never,
- *   because older requests got no answer either. A command that moves something may have been carried out anyway.
+ * - `no-answer`: the timer kept silent, or it does not answer this request. `sent` says how often the request went out.
+ *   0 means never, because older requests got no answer either. The timer may have obeyed a command all the same.
  * - `bad-reply`: replies came with a right checksum and an impossible content; `cause` says what.
- * - `unstable`: the line damages too much: the policy for repeats was used up, or no two reads agreed. As after
- *   `no-answer`, a request that was `sent` may have been carried out.
- * - `crowded`: no two reads agreed, and frames came that nobody asked for: there may be a second timer or programmer in
- *   the beam.
+ * - `unstable`: the line damages too many bytes. The repeats were used up, or no two reads agreed. As after
+ *   `no-answer`, the timer may have obeyed a request that was `sent`.
+ * - `crowded`: no two reads agreed, and frames came that nobody asked for. A second timer or programmer may be in the
+ *   beam.
  * - `other-memory`: the timer's current memory is not the one that the program was read from.
- * - `memory-unknown`: the timer does not say which memory is current (quirk `memory-unknown`), so no other one is
- *   selected: nobody could tell which one to come back to.
+ * - `memory-unknown`: the timer does not say which memory is current (quirk `memory-unknown`). So no other memory is
+ *   selected, because nobody could tell which one to return to.
  * - `memory-left`: the memory that was current before could not be made current again. `expected` is that memory,
- *   `found` the one that was last selected, null when that is not certain either; `cause` is what stopped the job, or
- *   the way back.
- * - `other-timer`: the timer that answers is not of the kind that the program is for, or not the one that was
- *   identified; `identity` is what it says of itself. Nothing more was sent.
+ *   `found` the one that was last selected (null when that is not certain), `cause` what stopped the job or the way
+ *   back.
+ * - `other-timer`: the timer that answers is of another kind than the program, or not the one that was identified;
+ *   `identity` is what it says about itself. Nothing more was sent.
  * - `stale`: the timer holds something else than the caller believed, so nothing was written; `held` is what it holds.
- * - `changed`: in a write, after silence or at the end, the timer held what the write cannot have brought about:
- *   something else changed it, or it is another one. Nothing was sent again or put back.
- * - `undecided`: what was read leaves open how times are to be written (quirk `times-big-endian`); the pilot has to
+ * - `changed`: in a write, after silence or at the end, the timer held what the write cannot have caused. Something
+ *   else changed it, or it is another timer. Nothing was sent again or put back.
+ * - `undecided`: the reading leaves open how times are to be written (quirk `times-big-endian`). The pilot has to
  *   choose first.
- * - `busy`: somebody else reads from the port or writes to it, and holds the lock of its stream. Nothing was sent; it
- *   can be tried again once the lock is released.
- * - `port-lost`: the stream of bytes ended: unplugged, closed by someone else; `cause` says how.
+ * - `busy`: somebody else reads from the port or writes to it, and holds the lock of its stream. Nothing was sent. Try
+ *   again once the lock is released.
+ * - `port-lost`: the stream of bytes ended, because the port was unplugged or somebody else closed it; `cause` says
+ *   how.
  * - `aborted`: the caller's signal asked to stop. The port stays usable.
  * - `closed`: this client was closed.
  */
@@ -48,17 +48,17 @@ export type TimerErrorCode =
   | 'closed';
 
 export interface TimerErrorDetails {
-  /** The request that was under way. */
+  /** The request that failed. */
   readonly request?: CommandName;
-  /** How often that request went out. */
+  /** How often it went out. */
   readonly sent?: number;
-  /** Whether the timer answers other requests than that one, as far as is known. */
+  /** Whether the timer answers other requests, as far as is known. */
   readonly answersOthers?: boolean;
   readonly expected?: number | null;
   readonly found?: number | null;
-  /** What the timer that answers says of itself. */
+  /** What the timer that answers says about itself. */
   readonly identity?: Identity;
-  /** What the current memory holds, by a fresh read. */
+  /** What the current memory holds, from a fresh read. */
   readonly held?: TimerProgram;
 }
 

@@ -29,23 +29,23 @@ import {
 import { type PlannedJob, Schedule } from './schedule.js';
 import type { Wire } from './wire.js';
 
-/** What went wrong on the line in some span of time. */
+/** What went wrong on the line during some time. */
 export interface Disturbance {
   /** How often damage was seen: bytes that belong to no frame, errors of the line, impossible replies. */
   readonly damage: number;
   /** How many frames came that nobody asked for. */
   readonly strays: number;
-  /** How many requests went out again, fences included. */
+  /** How many requests were repeated, fences included. */
   readonly repeats: number;
 }
 
-/** Harmless requests, in the order in which they are tried as a fence. */
+/** Harmless requests that can serve as a fence, in the order in which they are tried. */
 const FENCES = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS'] as const;
 
 /**
- * Asks one request after another, each to its end. What timed out is asked again only where the table of commands says
- * that this does no harm, and only behind a fence: a harmless request of another letter, whose reply shows that all
- * older ones have passed.
+ * Sends one request after another and stays with each until it has succeeded or failed. A request that got no answer in
+ * time is repeated only where the table of commands allows it, and only after a fence: a harmless request with another
+ * letter. The reply to the fence shows that no older reply can still come.
  */
 export class Exchange {
   readonly #wire: Wire;
@@ -54,19 +54,21 @@ export class Exchange {
   #lastSent = Number.NEGATIVE_INFINITY;
   #closed = false;
   #underWay: Promise<unknown> = Promise.resolve();
-  /** Whether the timer has answered, and was not given up since. */
+  /** Whether the timer has answered, and nobody has given it up since. */
   #awake = false;
-  /** Exchanges in a row without an answer in the request under way, and those of them in which nothing came at all. */
+  /**
+   * For the request in progress: how many exchanges in a row got no answer, and how many of those got no byte at all.
+   */
   #misses = 0;
   #silent = 0;
-  /** When the first of those went out. */
+  /** When the first silent exchange went out. */
   #silentSince = Number.NEGATIVE_INFINITY;
-  /** Whether the timer that answers has to be the one that was identified. */
+  /** Whether the answering timer must be the one that was identified. */
   #isMet = true;
   /** What has gone wrong since the job began. */
   #seen: () => Disturbance;
 
-  /** What the timer said of itself: the layout of all that follows. Null until it has. */
+  /** What the timer said about itself: it gives the layout of all further messages. Null before that. */
   identity: Identity | null = null;
   readonly schedule: Schedule;
 
@@ -79,13 +81,13 @@ export class Exchange {
   }
 
   /**
-   * Whether damage was seen on the line, or frames that nobody asked for, so that a single read is no longer believed.
+   * Whether there was damage on the line, or a frame that nobody asked for. A single read is then no longer believed.
    */
   get damaged(): boolean {
     return this.#wire.damage > 0 || this.#wire.strays > 0;
   }
 
-  /** @returns what tells, whenever it is called, what has gone wrong from now until then. */
+  /** @returns a function that tells what has gone wrong from now until it is called. */
   watch(): () => Disturbance {
     const wire = this.#wire;
     const { damage, strays } = wire;
@@ -97,19 +99,19 @@ export class Exchange {
     });
   }
 
-  /** Whether the timer is there: it has answered, and did not fall silent since. */
+  /** Whether the timer is there: it has answered, and has not fallen silent since. */
   get awake(): boolean {
     return this.#awake;
   }
 
-  /** A job begins: from now on nothing is asked that could end later than such a job may. */
+  /** Begins a job. From now on nothing is sent that could end later than such a job may take. */
   begin(job: Omit<PlannedJob, 'identity'>): void {
     this.schedule.begin({ ...job, identity: this.identity });
     this.#seen = this.watch();
   }
 
   /**
-   * Asks until the reply comes. One call at a time: whoever holds an Exchange waits for the last one.
+   * Sends a request until the reply comes. One call at a time: the caller waits for the one before.
    * @throws TimerError `no-answer`, `unstable`, `bad-reply`, `port-lost`, `closed`, or `aborted` before the request
    * went out.
    */
@@ -122,8 +124,8 @@ export class Exchange {
   }
 
   /**
-   * Asks a question and believes the answer: a single one only where nothing was known before, no damage was seen on
-   * the line and no frame came that nobody asked for; else when two in a row agree.
+   * Asks until an answer can be believed. One answer is enough if nothing was known before, there was no damage on the
+   * line and no frame came that nobody asked for. Otherwise two in a row must agree.
    * @throws TimerError `unstable`, `crowded`, or as {@link ask}.
    */
   async read<R extends Request>(
@@ -144,8 +146,8 @@ export class Exchange {
   }
 
   /**
-   * What to say when no two answers agreed: too much damage, or somebody else answers too.
-   * @param seen what went wrong meanwhile.
+   * The error when no two answers agreed: too much damage, or a second timer answers, too.
+   * @param seen what went wrong in that time.
    */
   unbelievable(text: string, request: CommandName, { damage }: Disturbance): TimerError {
     const isCrowded = this.#seen().strays > 0 && damage === 0;
@@ -165,9 +167,9 @@ export class Exchange {
   }
 
   /**
-   * Makes sure that the timer which answers says of itself what it said before.
-   * @param first a reply to GETSWVER that came already. Default: it is asked for.
-   * @throws TimerError `other-timer` when two replies in a row agree on something else; as {@link ask}.
+   * Makes sure that the answering timer still gives the same identity.
+   * @param first a reply to GETSWVER that has come already. Default: asks for one.
+   * @throws TimerError `other-timer` when two replies in a row agree on another identity; as {@link ask}.
    */
   async requireIdentity(signal?: AbortSignal, first?: ReplyOf<'GETSWVER'>): Promise<void> {
     const { identity } = this;
@@ -184,7 +186,7 @@ export class Exchange {
   }
 
   /**
-   * Sends any frame once, whatever it may do, behind a fence if something older can still be answered.
+   * Sends any frame once, whatever it may do. Sends a fence first if an older request can still be answered.
    * @returns the frame with the next letter, or null when none came in time.
    * @throws TimerError `port-lost`, `closed`, or `aborted` before it went out; CodecError when there is no such frame.
    */
@@ -196,7 +198,7 @@ export class Exchange {
     return outcome.kind === 'answer' ? outcome.answer : null;
   }
 
-  /** Lets the request that is under way come to its end, and refuses all others with `closed`. */
+  /** Waits for the request in progress, and refuses all others with `closed`. */
   async close(): Promise<void> {
     this.#closed = true;
     await this.#underWay;
@@ -256,7 +258,7 @@ export class Exchange {
     const isGone = this.#isSilent(request, seen());
     if (isGone) this.#awake = false;
     const isSentOnce = sent > 0 && !COMMANDS[name].repeatable;
-    // What came damaged at any time of the job counts when its time was over before this was asked often enough.
+    // When time ran out before the request was sent often enough, damage from any part of the job counts.
     const { damage } = isDecided ? seen() : this.#seen();
     if (!isGone && !isSentOnce && !isIgnored() && damage > 0) {
       throw new TimerError('unstable', `too much damage to get a reply to ${name}`, details);
@@ -264,7 +266,7 @@ export class Exchange {
     throw new TimerError('no-answer', `no reply to ${name}`, { ...details, answersOthers: this.#awake });
   }
 
-  /** Whether one more attempt, fence and request, makes sense and still ends in time. */
+  /** Whether another attempt (fence and request) makes sense and ends in time. */
   #mayGoOn(request: Request, seen: Disturbance): boolean {
     if (this.#misses >= MISSES || this.#isSilent(request, seen)) return false;
     const fence = !this.#wire.unanswered.isEmpty ? longestFence(this.#timing) : 0;
@@ -272,9 +274,9 @@ export class Exchange {
   }
 
   /**
-   * Before a timer counts as silent, the latest reply that it can give to the first of those requests is waited for: it
-   * may be slow. There is time for that: the last attempt has had so much, and has not used it.
-   * @returns whether something came, and it makes sense to go on.
+   * The timer may only be slow. So before it counts as silent, this waits for the latest possible reply to the first
+   * unanswered request. There is time for that: the last attempt had more time reserved than it used.
+   * @returns whether something came and another attempt makes sense.
    */
   async #comesLate(request: Request, seen: () => Disturbance, signal: AbortSignal | undefined): Promise<boolean> {
     const left = this.#silentSince + LATEST_REPLY - this.#clock.now();
@@ -287,8 +289,8 @@ export class Exchange {
   }
 
   /**
-   * Whether nothing at all has come for so long that nobody is there. For a dangerous request the timer has to be there
-   * at once.
+   * Whether nothing at all has come for so long that no timer is there. A dangerous request is given up sooner: the
+   * timer has to be there at once.
    */
   #isSilent({ name }: Request, { damage }: Disturbance): boolean {
     const isPatient = COMMANDS[name].repeatable && (this.#awake || damage > 0);
@@ -310,9 +312,9 @@ export class Exchange {
   }
 
   /**
-   * Waits for the line to fall silent, then asks something harmless that is not outstanding itself; not needed once the
-   * latest reply is overdue.
-   * @returns whether all older requests can no longer be answered.
+   * Waits for silence on the line, then sends a harmless request of a letter that has no reply outstanding. Where no
+   * such request is left, or the latest possible reply is overdue, it waits that time out instead.
+   * @returns whether it is now certain that no older reply can come.
    */
   async #fence(signal: AbortSignal | undefined): Promise<boolean> {
     await this.#wire.silence(signal);
@@ -330,7 +332,7 @@ export class Exchange {
     return true;
   }
 
-  /** Waits until nothing that was asked before can be answered any more. */
+  /** Waits until no older request can be answered any more. */
   async #outwait(signal: AbortSignal | undefined): Promise<void> {
     await this.#wire.pause(this.#latestReply - this.#clock.now(), signal);
     throwIfAborted(signal);

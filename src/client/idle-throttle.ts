@@ -12,9 +12,9 @@ export const SET_IDLE_THROTTLE: readonly CommandName[] = [
   'GETSWVER',
 ];
 
-/** Sets the idle throttle of the timer that was identified, and of no other. @returns what two readings agree on. */
+/** Sets the idle throttle of the identified timer, and of no other. @returns the value that two readings agree on. */
 export async function setIdleThrottle({ exchange, signal }: ClientJob, idleThrottle: number): Promise<number> {
-  // What cannot be carried is refused before anything is sent.
+  // Refuses a value that cannot be carried before anything is sent.
   encodeRequest({ name: 'SETLOWRPM', idleThrottle });
   await exchange.requireIdentity(signal);
   await exchange.ask({ name: 'SETLOWRPM', idleThrottle }, signal);

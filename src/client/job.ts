@@ -2,7 +2,7 @@ import type { Identity } from '../protocol/index.js';
 import type { Exchange } from './exchange.js';
 import type { Quirks } from './quirks.js';
 
-/** What a job of the client works with. */
+/** What every job of the client works with. */
 export interface ClientJob {
   readonly exchange: Exchange;
   readonly identity: Identity;

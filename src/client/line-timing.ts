@@ -1,11 +1,11 @@
 import { LATEST_REPLY, type LineTiming } from './retry-policy.js';
 
-/** Room for a timer that does not always take equally long. */
+/** How much longer than measured to wait, for a timer whose replies do not always take equally long. */
 const ROOM = 1.5;
 
 /**
- * The speed of the line, and how slow the timer was found to be: a reply that came late makes later requests wait
- * longer.
+ * The speed of the line, and the delay that was found for this timer.
+ * A late reply makes all later requests wait longer.
  */
 export class LearnedTiming implements LineTiming {
   readonly baudRate: number;
@@ -22,14 +22,14 @@ export class LearnedTiming implements LineTiming {
   }
 
   /**
-   * Milliseconds, beyond those of the bytes, after which the slowest late reply came; null while none came late.
-   * Counted from the last request that it can answer: after a repeat the timer may be slower than this.
+   * How long the slowest late reply took, in milliseconds beyond the time of its bytes; null while none came late. It
+   * is counted from the last request that the reply can answer, so after a repeat the timer may really be slower.
    */
   get delay(): number | null {
     return this.#delay;
   }
 
-  /** A reply came so many milliseconds later than its bytes take, after its time was up. */
+  /** Notes a late reply: it took `delay` milliseconds more than its bytes, and came after its time was up. */
   learn(delay: number): void {
     if (delay <= (this.#delay ?? 0) || delay > LATEST_REPLY) return;
     this.#delay = delay;

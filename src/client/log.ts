@@ -1,30 +1,29 @@
 import type { Frame, RejectionReason } from '../protocol/index.js';
 
 /**
- * An error of the line that the port reported, after which reading went on: `framing`, `parity`, `break` and `overrun`
- * (the buffer of the port was full) are those that Web Serial names, `other` is any other.
+ * An error of the line that the port reported. Reading went on after it. Web Serial names `framing`, `parity`, `break`
+ * and `overrun` (the buffer of the port was full); `other` is any other.
  */
 export type LineErrorKind = 'framing' | 'parity' | 'break' | 'overrun' | 'other';
 
 /**
- * One thing seen on the line: a frame that was sent, a frame that came, bytes that belong to no frame, or an error of
- * the line.
+ * One thing seen on the line: a frame sent, a frame received, bytes that belong to no frame, or an error of the line.
  */
 export interface LineEntry {
   /** Milliseconds since 1970, by the client's clock. */
   readonly time: number;
   readonly direction: 'out' | 'in';
-  /** The bytes as they went or came; none for an error of the line. */
+  /** The bytes as they went or came. Empty for an error of the line. */
   readonly bytes: Uint8Array;
   /** Null for bytes that belong to no frame, and for an error of the line. */
   readonly frame: Frame | null;
-  /** Why bytes belong to no frame; else null. */
+  /** Why the bytes belong to no frame; null for anything else. */
   readonly rejected: RejectionReason | null;
-  /** The error of the line that the port told of; else null. */
+  /** The error that the port reported; null for anything else. */
   readonly error: LineErrorKind | null;
 }
 
-/** The names of the DOMExceptions with which Web Serial lets a stream fail that is replaced by a new one. */
+/** The names of the DOMExceptions after which Web Serial puts a new stream in place of the failed one. */
 const KINDS: ReadonlyMap<unknown, LineErrorKind> = new Map([
   ['FramingError', 'framing'],
   ['ParityError', 'parity'],
@@ -32,7 +31,7 @@ const KINDS: ReadonlyMap<unknown, LineErrorKind> = new Map([
   ['BufferOverrunError', 'overrun'],
 ]);
 
-/** What kind of error of the line a stream failed with. */
+/** The kind of line error that a failed stream stands for. */
 export function lineErrorKind(error: unknown): LineErrorKind {
   const { name } = Object(error) as { readonly name?: unknown };
   return KINDS.get(name) ?? 'other';

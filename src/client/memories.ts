@@ -11,24 +11,24 @@ import { writeContent } from './write-program.js';
 import { isHeld, type WriteReport } from './write-report.js';
 
 /**
- * What a job on several memories tells on the way. When a hook returns a promise the job waits for it; when that fails,
- * so does the job.
+ * Functions that a job on several memories calls on its way. When one returns a promise, the job waits for it; when
+ * that promise rejects, the job fails, too.
  */
 export interface MemoriesHooks {
   /**
-   * The memory that is current, before the first other one is selected: to be kept until it is current again. Counted
-   * from 0.
+   * Called with the current memory, counted from 0, before the first other memory is selected.
+   * Keep it until it is current again.
    */
   readonly onOriginal?: ((original: number) => unknown) | undefined;
-  /** What a memory holds, before the first SET in it: to be kept as a backup. */
+  /** Called with what a memory holds, before the first SET in it. Keep it as a backup. */
   readonly onMemory?: ((read: TimerProgram, goal: TimerProgram) => unknown) | undefined;
 }
 
 /** What several memories hold. */
 export interface MemoriesRead {
-  /** The memory that was current before and is again, counted from 0. */
+  /** The memory that was current before and is current again, counted from 0. */
   readonly original: number;
-  /** In the order in which they were asked for. */
+  /** In the order in which the caller named the memories. */
   readonly programs: TimerProgram[];
 }
 
@@ -36,7 +36,7 @@ export interface MemoriesRead {
 export interface MemoryReport {
   /** Counted from 0. */
   readonly memory: number;
-  /** What it held before. */
+  /** What it held before the write. */
   readonly before: TimerProgram;
   readonly report: WriteReport;
 }
@@ -45,11 +45,11 @@ export interface MemoryReport {
 export interface MemoriesReport {
   /** The memory that was current before, counted from 0. */
   readonly original: number;
-  /** Whether it is current again, by the timer's own word. */
+  /** Whether it is current again, as the timer says. */
   readonly restored: boolean;
   /** The memories in which the write began, in the order of the goals. */
   readonly memories: readonly MemoryReport[];
-  /** What stopped it: `memory-left` whenever {@link restored} is false; null when nothing did. */
+  /** What stopped the write: `memory-left` whenever {@link restored} is false; null when nothing did. */
   readonly stopped: TimerError | CodecError | null;
 }
 
@@ -79,34 +79,33 @@ export async function readMemories(
       if (!exchange.damaged) readOnce.push(index);
     }
     if (!exchange.damaged) return;
-    // They were believed on a single reading before damage was seen.
+    // They were believed on a single reading, before there was damage on the line.
     for (const index of readOnce) programs[index] = await trip.read(memories[index] as number, idleThrottle);
   });
   return { original: trip.original, programs };
 }
 
-/** What reading several memories tells. */
+/** Functions that a reading of several memories calls on its way. */
 export interface ReadHooks extends Pick<MemoriesHooks, 'onOriginal'> {
   readonly onProgress?: OnProgress;
 }
 
 export interface MemoriesWrite extends MemoriesHooks {
   /**
-   * What memories were believed to hold when the pilot agreed to the write: each names its memory. One that holds
-   * something else now is not written, and the job stops with `stale`. A memory without one is written over whatever it
+   * What the memories held when the pilot agreed to the write. Each entry names its memory. A memory that holds
+   * something else now is not written, and the job stops with `stale`. A memory without an entry is written whatever it
    * holds.
    */
   readonly baselines?: readonly TimerProgram[] | undefined;
 }
 
 /**
- * Writes several memories one after the other. Selects each, reads it, hands that to the caller, and writes what
- * differs from the goal as `writeProgram` does, which reads it once more before and reads back after. It goes on to the
- * next memory only when nothing stopped the write of the one before. At the end it makes the memory current again that
- * was.
- * @throws before anything is selected: TimerError `memory-unknown` (also for a goal without one), `other-timer`,
- * CodecError when a goal cannot be carried. Later only what a hook throws, with the first memory current again. The
- * report tells of all else.
+ * Writes several memories one after the other. It selects each, reads it, hands the reading to the caller, and writes
+ * what differs from the goal as `writeProgram` does (which reads again before, and reads back after). It goes on to the
+ * next memory only when nothing stopped the one before. At the end it makes the first memory current again.
+ * @throws before anything is selected: TimerError `memory-unknown` (also for a goal without a memory), `other-timer`,
+ * CodecError when a goal cannot be carried. Later it throws only what a hook throws, with the first memory current
+ * again. The report names everything else.
  */
 export async function writeMemories(
   job: ClientJob,
@@ -144,14 +143,17 @@ export async function writeMemories(
   return { original: trip.original, restored: stopped?.code !== 'memory-left', memories, stopped };
 }
 
-/** @throws TimerError `stale` when a memory holds something else than was believed of it. */
+/** @throws TimerError `stale` when a memory holds something else than its baseline. */
 function requireBelieved(baselines: readonly TimerProgram[], held: TimerProgram): void {
   const believed = baselines.find(({ memory }) => memory === held.memory);
   if (!believed || isHeld(believed, held)) return;
   throw new TimerError('stale', `memory ${held.memory} holds something else than was believed`, { held });
 }
 
-/** All goals must fit before any is written. A position past the last step may stand where the timer holds the same. */
+/**
+ * All goals must fit before any is written.
+ * A goal may keep a position past the last step where the timer holds the same one.
+ */
 function requireGoal({ identity }: ClientJob, goal: TimerProgram): void {
   requireShape(goal);
   if (!sameKind(identity, goal.identity)) throw new TimerError('other-timer', 'a goal is for another kind of timer');
@@ -166,7 +168,7 @@ function asksThrottle({ idleThrottle }: TimerProgram): boolean {
   return idleThrottle !== null;
 }
 
-/** All that one memory can need: it is selected and read, everything in it is changed, and it is read back. */
+/** Everything that one memory can need: select and read it, change all of it, read it back. */
 function memoryParts(goal: TimerProgram, memory: number, moveServos: boolean): JobPart[] {
   const first = readingPlan(goal.identity, { idleThrottle: asksThrottle(goal) });
   const [reading, ...rest] = longestWrite(goal, moveServos).map((part) => ({ ...part, memory })) as [

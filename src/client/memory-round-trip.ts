@@ -12,8 +12,8 @@ export const SELECT: readonly CommandName[] = ['GETSWVER', 'SETMEMORY', 'GETSWVE
 const BEGIN: readonly CommandName[] = ['GETSWVER', 'GETMEMORY', 'GETMEMORY'];
 
 /**
- * Makes a memory current (SETMEMORY) on the timer that was identified, and asks until it has said twice that it is
- * (GETMEMORY). It is what flies next, so one answer is not enough.
+ * Makes a memory current (SETMEMORY) on the identified timer, then asks (GETMEMORY) until two answers agree. It is what
+ * flies next, so one answer is not enough.
  * @throws TimerError `other-timer`, `other-memory`, or as Exchange; CodecError when the timer has no such memory.
  */
 export async function select(job: ClientJob, memory: number): Promise<void> {
@@ -22,7 +22,7 @@ export async function select(job: ClientJob, memory: number): Promise<void> {
   await makeCurrent(job, memory);
 }
 
-/** @throws CodecError `out-of-range` when a timer has no such memory. */
+/** @throws CodecError `out-of-range` when the timer has no such memory. */
 export function requireIndex(memory: number, identity: Identity): void {
   encodeRequest({ name: 'SETMEMORY', memory }, { identity });
 }
@@ -38,13 +38,13 @@ async function makeCurrent(job: ClientJob, memory: number): Promise<boolean> {
   throw new TimerError('other-memory', `memory ${now.memory} is current, not ${memory}`, details);
 }
 
-/** A way through several memories that begins and ends at the one that is current. */
+/** A round trip through several memories that begins and ends at the current one. */
 export class MemoryRoundTrip {
   /** The memory that was current before, counted from 0. */
   readonly original: number;
   readonly #job: ClientJob;
   #onOriginal: ((original: number) => unknown) | undefined;
-  /** The memory that was last selected; null when that is not certain. */
+  /** The memory that was selected last; null when that is not certain. */
   #at: number | null;
 
   private constructor(original: number, job: ClientJob, onOriginal: ((original: number) => unknown) | undefined) {
@@ -56,9 +56,9 @@ export class MemoryRoundTrip {
 
   /**
    * Asks which memory is current.
-   * @param planned all that will be asked between here and the way back.
-   * @param numbered whether the caller has named memories by their numbers.
-   * @param onOriginal told of that memory before the first other one is selected.
+   * @param planned all exchanges between here and the way back.
+   * @param numbered whether the caller named memories by their numbers.
+   * @param onOriginal called with the current memory before the first other one is selected.
    * @throws TimerError `memory-unknown`, also when the answer shows that the numbers were wrong; `other-timer`; as
    * Exchange.
    */
@@ -79,8 +79,8 @@ export class MemoryRoundTrip {
   }
 
   /**
-   * Does the work and makes the first memory current again, also when the work fails or the signal asks to stop.
-   * @throws TimerError `memory-left` when that cannot be done; what the work throws.
+   * Does the work, then makes the first memory current again, even when the work fails or the signal asks to stop.
+   * @throws TimerError `memory-left` when it cannot be made current; whatever the work throws.
    */
   async run(work: () => Promise<void>): Promise<void> {
     let failure: { readonly error: unknown } | undefined;
@@ -88,7 +88,7 @@ export class MemoryRoundTrip {
       await this.#job.exchange.schedule.keepTimeFor(SELECT, work);
     } catch (error) {
       failure = { error };
-      // Something else has selected one.
+      // Somebody else has selected another memory.
       if (codeOf(error) === 'other-memory') this.#at = null;
     }
     await this.#goBack(failure?.error);
@@ -96,7 +96,7 @@ export class MemoryRoundTrip {
   }
 
   /**
-   * Makes a memory current, unless it is, and reads it.
+   * Makes a memory current, unless it is current already, and reads it.
    * @throws TimerError `memory-unknown`, `other-memory`; as Exchange.
    */
   async read(memory: number, idleThrottle: boolean): Promise<TimerProgram> {
@@ -123,7 +123,7 @@ export class MemoryRoundTrip {
     if (this.#at === this.original) return;
     let failure: unknown;
     try {
-      // Nothing is sent to a timer that is not the one that was left. Whoever asked to stop asked for this too.
+      // Another timer gets no request. After a signal to stop, the first memory is restored all the same.
       if (codeOf(cause) !== 'other-timer') {
         return await this.#select({ ...this.#job, signal: undefined }, this.original);
       }

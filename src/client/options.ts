@@ -7,22 +7,22 @@ import type { Progress } from './progress.js';
 import type { AssumedQuirks } from './quirks.js';
 
 export interface TimerClientOptions {
-  /** Bits a second of the line, to know how long bytes take. Default 9600. */
+  /** Bits a second of the line, to work out how long bytes take. Default 9600. */
   readonly baudRate?: number;
   /** Default: the real clock. */
   readonly clock?: Clock;
-  /** What is known of this timer from an earlier session, or chosen by the pilot. Default: nothing. */
+  /** What is known of this timer from an earlier session, or what the pilot has chosen. Default: nothing. */
   readonly quirks?: AssumedQuirks | undefined;
   /**
-   * Milliseconds beyond the time of the bytes that a reply may take before the request counts as unanswered, at first:
-   * it grows when a reply turns out to come later. Default 600.
+   * How long a reply may take beyond the time of its bytes, in milliseconds. Later the request counts as unanswered.
+   * The value grows when replies turn out to come later. Default 600.
    */
   readonly margin?: number;
-  /** Told of everything on the line. */
+  /** Called with everything on the line. */
   readonly onLine?: ((entry: LineEntry) => void) | undefined;
   /**
-   * Told once when the streams end or fail although nobody closed this client. They are watched from the first request
-   * on.
+   * Called once when the streams end or fail although nobody closed this client.
+   * The client watches them from its first request on.
    */
   readonly onLost?: ((error: TimerError) => void) | undefined;
 }
@@ -30,46 +30,46 @@ export interface TimerClientOptions {
 /** The options of every job. */
 export interface JobOptions {
   /**
-   * Asks to stop. The exchange under way is waited for, so the port stays usable: at most one reply time. The job
-   * rejects with TimerError `aborted`; but a write that has sent something resolves with its report, whose `stopped`
-   * says so: what has arrived by then matters more than that it was stopped.
+   * Asks to stop. The job waits for the exchange in progress, at most one reply time, so the port stays usable. Then it
+   * rejects with TimerError `aborted`. A write that has already sent something resolves with its report instead, whose
+   * `stopped` says so: what has arrived matters more than the stop.
    */
   readonly signal?: AbortSignal | undefined;
-  /** Told how far the job is, see {@link Progress}. What it throws harms nothing. */
+  /** Called with how far the job is, see {@link Progress}. An error that it throws does no harm. */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
 }
 
 export interface IdentifyOptions extends JobOptions {
   /**
-   * How often the question goes out at most until it is answered, 1 or more. Default: as any other, more often when
-   * damage is seen.
+   * How often the question goes out at most, 1 or more. Default: as for other requests, which go out more often when
+   * there is damage.
    */
   readonly tries?: number | undefined;
   /**
-   * A late reply to an earlier call of this method will do as well, so that nothing is asked in between to tell the two
-   * apart. Default false.
+   * Accepts a late reply to an earlier call of this method.
+   * Then nothing has to be sent to tell the two apart. Default false.
    */
   readonly anyReply?: boolean | undefined;
 }
 
 export interface ReadOptions extends JobOptions {
   /**
-   * Asks for the idle throttle on a timer of another class than Q too, where it is not known whether there is one.
-   * Default false.
+   * Asks for the idle throttle also on a timer of another class than Q,
+   * where nobody knows whether there is one. Default false.
    */
   readonly idleThrottle?: boolean | undefined;
 }
 
 export interface MoveOptions {
   /**
-   * The pilot agrees that the servos move: each function's positions are sent after a MOVETOFUNC to it, for a timer
-   * that keeps them only then (quirk `positions-unchanged`). Default false: nothing moves.
+   * The pilot agrees that the servos move. The positions of each function are then sent after a MOVETOFUNC to it, for a
+   * timer that keeps them only so (quirk `positions-unchanged`). Default false: nothing moves.
    */
   readonly moveServos?: boolean | undefined;
 }
 
 export interface WriteOptions extends JobOptions, MoveOptions {
-  /** What the timer held when it was last read. Only what differs from it is sent. */
+  /** What the timer held when it was last read. Only values that differ from it are sent. */
   readonly baseline: TimerProgram;
 }
 

@@ -13,37 +13,36 @@ import type { Quirks } from './quirks.js';
 import { LONGEST_FRAME } from './retry-policy.js';
 
 /**
- * What became of something that was sent once, when its time was up or its answer came.
- *
+ * What came of something that was sent once, when its answer came or its time was up.
  * - `answer`: its own answer came.
- * - `bad`: one came with a right checksum and an impossible content; `error` says what.
+ * - `bad`: an answer came with a right checksum and an impossible content; `error` says what.
  * - `damaged`: bytes came that belong to no frame, or an error of the line.
- * - `stray`: whole frames came, and none of them was the answer.
- * - `silent`: nothing came, but perhaps an echo.
+ * - `stray`: whole frames came, but none was the answer.
+ * - `silent`: nothing came, or only an echo.
  */
 export type Outcome<Answer> = AnswerOutcome<Answer> | { readonly kind: 'damaged' | 'stray' | 'silent' };
 
-/** What a frame says as the answer to what was sent. */
+/** What a frame means as the answer. */
 export type AnswerOutcome<Answer> =
   | { readonly kind: 'answer'; readonly answer: Answer }
   | { readonly kind: 'bad'; readonly error: unknown };
 
-/** A request, and how its reply is known. */
+/** A request, and how to recognise its reply. */
 export interface Question {
   readonly request: Request;
-  /** What the timer said of itself; null before it has. */
+  /** What the timer said about itself; null before that. */
   readonly identity: Identity | null;
   /**
-   * Whether a letter that belongs to another command may be taken for the reply's: `known` where this timer was seen to
-   * use it. Default: it may not.
+   * Whether a letter that belongs to another command may stand for the reply. `known`: only where this timer was seen
+   * to use it. Default: it may not.
    */
   readonly misprints?: 'known' | 'yes';
 }
 
 /**
- * Looks at a frame as the reply to a question, and notes its form.
- * @param isBare whether its letter stands in place of its sum.
- * @returns undefined when it is no reply to that.
+ * Reads a frame as the reply to a question, and notes the form of the reply.
+ * @param isBare whether its command byte stands in place of its checksum.
+ * @returns undefined when it is no reply to this question.
  */
 export function asReply(
   frame: Frame,
@@ -61,14 +60,14 @@ export function asReply(
   } catch (error) {
     return { kind: 'bad', error };
   }
-  // The sum of a reply with the value 0 is its letter in any case.
+  // With the value 0 the bare command byte is the right checksum anyway, so it shows nothing.
   if (reply.name !== 'GETLOWRPM' || reply.idleThrottle !== 0) quirks.noteForm(request.name, match);
   return { kind: 'answer', answer: reply };
 }
 
-/** Bytes that the reply to a request takes at most. */
+/** The most bytes that the reply to a request can take. */
 export function replySize(name: CommandName, identity: Identity | null): number {
   if (identity) return exchangeSize(name, identity).reply;
-  // Before the timer is known only GETSWVER has a reply of known size; that to a fence may be the longest.
+  // Before the timer is known, only the reply to GETSWVER has a known size. Any other may have the longest.
   return name === 'GETSWVER' ? frameSize(9) : LONGEST_FRAME;
 }

@@ -3,15 +3,15 @@ import type { BytePort, ByteReader, ByteSource } from './port.js';
 
 export interface PortReaderOptions {
   readonly onBytes: (bytes: Uint8Array) => void;
-  /** The stream failed with an error of the line, and there is a new one: reading goes on. */
+  /** The stream failed with an error of the line. A new one is there, and reading goes on. */
   readonly onLineError: (kind: LineErrorKind) => void;
   /** Nothing more can be read. `cause` is what the stream failed with; undefined when it ended. */
   readonly onEnd: (cause: unknown) => void;
 }
 
 /**
- * Reads what a port gives until its stream ends, fails for good or is let go of. A SerialPort puts a new stream in the
- * place of one that failed with a framing, parity, break or overrun error: that one is taken, and reading goes on.
+ * Reads from a port until its stream ends or fails for good, or the reader stops. After a framing, parity, break or
+ * overrun error a SerialPort has a new stream: reading goes on with that one.
  */
 export class PortReader {
   readonly #port: BytePort;
@@ -30,21 +30,21 @@ export class PortReader {
     return this.#reading !== undefined;
   }
 
-  /** Begins to read; harmless when it has begun. */
+  /** Begins to read. Does no harm when it has begun already. */
   start(): void {
     const { onEnd } = this.#options;
     this.#reading ??= this.#read().then(() => onEnd(undefined), onEnd);
   }
 
-  /** Lets go of the stream. */
+  /** Stops, and releases the stream. */
   async stop(): Promise<void> {
     this.#stopped = true;
-    // A stream that has failed refuses to be cancelled; its lock is released anyway.
+    // A failed stream refuses to be cancelled. Its lock is released all the same.
     await this.#reader?.cancel().catch(() => {});
     await this.#reading;
   }
 
-  /** @throws what the stream failed with when there is no new one. */
+  /** @throws what the stream failed with, when no new stream is there. */
   async #read(): Promise<void> {
     let failed: ByteSource | undefined;
     let cause: unknown;

@@ -1,19 +1,19 @@
 import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
 
 /**
- * What this timer or its adapter was found to do differently from the usual reading of the protocol. The rows are those
- * of the open questions on the protocol page.
+ * How this timer or its adapter differs from the usual reading of the protocol. The row numbers are those of the open
+ * questions in docs/protocol.md.
  *
  * - `timers-reply-66`: GETTIMERS was answered with 66 (row 2).
  * - `unlock-reply-6a`: UNLOCK was answered with 6A (row 3).
  * - `memory-unknown`: the reply to GETMEMORY has no index, or none came (row 4).
  * - `memory-impossible` (index): GETMEMORY is answered with an index that this timer cannot have (row 4).
  * - `bare-checksum`: the reply to GETLOWRPM carries its command byte as checksum (row 5).
- * - `times-big-endian`: the times fall, and with the two bytes of each swapped they rise (row 7). A hint, not a proof:
- *   times are not written before the pilot has chosen.
- * - `servo-first` (servo, slot): SETSERVO changed this cell, where function and servo are exchanged (row 9).
- * - `servo-unanswered` (servo, slot): a SETSERVO got no answer where others did. It would be out of range for a timer
- *   that takes the servo first (row 9).
+ * - `times-big-endian`: the times fall, but rise when the two bytes of each are swapped (row 7). This is a hint, not a
+ *   proof: no time is written before the pilot has chosen.
+ * - `servo-first` (servo, slot): SETSERVO changed this cell: function and servo were exchanged (row 9).
+ * - `servo-unanswered` (servo, slot): a SETSERVO got no answer while others did. For a timer that takes the servo
+ *   first, it would be out of range (row 9).
  * - `times-rounded` (slot, sent, held): SETTIMERS was answered with another time than was sent (row 13).
  * - `memories-from-one`: the timer counts its memories from 1 (row 14).
  * - `positions-unchanged`: SETSERVO was acknowledged and nothing changed (row 15).
@@ -21,8 +21,8 @@ import type { CommandName, LayoutQuirks, Request } from '../protocol/index.js';
  * - `idle-throttle-unanswered`: GETLOWRPM got no answer (row 19).
  * - `idle-throttle-malformed`: the reply to GETLOWRPM does not have one byte of data (row 6).
  *
- * What changes how values are read or where they go to is found only when two replies agree, and is no longer found
- * when the timer contradicts it: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`,
+ * These change how values are read or where they go. They are found only when two replies agree, and dropped again when
+ * the timer contradicts them: `timers-reply-66`, `bare-checksum`, `times-big-endian`, `memories-from-one`,
  * `positions-unchanged`.
  */
 export type QuirkCode =
@@ -44,20 +44,23 @@ export type QuirkCode =
 export type QuirkParams = Readonly<Record<string, number>>;
 
 /**
- * What is assumed of a timer: found in an earlier session, or chosen by the pilot. For what is left out, the protocol
- * page decides.
+ * What to assume about a timer: found in an earlier session, or chosen by the pilot. For what is left out,
+ * docs/protocol.md decides.
  */
 export interface AssumedQuirks extends LayoutQuirks {
-  /** SETMEMORY and SETLOWRPM go out with the bare command byte where their checksum belongs (row 5). */
+  /** SETMEMORY and SETLOWRPM go out with the bare command byte in place of their checksum (row 5). */
   readonly bareChecksumRequests?: boolean;
   /**
-   * Positions are kept only for the function at which the servos stand (row 15). Assumed once `positions-unchanged` was
-   * found. Nothing moves because of it: each write must be told that it may, see `moveServos`.
+   * The timer keeps positions only for the function at which the servos stand (row 15). Assumed once
+   * `positions-unchanged` was found. This alone moves nothing: each write must allow it, see `moveServos`.
    */
   readonly positionsNeedMove?: boolean;
 }
 
-/** The requests whose reply the source prints in one place with another letter, or with its letter as its sum. */
+/**
+ * The requests whose reply the source prints, in one place,
+ * with another letter or with its letter in place of the checksum.
+ */
 const MISPRINTS: Partial<Record<CommandName, QuirkCode>> = {
   GETTIMERS: 'timers-reply-66',
   UNLOCK: 'unlock-reply-6a',
@@ -68,7 +71,7 @@ const MISPRINTS: Partial<Record<CommandName, QuirkCode>> = {
 export class Quirks {
   readonly found = new Map<QuirkCode, QuirkParams>();
   assumed: AssumedQuirks;
-  /** How many replies came in the form of a misprint; less than none once one came in its own. */
+  /** How many replies came in the misprinted form. Below 0: the timer has used the right form. */
   readonly #misprints = new Map<CommandName, number>();
   readonly #first: AssumedQuirks;
 
@@ -77,7 +80,7 @@ export class Quirks {
     this.#first = assumed;
   }
 
-  /** Another timer is there: nothing is known of it but what was said beforehand. */
+  /** Another timer is there: forgets all but what was assumed at the start. */
   reset(): void {
     this.found.clear();
     this.#misprints.clear();
@@ -93,48 +96,49 @@ export class Quirks {
     this.assumed = { ...this.assumed, ...quirks };
   }
 
-  /** Takes back what the timer has contradicted. */
+  /** Drops a finding that the timer has contradicted. */
   drop(code: QuirkCode): void {
     this.found.delete(code);
   }
 
-  /** Assumes nothing of it any more. */
+  /** Stops assuming this. */
   unassume(assumption: keyof AssumedQuirks): void {
     const { [assumption]: _, ...others } = this.assumed;
     this.assumed = others;
   }
 
-  /** A reply came, in its own form or in that of a misprint. */
+  /** Notes the form of a reply: the right one, or that of a misprint. */
   noteForm(name: CommandName, match: 'exact' | 'misprint'): void {
     const code = MISPRINTS[name];
     if (!code) return;
     if (match === 'exact') {
-      // Who uses the right form does not use the wrong one: that was a late reply to something else, or damage.
+      // A timer that uses the right form does not use the wrong one: that was a late reply to something else, or
+      // damage.
       this.drop(code);
       this.#misprints.set(name, Number.NEGATIVE_INFINITY);
       return;
     }
     const count = (this.#misprints.get(name) ?? 0) + 1;
     this.#misprints.set(name, count);
-    // UNLOCK is not sent again to see, and nothing but its letter differs.
+    // Once is enough for UNLOCK: it is not sent again, and only the letter differs.
     if (name === 'UNLOCK' || count > 1) this.note(code);
   }
 
   /**
-   * Whether this timer may answer in the form of a misprint.
-   * @param how `known`: it was seen to do so; `yes`: it may be, too, that it does and was not seen to.
+   * Whether this timer may answer in the misprinted form.
+   * @param how `known`: only if it was seen to do so; `yes`: also if nothing speaks against it.
    */
   mayMisprint(name: CommandName, how: 'known' | 'yes'): boolean {
     const count = this.#misprints.get(name) ?? 0;
     return how === 'known' ? count > 1 : count >= 0;
   }
 
-  /** Whether the last reply came in the form of a misprint, for the first time. */
+  /** Whether the last reply came in the misprinted form for the first time. */
   isMisprintNew(name: CommandName): boolean {
     return this.#misprints.get(name) === 1;
   }
 
-  /** Forgets what was found of this timer, and what was assumed. */
+  /** Forgets what was found and what was assumed about this timer. */
   forget(): void {
     this.reset();
     this.assumed = {};
@@ -145,7 +149,7 @@ export class Quirks {
     return this.assumed.bareChecksumRequests === true && (name === 'SETMEMORY' || name === 'SETLOWRPM');
   }
 
-  /** Whether the byte order of the times is in doubt, and nobody has decided. */
+  /** Whether the byte order of the times is in doubt and the pilot has not chosen. */
   get byteOrderOpen(): boolean {
     return this.found.has('times-big-endian') && this.assumed.bigEndianTimes === undefined;
   }

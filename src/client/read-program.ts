@@ -5,23 +5,23 @@ import type { ClientJob } from './job.js';
 import type { Progress } from './progress.js';
 import { ATTEMPTS, READS } from './retry-policy.js';
 
-/** The questions for what a memory holds: only Q is known to have a motor. */
+/** The requests that read the content of a memory. Only Q is known to have a motor. */
 function contentQuestions({ timerClass }: Identity, idleThrottle: boolean | undefined): CommandName[] {
   return timerClass === 'Q' || idleThrottle ? ['GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'] : ['GETTIMERS', 'GETSERVOPOS'];
 }
 
 /** How a program is read. */
 export interface ReadingOptions {
-  /** Asks for the idle throttle on a timer of another class than Q too. */
+  /** Asks for the idle throttle also on a timer of another class than Q. */
   readonly idleThrottle?: boolean | undefined;
   /**
-   * The memory that has to be current, at the beginning and at the end; null: the timer does not say. Default: any, all
-   * the time.
+   * The memory that must be current at the beginning and at the end; null: the timer does not say. Default: any, but
+   * the same all the time.
    */
   readonly memory?: number | null | undefined;
   /** Believes nothing that another timer, a late reply or a misprinted letter could have caused. */
   readonly strict?: boolean | undefined;
-  /** What the memory is believed to hold: counts as the first of two readings. */
+  /** What the memory is believed to hold. Counts as the first of two readings. */
   readonly known?: TimerProgram | undefined;
 }
 
@@ -36,13 +36,12 @@ export function readingPlan(identity: Identity, { idleThrottle, strict, known }:
 export type MemoryValues = Pick<TimerProgram, 'times' | 'positions' | 'idleThrottle'>;
 
 /**
- * Reads what the current memory holds, between two questions for the memory and before one for the identity, so that
- * another timer, or another memory, does not pass unnoticed. The content is believed on one reading only where nothing
- * speaks against it: no damage was ever seen on the line, nothing had to be asked twice and no frame came that nobody
- * asked for. Else, and always when it is strict, two readings in a row have to agree. A strict one is started again
- * when such a frame came.
- * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when another memory is current than has to be;
- * `unstable` or `crowded` when no two readings agree or the memory changes all the time; as Exchange.
+ * Reads what the current memory holds. It asks for the current memory before and after, then for the identity, so it
+ * notices another memory or another timer. One reading is enough if nothing speaks against it: there was no damage on
+ * the line, no request was repeated, and no frame came that nobody asked for. Otherwise, and always when `strict`, two
+ * readings in a row must agree. A strict reading starts again when an unexpected frame comes.
+ * @throws TimerError `other-timer`; `other-memory` or `memory-unknown` when the wrong memory is current; `unstable` or
+ * `crowded` when no two readings agree or the memory changes all the time; as Exchange.
  */
 export async function readContent(
   job: ClientJob,
@@ -84,8 +83,8 @@ async function isStillCurrent(job: ClientJob, memory: number | null, how: Readin
 }
 
 /**
- * Reads the content until it is believed.
- * @param before a reading that came before, or what is expected: counts as the first of two.
+ * Reads the content until it can be believed.
+ * @param before an earlier reading, or what is expected: counts as the first of two.
  */
 export async function agreedContent(
   job: ClientJob,
@@ -108,7 +107,7 @@ export async function agreedContent(
   throw job.exchange.unbelievable(`no two of ${READS} readings agreed`, request, seen());
 }
 
-/** @returns what was read, and whether anything speaks against believing it alone. */
+/** @returns the content, and whether anything speaks against believing it alone. */
 async function readOnce(
   job: ClientJob,
   strict: boolean | undefined,
@@ -133,8 +132,8 @@ async function readOnce(
 }
 
 /**
- * Not known to be answered by every timer, and nothing else depends on it. But one that answers nothing else either
- * sleeps.
+ * Not every timer is known to answer this, and nothing else depends on it.
+ * But a timer that answers nothing else either is asleep.
  */
 async function askIdleThrottle({ exchange, signal, quirks }: ClientJob): Promise<number | null> {
   const isKnown = quirks.found.has('idle-throttle-unanswered');
@@ -149,7 +148,7 @@ async function askIdleThrottle({ exchange, signal, quirks }: ClientJob): Promise
   }
 }
 
-/** The first question on which two readings did not agree. */
+/** The first request whose values differ between two readings. */
 function differing(a: MemoryValues, b: MemoryValues): CommandName {
   if (JSON.stringify(a.times) !== JSON.stringify(b.times)) return 'GETTIMERS';
   return JSON.stringify(a.positions) === JSON.stringify(b.positions) ? 'GETLOWRPM' : 'GETSERVOPOS';
@@ -159,14 +158,17 @@ function textOf({ times, positions, idleThrottle }: MemoryValues): string {
   return JSON.stringify([times, positions, idleThrottle]);
 }
 
-/** What the times say of their byte order, if anything: `other` when they rise only with their bytes exchanged. */
+/**
+ * What the times show about their byte order, if anything. `this`: as it is now. `other`:
+ * they rise only with the bytes swapped.
+ */
 function byteOrderOf(times: readonly number[]): 'this' | 'other' | undefined {
   const isThis = rises(times);
   const isOther = rises(times.map(swapBytes));
   return isThis === isOther ? undefined : isThis ? 'this' : 'other';
 }
 
-/** Whether these times say nothing new of their byte order. */
+/** Whether these times show nothing new about their byte order. */
 function isByteOrderKnown({ quirks }: ClientJob, times: readonly number[]): boolean {
   const isSuspected = quirks.found.has('times-big-endian');
   return byteOrderOf(times) !== (isSuspected ? 'this' : 'other') || quirks.assumed.bigEndianTimes === true;
@@ -178,7 +180,7 @@ function noteByteOrder(job: ClientJob, times: readonly number[]): void {
   else job.quirks.drop('times-big-endian');
 }
 
-/** Whether the functions follow one another. Slot 0 takes no part: it is the motor stop, or reserved. */
+/** Whether the times of the functions rise. Slot 0 does not count: it is the motor stop, or reserved. */
 function rises(times: readonly number[]): boolean {
   return times.every((time, slot) => slot < 2 || time >= (times[slot - 1] as number));
 }

@@ -13,43 +13,43 @@ import {
 
 const NONE: Exchanges = { count: 0, bytes: 0 };
 
-/** A part of a job: what it asks when nothing goes wrong. */
+/** A part of a job: its exchanges when nothing goes wrong. */
 export interface JobPart {
   readonly names: readonly CommandName[];
-  /** What is told of it; nothing without one. */
+  /** The stage that is reported for it. A part without one is not reported. */
   readonly stage?: Progress['stage'];
-  /** The memory that it is about, in a job on several. */
+  /** The memory that it works on, in a job on several. */
   readonly memory?: number;
 }
 
-/** A job that is asked for. */
+/** The plan of a job. */
 export interface PlannedJob {
   readonly parts: readonly JobPart[];
-  /** What the timer said of itself; null before it has. */
+  /** What the timer said about itself; null before that. */
   readonly identity: Identity | null;
   readonly onProgress?: OnProgress;
 }
 
 /**
- * The job under way: what it needs, how far it is, and when it has ended at the latest. Each answer moves it on by
- * itself; what has to be asked once more than was planned moves nothing.
+ * The job in progress: what it needs, how far it is, and when it will have ended at the latest. Each planned answer
+ * moves it on. A request that was not planned moves nothing.
  */
 export class Schedule {
-  /** The memory that a job on several is at. */
+  /** The memory that a job on several memories is at. */
   memory: number | null = null;
   readonly #clock: Clock;
   readonly #timing: LineTiming;
   #job: PlannedJob = { parts: [], identity: null };
-  /** All that the job asks. */
+  /** All exchanges of the job. */
   #whole = NONE;
   #begin = Number.POSITIVE_INFINITY;
   /** Milliseconds that the caller's own callbacks took. */
   #waited = 0;
-  /** Where it stands: the index of a part, what is left of it, and the stage, which may be one that was not planned. */
+  /** Where the job is: the index of a part, its remaining exchanges, and the stage, which may be an unplanned one. */
   #at = 0;
   #left: CommandName[] = [];
   #stage: Progress['stage'] | undefined;
-  /** What the job has to do at its end, whatever happens before. */
+  /** The exchanges that the job must still do at its end, whatever happens before. */
   readonly #kept = new Set<Exchanges>();
   #repeats = 0;
   #repeatsBefore = 0;
@@ -59,12 +59,12 @@ export class Schedule {
     this.#timing = timing;
   }
 
-  /** How many requests went out again in all jobs so far, fences included. */
+  /** How many requests were repeated in all jobs so far, fences included. */
   get repeats(): number {
     return this.#repeatsBefore + this.#repeats;
   }
 
-  /** The clock's time at which this job has ended at the latest: nothing is begun for which there is no time left. */
+  /** When this job will have ended at the latest, by the clock. Nothing begins for which there is no time left. */
   get endsBy(): number {
     return this.#begin + this.#waited + this.#timeFor(this.#whole) + LOST_TO_DAMAGE;
   }
@@ -83,7 +83,7 @@ export class Schedule {
     this.#repeats = 0;
   }
 
-  /** A stage begins, of the memory that the job is at. One that was not planned moves nothing. */
+  /** Begins a stage for the current memory. A stage that was not planned moves nothing. */
   enter(stage: Progress['stage']): void {
     const isIt = (part: JobPart): boolean => part.stage === stage && (part.memory ?? null) === this.memory;
     const { parts } = this.#job;
@@ -96,7 +96,7 @@ export class Schedule {
     this.#report();
   }
 
-  /** A request was answered. Behind a part that is done begins one of which no stage is told, such as the way back. */
+  /** Notes an answer. After a finished part may follow one without a stage, such as the way back. */
   answered(name: CommandName): void {
     const next = this.#job.parts[this.#at + 1];
     if (this.#left.length === 0 && next && next.stage === undefined) {
@@ -108,20 +108,20 @@ export class Schedule {
     this.#report();
   }
 
-  /** A request goes out again. */
+  /** Notes that a request goes out again. */
   repeated(): void {
     this.#repeats++;
     this.#report();
   }
 
-  /** Whether something that takes so many milliseconds at most may still begin. */
+  /** Whether something that takes at most `ms` milliseconds may still begin. */
   hasTimeFor(ms: number): boolean {
     let kept = 0;
     for (const exchanges of this.#kept) kept += this.#timeFor(exchanges) + KEPT_FOR_THE_END;
     return this.#clock.now() + ms <= this.endsBy - kept;
   }
 
-  /** Does a part of the job in such a way that time is left for these exchanges after it. */
+  /** Does a part of the job, and reserves time for these exchanges after it. */
   async keepTimeFor<T>(names: readonly CommandName[], work: () => Promise<T>): Promise<T> {
     const kept = exchangesOf(names, this.#job.identity);
     this.#kept.add(kept);
@@ -132,7 +132,7 @@ export class Schedule {
     }
   }
 
-  /** Waits for what is not the line's doing: the job may end later by as long as that takes. */
+  /** Waits for the caller's own work. The job may end later by as long as that takes. */
   async waitFor<T>(work: () => T | Promise<T>): Promise<T> {
     const begin = this.#clock.now();
     try {
@@ -143,8 +143,8 @@ export class Schedule {
   }
 
   /**
-   * Milliseconds that these exchanges are given while nothing is lost. Twice what they can take at the utmost: each may
-   * have to be read twice, and what was written be put right and read back again.
+   * Milliseconds for these exchanges when no time is lost to damage. Twice their longest time: each value may have to
+   * be read twice, and a write may have to be put right and read back again.
    */
   #timeFor(exchanges: Exchanges): number {
     return 2 * longestExchanges(exchanges, this.#timing);
@@ -154,7 +154,7 @@ export class Schedule {
     const { parts, onProgress, identity } = this.#job;
     if (this.#stage === undefined || !onProgress) return;
     const left = [...this.#left, ...parts.slice(this.#at + 1).flatMap(({ names }) => names)];
-    // Nothing is known of the sizes before the timer has said what it is.
+    // Sizes are not known before the timer has said what it is.
     const total = identity ? this.#whole.bytes : 0;
     const done = identity ? total - exchangesOf(left, identity).bytes : 0;
     const fraction = total > 0 ? done / total : identity ? 1 : 0;

@@ -29,19 +29,19 @@ import { writeContent } from './write-program.js';
 import type { WriteReport } from './write-report.js';
 
 declare global {
-  // Older libraries of TypeScript do not have it.
+  // Older versions of TypeScript's library do not declare it.
   interface SymbolConstructor {
     readonly asyncDispose: unique symbol;
   }
 }
 
 /**
- * One timer over one pair of byte streams. Every method waits for the one before it, so they may be called at any time.
+ * One timer over one pair of byte streams. Every method waits for the one before it, so you may call them at any time.
  *
- * Each rejects with a {@link TimerError} and leaves the port usable. Any of them may say `no-answer`, `bad-reply`,
- * `unstable`, `crowded`, `busy`, `port-lost`, `aborted` or `closed`; those that come with the layout of a timer also
- * `other-timer`. What a method says beside these stands with it. A value that the timer or the wire cannot carry is
- * refused with a CodecError before anything is sent.
+ * Each rejects with a {@link TimerError} and leaves the port usable. Any method may reject with `no-answer`,
+ * `bad-reply`, `unstable`, `crowded`, `busy`, `port-lost`, `aborted` or `closed`; a method that depends on the layout
+ * of the timer also with `other-timer`. Each method lists its further codes. A value that the timer or the wire cannot
+ * carry is refused with a CodecError before anything is sent.
  *
  * `await using timer = new TimerClient(port)` closes it at the end of the block.
  * @example
@@ -59,7 +59,7 @@ declare global {
  */
 export class TimerClient {
   static {
-    // Engines and browsers have it since 2023 or later; where it is not known nobody asks for it.
+    // Engines have it since 2023 or later. Where it is missing, nobody can use it.
     if (Symbol.asyncDispose) {
       Object.defineProperty(TimerClient.prototype, Symbol.asyncDispose, {
         value(this: TimerClient) {
@@ -69,7 +69,7 @@ export class TimerClient {
     }
   }
 
-  /** As {@link close}, for `await using`. */
+  /** The same as {@link close}, for `await using`. */
   declare readonly [Symbol.asyncDispose]: () => Promise<void>;
   readonly #wire: Wire;
   readonly #exchange: Exchange;
@@ -85,17 +85,17 @@ export class TimerClient {
     this.#exchange = new Exchange(this.#wire, clock, this.#timing);
   }
 
-  /** What the timer said of itself; null before {@link identify}. */
+  /** What the timer said about itself; null before {@link identify}. */
   get identity(): Identity | null {
     return this.#exchange.identity;
   }
 
-  /** What this timer was found to do differently, with the facts of the first time. */
+  /** The differences found in this timer, each with the facts of the first time. */
   get quirksFound(): ReadonlyMap<QuirkCode, QuirkParams> {
     return this.#quirks.found;
   }
 
-  /** What this client assumes of this timer. */
+  /** What this client assumes about this timer. */
   get quirksAssumed(): AssumedQuirks {
     return this.#quirks.assumed;
   }
@@ -106,14 +106,14 @@ export class TimerClient {
   }
 
   /**
-   * Takes the pilot's word for what this timer does, from the next request on. Read a program again if it was read with
-   * another byte order.
+   * Tells the client what this timer does, from the next request on.
+   * Read a program again if it was read with another byte order.
    */
   assume(quirks: AssumedQuirks): void {
     this.#quirks.assume(quirks);
   }
 
-  /** Forgets what was found and what is assumed of this timer, from the next request on. */
+  /** Forgets what was found and what is assumed about this timer, from the next request on. */
   forgetQuirks(): void {
     this.#quirks.forget();
   }
@@ -124,52 +124,53 @@ export class TimerClient {
   }
 
   /**
-   * How many frames came that nobody asked for, such as those of a second timer in the beam. From the first on a read
-   * is believed only when two agree.
+   * How many frames came that nobody asked for, such as those of a second timer in the beam. From the first one on, a
+   * read is believed only when two agree.
    */
   get strays(): number {
     return this.#wire.strays;
   }
 
   /**
-   * How late the latest of the late replies came, in milliseconds beyond the time of its bytes; null while all came in
-   * time. Later requests are given that much longer.
+   * How late the latest reply came, in milliseconds beyond the time of its bytes; null while all replies came in time.
+   * Later requests wait that much longer.
    */
   get delay(): number | null {
     return this.#timing.delay;
   }
 
-  /** Milliseconds beyond the time of the bytes that a reply may take by now, see {@link TimerClientOptions}. */
+  /** How long a reply may take by now beyond the time of its bytes, in milliseconds; see {@link TimerClientOptions}. */
   get margin(): number {
     return this.#timing.margin;
   }
 
-  /** How often the port reported each kind of error of the line. Reading went on after all of them. */
+  /** How often the port reported each kind of line error. Reading went on after all of them. */
   get lineErrors(): ReadonlyMap<LineErrorKind, number> {
     return this.#wire.lineErrors;
   }
 
-  /** How many requests went out more than once since this client began, fences included. */
+  /** How many requests were repeated since this client began, fences included. */
   get repeats(): number {
     return this.#exchange.schedule.repeats;
   }
 
   /**
    * Asks the timer what it is (GETSWVER).
-   * @param options how long and how often it is asked, and what stops that.
+   * @param options how often to ask, and a signal to stop.
    */
   identify({ signal, ...policy }: IdentifyOptions = {}): Promise<Identity> {
     return this.#inTurn(() => this.#identify(signal, policy));
   }
 
   /**
-   * Asks one request and gives the values of its reply. What the table of commands calls repeatable is asked again when
-   * it stays unanswered, and a question is believed as in {@link readProgram}; all else goes out once.
+   * Sends one request and gives the values of its reply. A request that the table of commands calls repeatable is sent
+   * again when no answer comes. The answer to a question is believed as in {@link readProgram}. Any other request goes
+   * out once.
    * @throws CodecError when a value cannot be carried; TimerError as any job.
    */
   request<R extends Request>(request: R, options: JobOptions = {}): Promise<ReplyOf<R['name']>> {
     return this.#inTurn(async () => {
-      // Also without types: nothing of it must reach the wire half.
+      // A caller without types may pass anything; no part of a wrong request may reach the wire.
       encodeRequest(request);
       const { exchange, signal } = await this.#job(options, () => ({ names: [request.name] }));
       return COMMANDS[request.name].effect === 'reads' ? exchange.read(request, signal) : exchange.ask(request, signal);
@@ -177,11 +178,11 @@ export class TimerClient {
   }
 
   /**
-   * Sends one frame as it is, whatever it may do, and never again. Works before {@link identify} too.
+   * Sends one frame once, whatever it may do. Works before {@link identify}, too.
    * @param code the command's letter, 0..255.
    * @param data 0 to 252 bytes. Length and checksum are filled in.
-   * @param options what stops it.
-   * @returns the frame that answers it, the one with the next letter; null when none came in time.
+   * @param options a signal to stop.
+   * @returns the answer, which is a frame with the next letter; null when none came in time.
    * @throws CodecError when there is no such frame; TimerError `port-lost`, `closed`, or `aborted` before it went out.
    */
   send(code: number, data: ArrayLike<number> = [], { signal }: JobOptions = {}): Promise<Frame | null> {
@@ -193,8 +194,8 @@ export class TimerClient {
 
   /**
    * Reads what the current memory holds: GETMEMORY, GETTIMERS, GETSERVOPOS, on class Q GETLOWRPM, then GETMEMORY again
-   * and GETSWVER, so that another memory or another timer does not pass unnoticed on the way. The content is read until
-   * two readings agree when anything speaks against believing one.
+   * and GETSWVER, to notice another memory or another timer. When anything speaks against one reading, it reads until
+   * two agree.
    * @throws TimerError `other-timer` when another timer answers than the one that was identified.
    */
   readProgram(options: ReadOptions = {}): Promise<TimerProgram> {
@@ -206,8 +207,8 @@ export class TimerClient {
   }
 
   /**
-   * Reads what several memories hold, one after the other. Selects them for that, and makes the first one current again
-   * at the end, also after an abort or an error; an abort takes that much longer.
+   * Reads what several memories hold, one after the other. It selects each of them, and at the end makes the first one
+   * current again, even after an abort or an error. So an abort takes longer.
    * @throws CodecError when the timer has no such memory; TimerError `memory-unknown` before anything is selected,
    * `memory-left` when the first memory could not be made current again; `other-timer`, after which nothing more is
    * sent.
@@ -220,24 +221,24 @@ export class TimerClient {
   }
 
   /**
-   * Writes several memories, one after the other; each goal names its memory. Each is read afresh before, and only what
-   * differs is written and read back as by {@link writeProgram}. Makes the first memory current again at the end, also
-   * after an abort or an error. The idle throttle may belong to the timer and not to a memory (row 17), so goals should
-   * not differ in it.
+   * Writes several memories, one after the other; each goal names its memory. Each memory is first read afresh; then
+   * only what differs is written and read back, as by {@link writeProgram}. At the end the first memory is current
+   * again, even after an abort or an error. The idle throttle may belong to the timer and not to a memory (row 17), so
+   * all goals should have the same.
    * @throws before anything is selected: TimerError `memory-unknown`, `other-timer`; CodecError when a goal cannot be
-   * carried. Afterwards only what a hook throws: the report tells of all else.
+   * carried. Later it throws only what a hook throws: the report names everything else.
    */
   writeMemories(goals: readonly TimerProgram[], options: WriteMemoriesOptions = {}): Promise<MemoriesReport> {
     return this.#inTurn(async () => writeMemories(await this.#job(options), goals, options, options.moveServos));
   }
 
   /**
-   * Reads everything afresh and compares it with the baseline. Only when timer, memory and every value are the same it
-   * writes what differs, reads everything back and compares. See {@link WriteReport} for what holds afterwards; doing
-   * it again with what the timer holds as baseline finishes a write that was stopped.
+   * Reads everything afresh and compares it with the baseline. Only if timer, memory and every value are the same, it
+   * writes what differs, reads everything back and compares again. {@link WriteReport} says what the timer holds
+   * afterwards. To finish a write that was stopped, write again with what the timer holds as baseline.
    * @throws CodecError when a value cannot be carried, TimerError `other-timer`, `other-memory`, `memory-unknown`,
-   * `stale` (details.held), `undecided` or `aborted`: all before anything is written. Once something was sent, the
-   * report says what stopped it.
+   * `stale` (details.held), `undecided` or `aborted`: all before anything is written. After that, the report says what
+   * stopped the write.
    */
   writeProgram(edited: TimerProgram, options: WriteOptions): Promise<WriteReport> {
     const { baseline } = options;
@@ -256,11 +257,11 @@ export class TimerClient {
   }
 
   /**
-   * Makes another memory current (SETMEMORY) and asks whether it is (GETMEMORY). It is what flies next. It does not
-   * fail when the timer does not say which one is current.
+   * Makes a memory current (SETMEMORY) and asks whether it is (GETMEMORY). The current memory flies next. Does not fail
+   * when the timer does not say which one is current.
    * @param memory counted from 0.
    * @throws CodecError when the timer has no such memory; TimerError `other-memory` when another one is current
-   * afterwards; `no-answer` with `request` SETMEMORY when the timer did not answer that.
+   * afterwards; `no-answer` with `request` SETMEMORY when the timer did not answer that request.
    */
   selectMemory(memory: number, options: JobOptions = {}): Promise<void> {
     return this.#inTurn(async () => {
@@ -269,7 +270,7 @@ export class TimerClient {
   }
 
   /**
-   * Moves the servos to a slot (MOVETOFUNC). Sent once: after `no-answer` they may have moved.
+   * Moves the servos to a slot (MOVETOFUNC). Sent once. After `no-answer` they may have moved.
    * @param slot 0 start, 1 .. NF-1 functions, NF is DT.
    */
   moveToFunction(slot: number, options: JobOptions = {}): Promise<void> {
@@ -277,25 +278,25 @@ export class TimerClient {
   }
 
   /**
-   * Unlocks the motor (UNLOCK). The propeller may start after that. Sent once: after `no-answer` the motor may be
-   * unlocked.
+   * Unlocks the motor (UNLOCK). The propeller may start after that. Sent once.
+   * After `no-answer` the motor may be unlocked.
    */
   unlockMotor(options: JobOptions = {}): Promise<void> {
     return this.#command({ name: 'UNLOCK' }, options);
   }
 
-  /** Jumps to the function after an early DT (JUMP2), whose effect is not documented. Sent once; servos may move. */
+  /** Jumps to the function after an early DT (JUMP2). Its effect is not documented. Sent once; servos may move. */
   jump(options: JobOptions = {}): Promise<void> {
     return this.#command({ name: 'JUMP2' }, options);
   }
 
   /**
-   * Stores one position in the current memory (SETSERVO). The acknowledgement is all that is known of it until the next
-   * read.
-   * @param field which one: the servo, counted from 0, and the slot: 0 start, 1 .. NF-1 functions, NF is DT.
+   * Stores one position in the current memory (SETSERVO). Until the next read, only the acknowledgement says that it
+   * was stored.
+   * @param field the servo, counted from 0, and the slot: 0 start, 1 .. NF-1 functions, NF is DT.
    * @param position steps, 0..130.
-   * @throws CodecError before anything is sent when the value cannot be carried; else TimerError, after which it may
-   * have been stored.
+   * @throws CodecError before anything is sent when the value cannot be carried; otherwise TimerError, after which the
+   * position may have been stored.
    */
   setPosition(
     { servo, slot }: { readonly servo: number; readonly slot: number },
@@ -310,7 +311,7 @@ export class TimerClient {
    * @param idleThrottle 0..255, unit unknown.
    * @returns what the timer holds now.
    * @throws CodecError before anything is sent when the value cannot be carried; TimerError `other-timer`: nothing more
-   * was sent. After any other it may have been set.
+   * was sent. After any other code it may have been set.
    */
   setIdleThrottle(idleThrottle: number, options: JobOptions = {}): Promise<number> {
     return this.#inTurn(async () =>
@@ -319,18 +320,18 @@ export class TimerClient {
   }
 
   /**
-   * Lets go of the streams: the request under way comes to its end, whatever waits rejects with `closed`, both locks
-   * are released. The port itself stays open.
+   * Releases the streams: the request in progress comes to its end, waiting calls reject with `closed`, both locks are
+   * released. The port itself stays open.
    */
   async close(): Promise<void> {
     await this.#exchange.close();
     await this.#wire.close();
   }
 
-  /** One job after another: two that mixed their requests could read half of one memory and half of another. */
+  /** One job after another: two jobs that mix their requests could read half of one memory and half of another. */
   #inTurn<T>(work: () => Promise<T>): Promise<T> {
     const turn = this.#queue.then(work);
-    // A failure belongs to its caller alone: the next in the queue starts anyway.
+    // An error goes to its own caller only; the next job starts all the same.
     this.#queue = turn.catch(() => {});
     return turn;
   }
@@ -343,12 +344,12 @@ export class TimerClient {
     this.#exchange.begin({ parts: [{ names: ['GETSWVER'] }] });
     const before = this.identity;
     const { identity } = await this.#exchange.identify(signal, policy);
-    // What was found of another timer says nothing of this one.
+    // What was found of another timer is not true of this one.
     if (before && !sameKind(before, identity)) this.#quirks.reset();
     return identity;
   }
 
-  /** @param part all that the job will need; nothing for one that says so itself. */
+  /** @param part all exchanges that the job will need. Left out by a job that plans for itself. */
   async #job({ signal, onProgress }: JobOptions, part?: (identity: Identity) => JobPart): Promise<ClientJob> {
     throwIfAborted(signal);
     const identity = this.identity ?? (await this.#identify(signal));

@@ -2,16 +2,16 @@ import { type Clock, wireTime } from '../line/index.js';
 import { answers, commandOf, type Frame, frameSize, ZEROS_SENT } from '../protocol/index.js';
 import type { LearnedTiming } from './line-timing.js';
 
-/** Requests of one letter whose time is up. */
+/** Requests of one letter that got no answer in time. */
 interface Unanswered {
   /** How many replies to them may still come. */
   readonly due: number;
-  /** When the last of them went out, and in how many bytes. */
+  /** When the last of them went out, in milliseconds by the clock, and its size in bytes. */
   readonly sentAt: number;
   readonly size: number;
 }
 
-/** The requests that got no answer in time and may still be answered, by their letters. */
+/** The requests, by letter, that got no answer in time but may still be answered. */
 export class UnansweredRequests {
   readonly #clock: Clock;
   readonly #timing: LearnedTiming;
@@ -30,19 +30,19 @@ export class UnansweredRequests {
     return this.#requests.has(letter);
   }
 
-  /** Whether none of another letter can still be answered. */
+  /** Whether only requests of this letter can still be answered. */
   hasOnly(letter: number): boolean {
     return [...this.#requests.keys()].every((other) => other === letter);
   }
 
-  /** All that was asked before can no longer be answered. */
+  /** No older request can be answered any more. */
   settle(): void {
     this.#requests.clear();
   }
 
   /**
-   * The time of a request is up, or it was answered. When an earlier one with its letter was not, that may have been
-   * the answer to it.
+   * Notes a request that was answered, or whose time is up. With an earlier unanswered request of the same letter, the
+   * reply may have belonged to that one.
    */
   note(bytes: Uint8Array, sentAt: number, isUnanswered: boolean): void {
     const letter = bytes[ZEROS_SENT + 1] as number;
@@ -52,9 +52,9 @@ export class UnansweredRequests {
   }
 
   /**
-   * Takes a frame for the late answer to one of them, and learns from it how slow the timer is.
-   * @param inTime whether it was whole just now, and was not hidden behind a false header.
-   * @returns whether it is one.
+   * Takes a frame as the late answer to one of them, and learns from it how slow the timer is.
+   * @param inTime whether the frame has only just become whole, and did not hide behind a false header.
+   * @returns whether it is a late answer.
    */
   take({ code, data }: Frame, inTime: boolean): boolean {
     for (const [letter, { due, sentAt, size }] of this.#requests) {

@@ -28,19 +28,19 @@ export interface WireOptions {
   readonly onLost: ((error: TimerError) => void) | undefined;
 }
 
-/** What was sent and waits for its answer. */
+/** A request that waits for its answer. */
 interface Waiting {
-  /** Whether this frame is a reply to it; the wait is over with one that makes sense. */
+  /** Whether this frame is a reply to it. The wait ends with a reply that makes sense. */
   readonly take: (frame: Frame) => boolean;
   readonly note: (kind: Sign) => void;
   readonly giveUp: () => void;
   readonly fail: (error: TimerError) => void;
 }
 
-/** What shows that somebody is there. */
+/** A sign that somebody is there. */
 type Sign = 'stray' | 'damaged';
 
-/** What waits for the time to pass. */
+/** A wait for time to pass. */
 interface Pause {
   readonly hear: () => void;
   readonly fail: (error: TimerError) => void;
@@ -49,11 +49,11 @@ interface Pause {
 const NO_BYTES = new Uint8Array(0);
 
 /**
- * One request at a time on a pair of byte streams: sends it, waits for its own reply or until its time is up, and tells
- * what else was on the line. It never repeats anything; see Exchange for that.
+ * Handles one request at a time on a pair of byte streams: sends it, waits until its own reply comes or its time is up,
+ * and reports what else was on the line. It never repeats anything; Exchange does.
  */
 export class Wire {
-  /** How often the port told of each kind of error of the line. */
+  /** How often the port reported each kind of line error. */
   readonly lineErrors = new Map<LineErrorKind, number>();
   readonly unanswered: UnansweredRequests;
   readonly #port: BytePort;
@@ -61,7 +61,7 @@ export class Wire {
   readonly #options: WireOptions;
   readonly #decoder: FrameDecoder;
   readonly #reader: PortReader;
-  /** What holds the lock of the port while a request goes out. */
+  /** Holds the lock of the port while a request goes out. */
   #writer: ByteWriter | undefined;
   #waiting: Waiting | undefined;
   #lost: TimerError | undefined;
@@ -70,7 +70,7 @@ export class Wire {
   #strays = 0;
   #lastSent: Frame | undefined;
   #pause: Pause | undefined;
-  /** The last frame with its letter in place of its sum. */
+  /** The last frame whose command byte stands in place of its checksum. */
   #bare: Frame | undefined;
 
   constructor(port: BytePort, quirks: Quirks, options: WireOptions) {
@@ -96,23 +96,22 @@ export class Wire {
   }
 
   /**
-   * How often damage was seen since the first request: bytes that belong to no frame, errors of the line, impossible
-   * replies.
+   * How often there was damage since the first request: bytes that belong to no frame, line errors, impossible replies.
    */
   get damage(): number {
     return this.#damage;
   }
 
   /**
-   * How many frames came that nobody asked for: no echo of the last request, not what waits, and not the late reply to
-   * a request whose time is up. A second timer or programmer in the beam sends such, or a line that doubles frames. A
-   * reply that was taken need not be the one to its request then.
+   * How many frames came that nobody asked for: no echo of the last request, not the awaited reply, and no late reply.
+   * They come from a second timer or programmer in the beam, or from a line that doubles frames. Then an accepted reply
+   * need not belong to its request.
    */
   get strays(): number {
     return this.#strays;
   }
 
-  /** A reply that was taken turned out to be wrong: as after damage, a single one is no longer believed. */
+  /** An accepted reply turned out to be wrong. As after damage, a single reply is no longer believed. */
   doubt(): void {
     this.#noteDamage();
   }
@@ -147,8 +146,8 @@ export class Wire {
   }
 
   /**
-   * Settles once nothing has come for a moment, or on a line that never falls silent after a second; looks into an
-   * unfinished frame then.
+   * Settles once nothing has come for a moment; on a line that never falls silent, after a second. Then it looks for
+   * frames inside an unfinished one.
    * @throws TimerError `port-lost` or `closed`.
    */
   async silence(signal: AbortSignal | undefined): Promise<void> {
@@ -163,10 +162,10 @@ export class Wire {
   }
 
   /**
-   * Settles after so many milliseconds, or at once when the signal asks to stop.
-   * @param untilHeard also when something comes that shows that somebody is there.
-   * @returns whether something came for which it was told to settle.
-   * @throws TimerError `port-lost` or `closed`, as soon as it is.
+   * Settles after `ms` milliseconds, or at once when the signal asks to stop.
+   * @param untilHeard settles also when there is a sign that somebody is there.
+   * @returns whether such a sign came.
+   * @throws TimerError `port-lost` or `closed`, as soon as it happens.
    */
   async pause(ms: number, signal: AbortSignal | undefined, untilHeard = false): Promise<boolean> {
     if (this.#lost) throw this.#lost;
@@ -195,11 +194,11 @@ export class Wire {
     });
   }
 
-  /** Lets go of the port: cancels reading, releases the locks. The port itself stays open. */
+  /** Releases the port: cancels reading, releases the locks. The port itself stays open. */
   async close(): Promise<void> {
     this.#lose(new TimerError('closed', 'this client was closed'));
     const stopped = this.#reader.stop();
-    // A port that has not taken the last request by now keeps its lock no longer.
+    // A port that has not accepted the last request by now may not keep its lock.
     this.#writer?.releaseLock();
     await stopped;
   }
@@ -214,7 +213,7 @@ export class Wire {
     this.#reader.start();
     this.#decoder.quirks.bareChecksum = bytes[ZEROS_SENT + 1] === COMMANDS.GETLOWRPM.request;
     const ended = new Promise<Outcome<T>>((settle, fail) => {
-      // What tells most of all that came.
+      // The most telling of the signs that came.
       let came: Exclude<Outcome<T>, { kind: 'answer' }> = { kind: 'silent' };
       const note = (kind: Sign): void => {
         if (came.kind === 'silent' || came.kind === 'stray') came = { kind };
@@ -249,7 +248,7 @@ export class Wire {
   async #send(bytes: Uint8Array): Promise<void> {
     const { writable } = this.#port;
     if (!writable) return this.#lose(new TimerError('port-lost', 'the port takes no more bytes'));
-    // The port has not taken the last request yet: this one is not sent, and so not answered.
+    // The port has not accepted the last request yet. So this one is not sent and gets no answer.
     if (writable.locked) return;
     const writer = writable.getWriter();
     this.#writer = writer;
@@ -276,15 +275,15 @@ export class Wire {
   }
 
   /**
-   * Ends the wait when the time is up; while bytes are still coming it lasts until they stop, one longest frame at
-   * most.
+   * Ends the wait when the time is up.
+   * While bytes still come, it goes on until they stop, but at most for one longest frame.
    */
   #waitFor(size: number): () => void {
     const { clock, timing } = this.#options;
     const begin = clock.now();
     let cancel: () => void = () => {};
     const look = (): void => {
-      // A late reply to another request may have shown meanwhile that this timer takes longer.
+      // A late reply to another request may have shown by now that this timer takes longer.
       const until = begin + replyTime(size, timing);
       const quiet = Math.min(this.#lastByteAt + SILENCE, until + overtime(timing));
       const left = Math.max(until, quiet) - clock.now();
@@ -304,7 +303,7 @@ export class Wire {
     this.#dispatch(this.#decoder.push(bytes), true);
   }
 
-  /** @param inTime whether they were whole just now, and were not hidden behind a false header. */
+  /** @param inTime whether the frames have only just become whole, and did not hide behind a false header. */
   #dispatch(frames: readonly Frame[], inTime: boolean): void {
     for (const frame of frames) {
       if (commandOf(frame.code)?.direction !== 'request') this.#noteSign('stray');

@@ -13,7 +13,7 @@ import { type ReadingOptions, readingPlan } from './read-program.js';
 import type { JobPart } from './schedule.js';
 import { unasked } from './write-report.js';
 
-/** Hundredths of a second by which a timer that rounds may change a time. */
+/** How far a timer that rounds may change a time, in hundredths of a second. */
 const ROUNDING = 100;
 
 /** What a write has to do, as the pilot agreed to it. */
@@ -23,28 +23,28 @@ export interface WritePlan {
   readonly goal: TimerProgram;
   /** The values to change. */
   readonly asked: readonly Change[];
-  /** What is sent for them, in this order. */
+  /** The requests for these changes, in this order. */
   readonly requests: readonly Request[];
-  /** How the timer is read before the first request, and how behind the last one. */
+  /** How to read the timer before the first request, and after the last one. */
   readonly before: ReadingOptions;
   readonly after: ReadingOptions;
-  /** Whether the servos may move for it. */
+  /** Whether the servos may move during the write. */
   readonly moveServos: boolean;
 }
 
-/** @throws CodecError `wrong-count` when the two programs are not of one layout. */
+/** @throws CodecError `wrong-count` when the two programs do not have the same slots and servos. */
 export function planWrite(baseline: TimerProgram, goal: TimerProgram, moveServos = false): WritePlan {
   const asked = differences(baseline, goal).filter(({ to }) => to !== null);
   const requests = inOrder(changeRequests(baseline, goal), moveServos);
   const { memory } = baseline;
   const isThrottleKnown = baseline.idleThrottle !== null || goal.idleThrottle !== null;
   const before: ReadingOptions = { strict: true, memory, known: baseline, idleThrottle: isThrottleKnown };
-  // Where the baseline was read, not where the goal says it comes from.
+  // The memory of the baseline, not the one that the goal names as its source.
   const after: ReadingOptions = { strict: true, memory, idleThrottle: goal.idleThrottle !== null };
   return { baseline, goal, asked, requests, before, after, moveServos };
 }
 
-/** A write when nothing goes wrong. */
+/** The parts of a write when nothing goes wrong. */
 export function writeParts(plan: WritePlan): JobPart[] {
   const { identity } = plan.goal;
   return [
@@ -54,7 +54,7 @@ export function writeParts(plan: WritePlan): JobPart[] {
   ];
 }
 
-/** A write in which everything has to be changed. */
+/** The parts of a write that changes everything. */
 export function longestWrite(goal: TimerProgram, moveServos: boolean): JobPart[] {
   const other = (value: number): number => value ^ 1;
   const opposite: TimerProgram = {
@@ -66,7 +66,10 @@ export function longestWrite(goal: TimerProgram, moveServos: boolean): JobPart[]
   return writeParts(planWrite(opposite, goal, moveServos));
 }
 
-/** Where servos may move: the positions function by function, each behind a move to it. */
+/**
+ * The order of the requests. Where servos may move, positions go function by function,
+ * each function after a move to it.
+ */
 function inOrder(requests: readonly Request[], moveServos: boolean): Request[] {
   if (!moveServos) return [...requests];
   const slotOf = (request: Request): number => (request.name === 'SETSERVO' ? request.function : -1);
@@ -79,22 +82,23 @@ function inOrder(requests: readonly Request[], moveServos: boolean): Request[] {
 }
 
 /**
- * Whether what was read back cannot come from this write on this timer: something else changed it, or it is another
- * one. Putting back would overwrite what somebody wants.
- * @param damaged whether damage was seen, which explains values that did not take.
+ * Whether this write on this timer cannot explain the read back: something else changed the timer, or it is another
+ * one. Putting values back would overwrite what somebody wants.
+ * @param damaged whether there was damage, which explains values that did not change as wanted.
  */
 export function isForeign(plan: WritePlan, held: TimerProgram, damaged: boolean): boolean {
   const { goal, asked } = plan;
   const wrong = unasked(held, goal, asked);
   if (isTooMuch(plan, wrong)) return true;
-  // Values that did not take beside others that nobody asked for, on a good line: the requests probably went elsewhere.
+  // Wanted values did not change while others did, on a good line: the requests probably went to another timer.
   const isExplained = damaged || wrong.some((change) => isExchanged(plan, change));
   return wrong.length > 0 && !isExplained && asked.some(({ field, to }) => valueAt(held, field) !== to);
 }
 
 /**
- * Whether the baseline and the requests explain what the timer holds in the middle of a write. It may round a time.
- * @param damaged whether damage was seen: then each request may have disturbed something, too.
+ * Whether the baseline and the requests explain what the timer holds in the middle of a write. A timer may round a
+ * time.
+ * @param damaged whether there was damage: then each request may also have disturbed another value.
  */
 export function isExplained(plan: WritePlan, held: TimerProgram, damaged: boolean): boolean {
   const isSent = plan.requests.some(({ name }) => name === 'SETTIMERS');
@@ -107,7 +111,7 @@ export function isExplained(plan: WritePlan, held: TimerProgram, damaged: boolea
   return wrong.length === 0 || (damaged && !isTooMuch(plan, wrong));
 }
 
-/** What the timer holds once it has taken a request, if it takes it as it was sent. */
+/** What the timer holds after a request, if it takes the request as it was sent. */
 export function withRequest(program: TimerProgram, request: Request, said: readonly number[] | null): TimerProgram {
   switch (request.name) {
     case 'SETTIMERS':
@@ -121,7 +125,7 @@ export function withRequest(program: TimerProgram, request: Request, said: reado
   }
 }
 
-/** The cell that changed to a position that was sent for the cell with function and servo exchanged. */
+/** The cell that changed to a position sent for another cell, the one with function and servo exchanged. */
 export function exchangedCell(plan: WritePlan, held: TimerProgram): (ProgramField & { kind: 'position' }) | null {
   const found = unasked(held, plan.goal, plan.asked).find((change) => isExchanged(plan, change))?.field;
   return found?.kind === 'position' ? found : null;
@@ -138,13 +142,13 @@ function isExchanged({ requests }: WritePlan, { field, from: held }: Change): bo
   );
 }
 
-/** Whether the timer kept all positions as they were. */
+/** Whether the timer kept none of the positions that were sent. */
 export function isNoPositionKept({ asked }: WritePlan, held: TimerProgram): boolean {
   const positions = asked.filter(({ field }) => field.kind === 'position');
   return positions.length > 0 && positions.every(({ field, from }) => valueAt(held, field) === from);
 }
 
-/** Whether it keeps positions of two functions although nothing moved: then the servos need not stand there. */
+/** Whether it kept positions of two functions although nothing moved. Then the servos need not stand there. */
 export function arePositionsKept({ asked }: WritePlan, held: TimerProgram): boolean {
   const slots = asked.flatMap(({ field, to }) =>
     field.kind === 'position' && valueAt(held, field) === to ? [field.slot] : [],
@@ -152,20 +156,18 @@ export function arePositionsKept({ asked }: WritePlan, held: TimerProgram): bool
   return new Set(slots).size > 1;
 }
 
-/**
- * The first time that the timer rounds: its acknowledgement and the reading back say the same other time than was sent.
- */
+/** The first time that the timer rounds: the acknowledgement and the read back agree on another time than was sent. */
 export function roundedSlot({ goal }: WritePlan, said: readonly number[] | null, held: TimerProgram): number | null {
   const slot = goal.times.findIndex((time, index) => time !== said?.[index] && said?.[index] === held.times[index]);
   return slot < 0 ? null : slot;
 }
 
 /**
- * What to send after the reading back. Values that changed without being asked are put back; those that did not take
- * are sent once more only when damage was seen on the line: otherwise the timer rounds, or wants something else, and
- * would do so again.
- * @param servoFirst whether SETSERVO has the servo first by now: what went to a wrong cell because of that is put back
- * in the other order.
+ * The requests after the read back. Values that changed unasked are put back. Values that did not change as wanted are
+ * sent once more only if there was damage on the line. Otherwise the timer rounds, or needs something else, and would
+ * do the same again.
+ * @param servoFirst whether SETSERVO is now known to carry the servo first. Positions that went to a wrong cell are
+ * then put back in that order.
  */
 export function repairRequests(
   plan: WritePlan,
@@ -183,9 +185,7 @@ export function repairRequests(
   return { requests: inOrder(requestsFor(held, goal, changes), moveServos), quirks: {} };
 }
 
-/**
- * The requests for some of the changes only. A position that a timer may hold and nobody can set cannot be put back.
- */
+/** The requests for some of the changes only. A position past the last step cannot be put back: nobody can set it. */
 function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly Change[]): Request[] {
   const kept = new Set(changes.map(({ field }) => fieldKey(field)));
   return changeRequests(held, goal).filter((request) => {
@@ -201,7 +201,8 @@ function requestsFor(held: TimerProgram, goal: TimerProgram, changes: readonly C
 }
 
 /**
- * Whether more changed than the requests can have disturbed: each of them one position, and SETTIMERS any of the times.
+ * Whether more values changed than the requests can have disturbed:
+ * one position for each SETSERVO, all times for SETTIMERS.
  */
 function isTooMuch({ requests }: WritePlan, wrong: readonly Change[]): boolean {
   const others = wrong.filter(({ field }) => field.kind !== 'time').length;

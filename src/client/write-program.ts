@@ -17,11 +17,11 @@ import {
 import { isHeld, unasked, verdict, type WriteReport } from './write-report.js';
 
 /**
- * Reads everything afresh and compares it with the baseline; only when all is the same sends what differs, reads
- * everything back and compares. What changed without being asked is put back once.
+ * Reads everything afresh and compares it with the baseline. Only if all is the same, it sends what differs, reads
+ * everything back and compares again. Values that changed unasked are put back once.
  * @throws before the first SET request: CodecError when the difference cannot be encoded, TimerError `other-timer`,
- * `other-memory`, `memory-unknown`, `stale`, `undecided`, `aborted`, or as Exchange. Afterwards it never throws a
- * TimerError: the report says what stopped it and what is known of each value.
+ * `other-memory`, `memory-unknown`, `stale`, `undecided`, `aborted`, or as Exchange. After that it never throws a
+ * TimerError: the report says what stopped it and what is known about each value.
  */
 export async function writeContent(job: ClientJob, plan: WritePlan): Promise<WriteReport> {
   const seen = job.exchange.watch();
@@ -35,14 +35,12 @@ export async function writeContent(job: ClientJob, plan: WritePlan): Promise<Wri
     held,
     acknowledged,
     repeats: seen().repeats,
-    // A reply that did not come means nothing once the timer was seen to hold all that was wanted.
+    // A missing reply means nothing once a reading has shown everything that was wanted.
     stopped: result.result === 'verified' ? null : stopped,
   };
 }
 
-/**
- * Nothing may be written that does not fit, into another timer, another memory or over other values than the pilot saw.
- */
+/** Makes sure that everything fits, and that timer, memory and values are those that the pilot saw. */
 async function requireWritable(job: ClientJob, { requests, before, baseline }: WritePlan): Promise<void> {
   const { identity, signal, quirks } = job;
   // All of it must fit before any of it is sent.
@@ -60,11 +58,11 @@ async function requireWritable(job: ClientJob, { requests, before, baseline }: W
 class Write {
   /** SET requests that were acknowledged. */
   acknowledged = 0;
-  /** What the timer holds by the last fresh read; null when there was none after the last request. */
+  /** What the timer held at the last fresh read; null when none came after the last request. */
   held: TimerProgram | null = null;
   readonly #job: ClientJob;
   readonly #plan: WritePlan;
-  /** Values that changed without being asked, by name. */
+  /** Values that changed without being asked, by field key. */
   readonly #changedUnasked = new Map<string, ProgramField>();
   /** The times in the last acknowledgement. */
   #timesSaid: readonly number[] | null = null;
@@ -78,7 +76,7 @@ class Write {
     return this.#changedUnasked.values();
   }
 
-  /** @returns what stopped it. */
+  /** @returns what stopped the write; null when nothing did. */
   async run(): Promise<TimerError | null> {
     const { quirks } = this.#job;
     let stopped = await this.#send('write', this.#plan);
@@ -99,7 +97,7 @@ class Write {
     return (await this.#readBack()) ?? stopped;
   }
 
-  /** Whatever the line does to the requests, there is time left to see what came of them. */
+  /** Sends the requests, and reserves time to see what came of them, whatever the line does. */
   #send(stage: 'write' | 'repair', plan: WritePlan): Promise<TimerError | null> {
     const { exchange, identity } = this.#job;
     const { schedule } = exchange;
@@ -136,13 +134,13 @@ class Write {
     });
   }
 
-  /** What the positions that were read back say of this timer. */
+  /** Notes what the positions that were read back show about this timer. */
   #noteCells(held: TimerProgram, acknowledged: boolean): void {
     const { quirks, exchange } = this.#job;
     const cell = exchangedCell(this.#plan, held);
     if (cell) quirks.note('servo-first', { servo: cell.servo, slot: cell.slot });
-    // What the timer never took up says nothing of what it does, and on a line that damages an acknowledgement may be
-    // another one's.
+    // Positions that never reached the timer show nothing, and on a line with damage an acknowledgement may belong to
+    // another request.
     else if (acknowledged && !exchange.damaged && isNoPositionKept(this.#plan, held)) {
       quirks.note('positions-unchanged');
       quirks.assume({ positionsNeedMove: true });
@@ -150,13 +148,14 @@ class Write {
   }
 }
 
-/** Whether the line and the timer may go on although a request was given up. */
+/** Whether line and timer may go on after a request was given up. */
 function isUnanswered({ code }: TimerError): boolean {
   return code === 'no-answer' || code === 'bad-reply' || code === 'unstable';
 }
 
 /**
- * Asks, and notes a SETSERVO without an answer that a timer which takes the servo first would have found out of range.
+ * Sends a request. Notes a SETSERVO without an answer,
+ * if it would be out of range for a timer that takes the servo first.
  */
 async function askNoting(
   { exchange, identity, signal, quirks }: ClientJob,
@@ -175,10 +174,10 @@ async function askNoting(
 }
 
 /**
- * While nothing came another timer of the same kind may have taken the place of this one: no question for the identity
- * tells the two apart, but what they hold does.
- * @param expected what the timer holds if it has taken all that it acknowledged, and no more.
- * @throws TimerError `changed` when two readings agree on what this write cannot have brought about; as Exchange.
+ * During silence, another timer of the same kind may have taken the place of this one. Asking for the identity does not
+ * tell them apart, but what they hold does.
+ * @param expected what the timer holds if it took everything that it acknowledged and nothing else.
+ * @throws TimerError `changed` when two readings agree on content that this write cannot have caused; as Exchange.
  */
 async function requireSame(job: ClientJob, plan: WritePlan, expected: TimerProgram): Promise<void> {
   const { content } = await agreedContent(job, plan.after, expected);

@@ -6,45 +6,44 @@ export interface ValueReport {
   readonly field: ProgramField;
   /** What the timer should hold. */
   readonly wanted: number | null;
-  /** What a fresh read gave; null when it is not known. */
+  /** The value in a fresh read; null when it is not known. */
   readonly held: number | null;
-  /** `verified`: a fresh read gave the wanted value. `differs`: it gave another. `unknown`: it gave none. */
+  /**
+   * `verified`: a fresh read gave the wanted value. `differs`: it gave another one. `unknown`: there was no fresh read.
+   */
   readonly status: 'verified' | 'differs' | 'unknown';
-  /** False for a value that was not to be changed but did change; then `verified` means that it was put back. */
+  /** False for a value that should not have changed but did. `verified` then means that it was put back. */
   readonly asked: boolean;
 }
 
 export interface WriteReport {
-  /**
-   * `verified` only when a fresh read equals the whole program that was wanted: the values that were asked for, and
-   * all others.
-   */
+  /** `verified` only when a fresh read equals the whole wanted program: the changed values and all others. */
   readonly result: 'verified' | 'differs' | 'unknown';
   /** All values that were to be changed, and all that changed without being asked. */
   readonly values: readonly ValueReport[];
-  /** What the timer holds by the last fresh read; null when there was none after the first SET request. */
+  /** What the timer held at the last fresh read; null when there was none after the first SET request. */
   readonly held: TimerProgram | null;
   /** SET requests that were acknowledged. */
   readonly acknowledged: number;
-  /** Requests that went out more than once, fences included. */
+  /** Requests that were repeated, fences included. */
   readonly repeats: number;
-  /** What stopped the write or the reading back; null when nothing did. */
+  /** What stopped the write or the read back; null when nothing did. */
   readonly stopped: TimerError | null;
 }
 
-/** Whether a memory holds what was believed of it. An idle throttle that was not known may be anything. */
+/** Whether a memory holds what was believed. An idle throttle that was not known may have any value. */
 export function isHeld(believed: TimerProgram, held: TimerProgram): boolean {
   return differences(believed, held).every(({ from }) => from === null);
 }
 
-/** Values that are not as wanted although nobody asked to change them. */
+/** Values that differ from the goal although nobody asked to change them. */
 export function unasked(held: TimerProgram, goal: TimerProgram, asked: readonly Change[]): Change[] {
   const changed = new Set(asked.map(({ field }) => fieldKey(field)));
   return differences(held, goal).filter(({ field, to }) => to !== null && !changed.has(fieldKey(field)));
 }
 
 /**
- * Compares what was wanted with what was read.
+ * Compares the goal with the read back.
  * @param changedUnasked the values that changed without being asked.
  * @param held what the last fresh read gave; null when there was none.
  */

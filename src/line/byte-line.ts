@@ -1,11 +1,10 @@
 import type { Clock } from './clock.js';
 
-/** Bits on the wire for each byte at 8N1: a start bit, eight bits of data, a stop bit. */
+/** Bits on the wire for each byte at 8N1: one start bit, eight data bits, one stop bit. */
 export const BITS_PER_BYTE = 10;
 
 /**
- * Milliseconds that `bytes` bytes take at `baudRate` bits a second; none at rate 0, which stands for a line without a
- * speed.
+ * Milliseconds that `bytes` bytes take at `baudRate` bits a second. Rate 0 stands for a line without a speed: no time.
  */
 export function wireTime(bytes: number, baudRate: number): number {
   return baudRate > 0 ? (bytes * BITS_PER_BYTE * 1000) / baudRate : 0;
@@ -13,28 +12,28 @@ export function wireTime(bytes: number, baudRate: number): number {
 
 export interface ByteLineOptions {
   readonly clock: Clock;
-  /** Bits a second. 0, the default: the line takes no time. */
+  /** Bits a second. Default 0: the line takes no time. */
   readonly baudRate?: number;
-  /** Milliseconds from the end of a byte on the wire to its arrival. Default 0. */
+  /** Milliseconds from the moment a byte leaves the sender to its arrival. Default 0. */
   readonly latency?: number;
   /**
-   * Sizes of the pieces that arrive together, used in turn and again from the first. Default: all that was sent at
-   * once.
+   * How many bytes arrive together. The sizes are used in turn, then again from the first. Default:
+   * each `send` arrives in one piece.
    */
   readonly chunks?: readonly number[];
   /**
-   * What arrives in place of a byte: `[byte]` as it is, `[]` lost, another value flipped, two values doubled.
-   * `index` counts all bytes ever sent on this line, from 0.
+   * What arrives in place of a byte: `[byte]` unchanged, `[]` lost, `[other]` flipped, `[byte, byte]` doubled. `index`
+   * counts all bytes ever sent on this line, from 0.
    */
   readonly fault?: (byte: number, index: number) => readonly number[];
 }
 
 /**
- * One direction of a serial line: what is sent at one end arrives at the other, in order, no faster than the line's
- * speed, cut into pieces, with the faults that a test asks for. It never calls back before `send` has returned.
+ * One direction of a serial line. Bytes that are sent at one end arrive at the other: in order, no faster than the
+ * line's speed, cut into pieces, with the faults that a test asks for. It never delivers before `send` has returned.
  */
 export class ByteLine {
-  /** Bits a second; may be changed between sends, as opening a port at another rate does. */
+  /** Bits a second. May change between sends, as when a port is opened at another rate. */
   baudRate: number;
   readonly #clock: Clock;
   readonly #latency: number;
@@ -42,8 +41,8 @@ export class ByteLine {
   readonly #fault: ByteLineOptions['fault'];
   readonly #deliver: (bytes: Uint8Array) => void;
   /**
-   * What is under way, in order. Each appointment delivers the first of it, not its own: a real clock may keep two
-   * appointments of nearly one time the wrong way round.
+   * Pieces on their way, oldest first. Each callback delivers the oldest piece, not the one that it was made for: a
+   * real clock may swap two callbacks that are due at nearly the same time.
    */
   readonly #underWay: Uint8Array[] = [];
   readonly #appointments = new Set<() => void>();
@@ -53,7 +52,7 @@ export class ByteLine {
   #chunkFilled = 0;
   #cut = false;
 
-  /** @param deliver is handed each piece as it arrives; the array is its own to keep. */
+  /** @param deliver is called with each piece as it arrives, and may keep the array. */
   constructor(deliver: (bytes: Uint8Array) => void, options: ByteLineOptions) {
     this.#deliver = deliver;
     this.#clock = options.clock;
@@ -64,8 +63,8 @@ export class ByteLine {
   }
 
   /**
-   * Puts bytes on the line behind those already there.
-   * @returns the clock's time at which the last of them will have left the sender.
+   * Puts bytes on the line after those already there.
+   * @returns the time on the clock at which the last byte will have left the sender.
    */
   send(bytes: Uint8Array): number {
     const begin = Math.max(this.#clock.now(), this.#freeAt);
@@ -81,13 +80,13 @@ export class ByteLine {
     return this.#freeAt;
   }
 
-  /** Cuts the line: nothing that is still under way arrives, nor anything sent later. */
+  /** Cuts the line. Bytes on their way never arrive, nor any that are sent later. */
   cut(): void {
     this.#cut = true;
     this.clear();
   }
 
-  /** Drops what is still under way, as a port does that discards its buffer. */
+  /** Drops the bytes on their way, as a port does when it discards its buffer. */
   clear(): void {
     for (const cancel of this.#appointments) cancel();
     this.#appointments.clear();

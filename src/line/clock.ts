@@ -1,15 +1,16 @@
-/** Where time comes from. Nothing in the rooms above reads another clock, so that tests can turn it by hand. */
+/** Where time comes from. No room above this one reads another clock, so tests can turn time by hand. */
 export interface Clock {
-  /** Milliseconds since 1970, never running backwards. */
+  /** Milliseconds since 1970. Never runs backwards. */
   now(): number;
   /**
-   * Calls `callback` once, `ms` milliseconds from now, never before this call has returned. A time below 0 is as 0.
-   * @returns a function that cancels the call. It does no harm afterwards.
+   * Calls `callback` once, `ms` milliseconds from now, never before this call has returned. A negative time counts as
+   * 0.
+   * @returns a function that cancels the call. Calling it later, or again, does no harm.
    */
   after(ms: number, callback: () => void): () => void;
 }
 
-// What every JavaScript engine has, whether or not the DOM's types are there to say so.
+// Declared here, so that this room needs neither the types of the DOM nor those of Node.
 declare function setTimeout(callback: () => void, ms: number): number;
 declare function clearTimeout(timer: number): void;
 declare const performance: { readonly timeOrigin: number; now(): number };
@@ -22,13 +23,13 @@ declare const MessageChannel: new () => {
 export const realClock: Clock = {
   now: () => performance.timeOrigin + performance.now(),
   after(ms, callback) {
-    // Some engines warn of a time that is over.
+    // Some engines warn about a negative delay.
     const timer = setTimeout(callback, Math.max(0, ms));
     return () => clearTimeout(timer);
   },
 };
 
-/** Lets every promise that can settle without the clock do so. */
+/** Waits until every promise that does not depend on the clock has settled. */
 function settle(): Promise<void> {
   const { setImmediate } = globalThis as { setImmediate?: (callback: () => void) => void };
   if (setImmediate) return new Promise((resolve) => setImmediate(resolve));
@@ -48,7 +49,7 @@ interface Appointment {
 }
 
 /**
- * A clock that stands still until it is turned by hand.
+ * A clock that stands still until a test turns it.
  * @example
  * ```ts
  * import { VirtualClock } from 'sidus-timer/line';
@@ -60,10 +61,10 @@ interface Appointment {
  */
 export class VirtualClock implements Clock {
   #now: number;
-  /** In the order in which they come due; equal times in the order in which they were made. */
+  /** Ordered by due time, then by the order in which they were made. */
   readonly #appointments: Appointment[] = [];
 
-  /** @param start milliseconds since 1970 at which the clock stands at first. */
+  /** @param start what the clock shows at first, in milliseconds since 1970. */
   constructor(start = 0) {
     this.#now = start;
   }
@@ -84,8 +85,7 @@ export class VirtualClock implements Clock {
   }
 
   /**
-   * Turns the clock forward by `ms` milliseconds, keeping each appointment at its time and letting promises settle
-   * between.
+   * Turns the clock forward by `ms` milliseconds. Each callback runs at its own time, and promises settle in between.
    */
   async advance(ms: number): Promise<void> {
     const end = this.#now + ms;
@@ -98,9 +98,9 @@ export class VirtualClock implements Clock {
   }
 
   /**
-   * Turns the clock from appointment to appointment until `promise` settles.
-   * @returns what the promise gives.
-   * @throws Error when nothing is left that could settle it; what the promise throws.
+   * Turns the clock from callback to callback until `promise` settles.
+   * @returns the value of the promise.
+   * @throws whatever the promise rejects with; Error when it is still pending and no callback is left.
    */
   async run<T>(promise: Promise<T>): Promise<T> {
     let settled = false;

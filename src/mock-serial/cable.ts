@@ -1,7 +1,7 @@
 import { BITS_PER_BYTE, ByteLine, type ByteLineOptions, type Clock } from '../line/index.js';
 import type { OpenedOptions, PlugOptions } from './types.js';
 
-/** For lines that take no time: everything is due at once, though never before the caller has gone on. */
+/** For lines that take no time: everything is due at once, but never before the caller has gone on. */
 const promptClock: Clock = {
   now: () => 0,
   after(_ms, callback) {
@@ -17,17 +17,20 @@ const promptClock: Clock = {
 
 /** What is connected to the two ends of a cable. */
 export interface CableEnds {
-  /** Bytes reach the device; the array is its own to keep. */
+  /** Called when bytes reach the device, which may keep the array. */
   toDevice(bytes: Uint8Array): void;
-  /** Bytes reach the port; the array is its own to keep. */
+  /** Called when bytes reach the port, which may keep the array. */
   toPage(bytes: Uint8Array): void;
 }
 
-/** The two lines between a port and its device, with the wires that let bytes return where a test asks for them. */
+/**
+ * The two lines between a port and its device, and the wires by which bytes return when a
+ * test asks for echo or loopback.
+ */
 export class Cable {
   /** The clock by which bytes move. */
   readonly clock: Clock;
-  /** Bytes move by the clock alone, whether or not the device reads them. */
+  /** Whether bytes move by the clock alone, even when the device does not read them. */
   readonly free: boolean;
   readonly #ends: CableEnds;
   readonly #options: PlugOptions;
@@ -35,8 +38,7 @@ export class Cable {
   #toPage: ByteLine;
   #back: ByteLine;
   /**
-   * Bytes that are to reach the page or have reached it, and those that have; what follows them waits till the two are
-   * equal.
+   * How many bytes were sent to the page, and how many have arrived. What follows them waits until the two are equal.
    */
   #dueAtPage = 0;
   #arrivedAtPage = 0;
@@ -51,7 +53,9 @@ export class Cable {
     [this.#toDevice, this.#toPage, this.#back] = this.#lay();
   }
 
-  /** Lets bytes take the time they take as the port is opened, if this cable knows time. */
+  /**
+   * Sets how long bytes take, by the options with which the port is open. Does nothing when this cable has no timing.
+   */
   setRate({ baudRate, dataBits, parity, stopBits }: OpenedOptions): void {
     if (!this.#options.timing) return;
     const bits = 1 + dataBits + (parity === 'none' ? 0 : 1) + stopBits;
@@ -70,20 +74,20 @@ export class Cable {
   }
 
   /**
-   * Calls back once all that was sent to the page before has arrived, never before this call has returned; or `onCut`
-   * when it never will.
+   * Calls `callback` once everything sent to the page before has arrived, never before this call has returned. Calls
+   * `onCut` if it never will.
    */
   behindToPage(callback: () => void, onCut: () => void = () => {}): void {
     this.#behind.push({ due: this.#dueAtPage, callback, onCut });
     this.clock.after(0, () => this.#callBehind());
   }
 
-  /** Drops what is still under way to the device. */
+  /** Drops the bytes on their way to the device. */
   dropToDevice(): void {
     this.#toDevice.clear();
   }
 
-  /** Drops what is under way in either direction, for good. */
+  /** Cuts the cable: drops the bytes on their way in either direction. */
   cut(): void {
     for (const line of [this.#toDevice, this.#toPage, this.#back]) line.cut();
     const behind = this.#behind;
@@ -91,7 +95,7 @@ export class Cable {
     for (const { onCut } of behind) onCut();
   }
 
-  /** Replaces what was cut. */
+  /** Connects a cable again that was cut. */
   mend(): void {
     this.#dueAtPage = 0;
     this.#arrivedAtPage = 0;
@@ -122,7 +126,7 @@ export class Cable {
           },
         }),
       }),
-      // What comes back has had its time on the wire while it went.
+      // Returned bytes take no more time: they have had theirs on the way out.
       new ByteLine((bytes) => this.#ends.toPage(bytes), toPage),
     ];
   }

@@ -17,7 +17,7 @@ export interface PortSide {
   setInputSignals(signals: Partial<InputSignals>): void;
 }
 
-/** The device's end of the cable: what has arrived and who waits for more. */
+/** The device's end of the cable: the bytes that have arrived, and the reads that wait for more. */
 export class Device implements MockDevice {
   opened: OpenedOptions | null = null;
   onopenchange: ((opened: OpenedOptions | null) => void) | null = null;
@@ -25,7 +25,7 @@ export class Device implements MockDevice {
   failSignals = false;
   #port: PortSide;
   #unplugged = false;
-  /** Bytes written here while there was no cable, and those that ports before this one have lost. */
+  /** Bytes that were written here without a cable, and bytes that earlier ports of this device have lost. */
   #unsent = 0;
   #arrived: Uint8Array[] = [];
   #readers: ((bytes: Uint8Array) => void)[] = [];
@@ -70,7 +70,7 @@ export class Device implements MockDevice {
       cable.sendToPage(Uint8Array.from(bytes));
       cable.behindToPage(() => receiver.mark((kept) => (kept ? resolve() : discarded())), discarded);
     });
-    // Whoever does not ask what became of the bytes is not told.
+    // A caller that does not ask what became of the bytes gets no unhandled rejection.
     written.catch(() => {});
     return written;
   }
@@ -88,7 +88,7 @@ export class Device implements MockDevice {
     this.#port.transmitter.failNext(error, after);
   }
 
-  /** Bytes reach the device. */
+  /** Takes bytes that reach the device. */
   arrive(bytes: Uint8Array): void {
     const reader = this.#readers.shift();
     if (reader) reader(bytes);
@@ -112,7 +112,7 @@ export class Device implements MockDevice {
     this.#unplugged = false;
   }
 
-  /** Plugged in at another port. */
+  /** The device was plugged in at another port. */
   moveTo(port: PortSide): void {
     this.#unsent = this.lost;
     this.#port = port;

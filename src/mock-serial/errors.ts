@@ -9,7 +9,7 @@ const READ_ERRORS: Record<ReadErrorKind, readonly [name: string, message: string
   lost: ['NetworkError', 'The device has been lost.'],
 };
 
-/** The exception of a kind of failure, as the standard's readable and writable attributes name it. */
+/** The exception for a kind of failure, as the standard's readable and writable attributes name it. */
 export function streamError(kind: ReadErrorKind): DOMException {
   const [name, message] = READ_ERRORS[kind];
   return new DOMException(message, name);

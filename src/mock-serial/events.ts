@@ -1,9 +1,9 @@
 import { invalidState } from './errors.js';
 
-/** What `addEventListener` takes, in words that need no library of types. */
+/** What `addEventListener` accepts, declared so that no library of types is needed. */
 export type Listener = ((event: Event) => void) | { handleEvent(event: Event): void };
 
-/** What the handler attributes take. */
+/** What the handler attributes accept. */
 export type EventHandler = ((event: Event) => void) | null;
 
 export interface ListenerOptions {
@@ -28,9 +28,9 @@ const BUBBLING = 3;
 const dispatching = new WeakSet<Event>();
 
 /**
- * An event target with a parent and the handlers of the standard's two events. Outside a document nothing but such a
- * class lets an event travel: from the parent down, to the target, and up again if it bubbles, with `target` the port
- * all the way.
+ * An event target with a parent, and with handlers for the standard's two events. Outside a document, no built-in class
+ * passes an event along. Here it goes from the parent down to the target, and up again if it bubbles, with the port as
+ * `target` all the way.
  */
 export class ConnectionTarget extends EventTarget {
   readonly #parent: ConnectionTarget | null;
@@ -45,7 +45,7 @@ export class ConnectionTarget extends EventTarget {
     this.#parent = parent;
   }
 
-  /** Called for the event `connect`: a port that the site may use has come. The `onconnect` attribute. */
+  /** The `onconnect` attribute: called for the event `connect`, when a port comes that the site may use. */
   get onconnect(): EventHandler {
     return this.#handler('connect');
   }
@@ -54,7 +54,7 @@ export class ConnectionTarget extends EventTarget {
     this.#setHandler('connect', handler);
   }
 
-  /** Called for the event `disconnect`: a port that the site may use has gone. The `ondisconnect` attribute. */
+  /** The `ondisconnect` attribute: called for the event `disconnect`, when a port goes that the site may use. */
   get ondisconnect(): EventHandler {
     return this.#handler('disconnect');
   }
@@ -77,7 +77,7 @@ export class ConnectionTarget extends EventTarget {
     if (found) this.#remove(found);
   }
 
-  /** @throws InvalidStateError when the event is under way already. */
+  /** @throws InvalidStateError when the event is being dispatched already. */
   override dispatchEvent(event: Event): boolean {
     if (dispatching.has(event)) throw invalidState('The event is being dispatched.');
     const ancestors: ConnectionTarget[] = [];
@@ -104,7 +104,8 @@ export class ConnectionTarget extends EventTarget {
         if (typeof listener === 'function') listener.call(this, path.event);
         else listener.handleEvent(path.event);
       } catch (error) {
-        // A listener's error is reported like any uncaught one and hinders neither the others nor the dispatcher.
+        // A listener's error is reported like any uncaught one. It stops neither the other listeners nor the
+        // dispatcher.
         queueMicrotask(() => {
           throw error;
         });
@@ -126,7 +127,7 @@ export class ConnectionTarget extends EventTarget {
     return (this.#handlers.get(type)?.handler ?? null) as EventHandler;
   }
 
-  /** One that takes the place of another keeps the place among the listeners; after null it comes last. */
+  /** A handler that replaces another keeps its place among the listeners. After null it comes last. */
   #setHandler(type: string, handler: EventHandler): void {
     const former = this.#handlers.get(type);
     const isSet = (typeof handler === 'object' && handler !== null) || typeof handler === 'function';
@@ -136,7 +137,7 @@ export class ConnectionTarget extends EventTarget {
     } else if (former) {
       former.handler = handler;
     } else {
-      // A function of its own, since the page may have added the same handler as a listener too.
+      // A function of its own, because the page may have added the same handler as a listener, too.
       const listener = (event: Event): void => this.#handler(type)?.call(this, event);
       this.#handlers.set(type, { handler, listener });
       this.addEventListener(type, listener);
@@ -144,24 +145,24 @@ export class ConnectionTarget extends EventTarget {
   }
 }
 
-/** What Web IDL makes of the third argument: null and undefined are no options. */
+/** What Web IDL makes of the third argument: null and undefined stand for no options. */
 function listenerOptions(options: boolean | ListenerOptions | null | undefined): ListenerOptions {
   if (options === null || options === undefined) return {};
   return typeof options === 'object' || typeof options === 'function' ? options : { capture: Boolean(options) };
 }
 
-/** Whether there is a listener at all: null and undefined are none. @throws TypeError for what cannot be one. */
+/** Whether there is a listener at all: null and undefined are none. @throws TypeError when it cannot be one. */
 function isListener(listener: Listener | null | undefined): listener is Listener {
   if (listener === null || listener === undefined) return false;
   if (typeof listener === 'object' || typeof listener === 'function') return true;
   throw new TypeError('The listener must be a function or an object.');
 }
 
-/** One dispatch of an event: what it shows of itself on the way, and whether a listener has stopped it. */
+/** One dispatch of an event: what the event shows on its way, and whether a listener has stopped it. */
 class EventPath {
   readonly event: Event;
   stopped = false;
-  /** Stopped so that even the other listeners of the same target do not hear of it. */
+  /** Stopped at once: even the other listeners of the same target do not hear of it. */
   cutShort = false;
 
   constructor(event: Event, target: ConnectionTarget, path: readonly ConnectionTarget[]) {
@@ -189,7 +190,7 @@ class EventPath {
     if (cutShort) this.cutShort = true;
   }
 
-  // An event hides these behind getters that only its own, parentless dispatch could set.
+  // An event has getters for these properties, which only its own dispatch (without a parent) could set.
   #show(properties: PropertyDescriptorMap): void {
     for (const [name, property] of Object.entries(properties)) {
       Object.defineProperty(this.event, name, { ...property, configurable: true });

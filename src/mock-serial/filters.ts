@@ -1,7 +1,7 @@
 import type { PortFilter, PortInfo, PortRequestOptions } from './types.js';
 import { dictionary, sequence, unsigned } from './web-idl.js';
 
-/** What all service classes of the Bluetooth standard itself end with. */
+/** The end of every service class of the Bluetooth standard itself. */
 const BLUETOOTH_BASE_UUID = '-0000-1000-8000-00805f9b34fb';
 const SERIAL_PORT_PROFILE = `00001101${BLUETOOTH_BASE_UUID}`;
 const UUID = /^[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}$/;
@@ -14,8 +14,8 @@ function serviceClassUuid(id: number | string): string {
 }
 
 /**
- * The information as `getInfo()` gives it: without what is undefined, the service class as a UUID.
- * @throws TypeError when the service class is none.
+ * The information as `getInfo()` gives it: without undefined members, the service class as a UUID.
+ * @throws TypeError when the service class is not valid.
  */
 export function normalizeInfo(info: PortInfo): PortInfo {
   const { usbVendorId, usbProductId, bluetoothServiceClassId } = info;
@@ -28,7 +28,7 @@ export function normalizeInfo(info: PortInfo): PortInfo {
   };
 }
 
-/** The checks of a filter among the steps of `requestPort()`. @throws TypeError */
+/** The checks of a filter in the steps of `requestPort()`. @throws TypeError */
 function checkFilter(filter: PortFilter): PortFilter {
   const { usbVendorId, usbProductId, bluetoothServiceClassId } = filter;
   if (bluetoothServiceClassId !== undefined) {
@@ -53,7 +53,7 @@ function matches(info: PortInfo, filter: PortFilter): boolean {
 }
 
 /**
- * What Web IDL does to the argument of `requestPort()`: the union of a text and a number is told by its type.
+ * What Web IDL does to the argument of `requestPort()`: the type decides between a text and a number.
  * @throws TypeError
  */
 export function convertRequestOptions(options: PortRequestOptions): PortRequestOptions {
@@ -81,15 +81,15 @@ export function convertRequestOptions(options: PortRequestOptions): PortRequestO
 
 /**
  * Which ports a chooser offers for a request.
- * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a service class, or
- * when a service class is none.
+ * @throws TypeError when a filter is empty, names a product without its vendor, or USB numbers together with a service
+ * class, or when a service class is not valid.
  */
 export function offered(options: PortRequestOptions): (info: PortInfo) => boolean {
   const filters = (options.filters ?? []).map(checkFilter);
   const allowed = (options.allowedBluetoothServiceClassIds ?? []).map(serviceClassUuid);
   return (info) => {
     const service = info.bluetoothServiceClassId;
-    // The standard's blocklist names no service class but those of the Bluetooth standard itself.
+    // The standard's blocklist names only service classes of the Bluetooth standard itself.
     if (typeof service === 'string' && service !== SERIAL_PORT_PROFILE) {
       if (service.endsWith(BLUETOOTH_BASE_UUID) || !allowed.includes(service)) return false;
     }

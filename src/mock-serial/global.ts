@@ -1,5 +1,5 @@
-// For pages into which a test puts one classic script, as Playwright's `addInitScript` does: the mock port and the
-// clock that a test turns by hand under one global name. The build makes dist/lib/mock-serial.global.js of it.
+// For pages into which a test puts one classic script, as Playwright's `addInitScript` does. It gives the mock port and
+// the clock that a test turns by hand under one global name. The build makes dist/lib/mock-serial.global.js from it.
 
 import { VirtualClock } from '../line/index.js';
 import { MockSerial, MockSerialPort } from './index.js';

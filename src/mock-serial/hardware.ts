@@ -15,13 +15,15 @@ import type {
   SetSignals,
 } from './types.js';
 
-/** What a port is plugged in with, and by whose ways. */
+/** The options of a plugged port, with the browser's ways that it follows. */
 export interface HardwareOptions extends PlugOptions {
   readonly clock: Clock;
   readonly ways: ChromiumWays;
 }
 
-/** What lies behind a port: the operating system's buffers, the cable and the device at its end, plugged in or not. */
+/**
+ * What lies behind a port: the buffers of the operating system, the cable and the device at its end, plugged in or not.
+ */
 export class Hardware {
   readonly info: PortInfo;
   readonly device: Device;
@@ -29,17 +31,17 @@ export class Hardware {
   readonly receiver = new Receiver();
   readonly transmitter: Transmitter;
   plugged = true;
-  /** The site may use the port. */
+  /** Whether the site may use the port. */
   granted: boolean;
-  /** The site gave the port up and has not been granted it since. */
+  /** Whether the site gave the port up and has not been granted it again. */
   forgotten = false;
   readonly #options: HardwareOptions;
-  /** The device is at another port now. */
+  /** Whether the device is at another port now. */
   #isLeft = false;
   #output: SetSignals = { dataTerminalReady: false, requestToSend: false, break: false };
   #input: InputSignals = { dataCarrierDetect: false, clearToSend: false, ringIndicator: false, dataSetReady: false };
 
-  /** @throws TypeError when the information names something that is no Bluetooth service class. */
+  /** @throws TypeError when the information names an invalid Bluetooth service class. */
   constructor(info: PortInfo, options: HardwareOptions, device?: Device) {
     this.info = normalizeInfo(info);
     this.#options = options;
@@ -56,12 +58,12 @@ export class Hardware {
     );
   }
 
-  /** Whether the browser finds it again by itself, and calls it the same port. */
+  /** Whether the browser finds it again without help, and calls it the same port. */
   get isBluetooth(): boolean {
     return this.info.bluetoothServiceClassId !== undefined;
   }
 
-  /** What a wired device is plugged in again at: another port, with the same device. */
+  /** Another port with the same device, for a wired device that is plugged in again. */
   again(): Hardware {
     const { granted, device } = this;
     const hardware = new Hardware(this.info, { ...this.#options, granted }, device);
@@ -140,7 +142,7 @@ export class Hardware {
       break: breaking ?? this.#output.break,
     };
     if (!began || !this.#options.loopback) return;
-    // A line held down reads as a zero byte whose stop bit never comes.
+    // A line that is held down reads as a zero byte without a stop bit.
     this.device.write([0]);
     this.device.error('break');
   }

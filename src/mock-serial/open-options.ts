@@ -1,7 +1,7 @@
 import type { OpenedOptions, OpenOptions } from './types.js';
 import { dictionary, integer, oneOf } from './web-idl.js';
 
-/** As Chromium's; the standard leaves the bound to the browser. */
+/** The limit of Chromium; the standard leaves it to the browser. */
 const MAX_BUFFER_SIZE = 16 * 1024 * 1024;
 
 const PARITIES: readonly string[] = ['none', 'even', 'odd'] satisfies OpenedOptions['parity'][];
@@ -9,7 +9,7 @@ const FLOW_CONTROLS: readonly string[] = ['none', 'hardware'] satisfies OpenedOp
 
 /**
  * What Web IDL does to the argument of `open()` before the method's steps begin.
- * @throws TypeError when the baud rate is missing, a number is out of its type's range or a word is not of its
+ * @throws TypeError when the baud rate is missing, a number is out of its type's range or a word is not in its
  * enumeration.
  */
 export function convertOpenOptions(options: OpenOptions): OpenedOptions {

@@ -6,10 +6,10 @@ import type { InputSignals, MockDevice, OpenOptions, OutputSignals, PortInfo } f
 import { dictionary } from './web-idl.js';
 
 /**
- * A `SerialPort` as the Web Serial standard has it, with a `device` at its other end. `MockSerial.plug` makes them.
+ * A `SerialPort` of the Web Serial standard, with a `device` at its other end. `MockSerial.plug` makes one.
  *
- * Where the standard and Chromium differ, the port does as the web platform tests ask: the stream of bytes has a
- * high-water mark of 0, a system error while writing brings a new `writable`, and `open()` after `forget()` fails with
+ * Where the standard and Chromium differ, the port follows the web platform tests: the stream of bytes has a high-water
+ * mark of 0, a system error while writing brings a new `writable`, and `open()` after `forget()` fails with
  * NetworkError.
  */
 export class MockSerialPort extends ConnectionTarget {
@@ -32,8 +32,8 @@ export class MockSerialPort extends ConnectionTarget {
   }
 
   /**
-   * The `readable` attribute: a byte stream while the port is open, else null. An error ends the stream behind all
-   * bytes that came before it; then there is a new one, or null after the loss of the device.
+   * The `readable` attribute: a byte stream while the port is open, else null. An error ends the stream after all bytes
+   * that came before it. Then there is a new stream; after the loss of the device, null.
    */
   get readable(): ReadableStream<Uint8Array> | null {
     const { receiver } = this.#hardware;
@@ -87,8 +87,9 @@ export class MockSerialPort extends ConnectionTarget {
     const cancelled = readable?.cancel();
     if (writable?.locked) throw new TypeError('Cannot close the port while its writable is locked.');
     this.#state = 'closing';
-    // A stream that fails now does not keep the port open. But one that a chunk of the wrong type has broken does, for
-    // ever: nothing ends it any more. So it is in the standard and in Chromium, and a page has to live with it.
+    // A stream that fails now does not keep the port open. But a stream that broke on a chunk of the wrong type keeps
+    // it open for ever, because nothing ends that stream. The standard and Chromium do the same, so a page must cope
+    // with it.
     await Promise.allSettled([cancelled, writable?.abort(invalidState('The port is closed.'))]);
     await this.#hardware.transmitter.ended;
     if (this.#state !== 'closing') return;
@@ -97,8 +98,8 @@ export class MockSerialPort extends ConnectionTarget {
   }
 
   /**
-   * The `forget()` method: the site gives up its permission. An open port is closed as if its device were lost: what
-   * has arrived can still be read.
+   * The `forget()` method: the site gives up its permission. An open port is closed as if its device were lost; bytes
+   * that have arrived can still be read.
    */
   async forget(): Promise<void> {
     this.#hardware.forget();

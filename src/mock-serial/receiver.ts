@@ -2,33 +2,33 @@ import { streamError } from './errors.js';
 import type { ReadErrorKind } from './types.js';
 
 type Item = Uint8Array | ReadErrorKind;
-/** Told whether all bytes before it are in the buffer, or some of them lost. */
+/** Called with whether all bytes before it are in the buffer. */
 type Mark = (kept: boolean) => void;
 
 /**
- * The reading side of a port: a buffer of `bufferSize` bytes and the stream that hands them to the page. The stream
- * itself holds nothing (high-water mark 0), so that an error never overtakes a byte that came before it.
+ * The reading side of a port: a buffer of `bufferSize` bytes, and the stream that hands them to the page. The stream
+ * itself holds nothing (high-water mark 0), so an error never overtakes a byte that came before it.
  */
 export class Receiver {
-  /** Bytes that came and will never be read: the port was closed, the device lost, or the buffer full. */
+  /** Bytes that came and can never be read: the port was closed, the device lost, or the buffer full. */
   lost = 0;
   #open = false;
-  /** The standard's [[readFatal]]: a stream has told of the loss. */
+  /** The standard's [[readFatal]]: the page knows of the loss from a stream. */
   #fatal = false;
-  /** Nothing comes any more; what has come can be read. */
+  /** Nothing comes any more. Bytes that have arrived can still be read. */
   #over = false;
   #capacity = 0;
   #patient = false;
   #size = 0;
-  /** What the buffer holds, in the order in which it came. */
+  /** The content of the buffer, in the order in which it came. */
   #queue: Item[] = [];
-  /** What waits for room, if the device is patient. */
+  /** Bytes that wait for room, when the device is patient. */
   #backlog: (Item | Mark)[] = [];
   /** How many bytes were lost before the last mark. */
   #lostBefore = 0;
   #stream: ReadableStream<Uint8Array> | null = null;
   #controller: ReadableByteStreamController | null = null;
-  /** The page waits for a read. */
+  /** Whether the page waits for a read. */
   #wanted = false;
 
   /** The standard's [[readable]]. */
@@ -40,7 +40,7 @@ export class Receiver {
     return this.#size >= this.#capacity;
   }
 
-  /** @param patient the device waits for room, where otherwise bytes are lost. */
+  /** @param patient whether the device waits for room. Otherwise bytes are lost. */
   open(capacity: number, patient: boolean): void {
     this.close();
     this.#open = true;
@@ -50,7 +50,7 @@ export class Receiver {
     this.#patient = patient;
   }
 
-  /** Forgets the stream and all that is in the buffer. */
+  /** Forgets the stream and the content of the buffer. */
   close(): void {
     this.#open = false;
     this.#discard();
@@ -98,7 +98,7 @@ export class Receiver {
     this.#serve();
   }
 
-  /** Tells, once that is known, whether all bytes that came since the last mark are in the buffer. */
+  /** Calls `tell` once it is known whether all bytes since the last mark are in the buffer. */
   mark(tell: Mark): void {
     const lost = this.lost - this.#lostBefore;
     this.#lostBefore = this.lost;
@@ -112,7 +112,7 @@ export class Receiver {
     return this.#queue.at(-1) === 'overrun' ? [] : ['overrun'];
   }
 
-  /** Moves what has room from the backlog to the buffer; errors take none. */
+  /** Moves bytes from the backlog to the buffer while there is room. Errors take no room. */
   #refill(): void {
     for (let next = this.#backlog.shift(); next !== undefined; next = this.#backlog.shift()) {
       if (typeof next === 'function') {
@@ -157,7 +157,7 @@ export class Receiver {
     }
   }
 
-  /** The standard's "handle closing the readable stream", but for the part that `close()` waits for. */
+  /** The standard's "handle closing the readable stream", without the part that `close()` waits for. */
   #replaceStream(): void {
     this.#stream = null;
     this.#controller = null;
@@ -177,7 +177,7 @@ export class Receiver {
     this.#size = 0;
   }
 
-  /** What was held back never gets into the buffer. */
+  /** Bytes that were held back never get into the buffer. */
   #dropBacklog(): void {
     const dropped = this.#backlog;
     this.#backlog = [];

@@ -6,8 +6,8 @@ import { MockSerialPort } from './port.js';
 import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortRequestOptions } from './types.js';
 
 /**
- * A `navigator.serial` without a browser: the Web Serial standard's `Serial`, and what a user and a workbench do to it:
- * plug, unplug, choose. Nothing is plugged in at first, the user has touched nothing, and the chooser is dismissed.
+ * A `navigator.serial` without a browser: the `Serial` of the Web Serial standard, and the acts of a user: plug,
+ * unplug, choose. At first nothing is plugged in, the user has touched nothing, and dismisses every chooser.
  *
  * @example
  * ```ts
@@ -23,8 +23,7 @@ import type { ChromiumWays, MockSerialOptions, PlugOptions, PortInfo, PortReques
  */
 export class MockSerial extends ConnectionTarget {
   /**
-   * Whether `requestPort()` may ask the user, as just after a click. Stays as it is set: the standard does not use it
-   * up.
+   * Whether `requestPort()` may ask the user, as just after a click. Its value stays: the standard does not use it up.
    */
   userActivation: boolean;
   readonly #clock: Clock;
@@ -41,9 +40,9 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Plugs in a device at a port of its own. If the site may use it already, `connect` is fired, never before this call
-   * has returned.
-   * @throws TypeError when the information names something that is no Bluetooth service class.
+   * Plugs in a device at a new port. If the site may use it already, the event `connect` follows, never before this
+   * call has returned.
+   * @throws TypeError when the information names an invalid Bluetooth service class.
    */
   plug(info: PortInfo = {}, options: PlugOptions = {}): MockSerialPort {
     const clock = options.clock ?? this.#clock;
@@ -51,8 +50,9 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Pulls the plug. What is under way in either direction is lost; what has arrived can still be read. Then, or at once
-   * if the page waits, reading and writing fail with NetworkError; `disconnect` is fired if the site may use the port.
+   * Pulls the plug. Bytes on their way in either direction are lost; bytes that have arrived can still be read. Then,
+   * or at once if the page waits, reading and writing fail with NetworkError. The event `disconnect` follows if the
+   * site may use the port.
    * @throws TypeError when the port is not one of this object's.
    */
   unplug(port: MockSerialPort): void {
@@ -63,12 +63,12 @@ export class MockSerial extends ConnectionTarget {
   }
 
   /**
-   * Plugs a device in again, as a browser does that recognises it. A wired one comes back as another port, with the
-   * same `device` and the same permission; the old port stays unplugged for good, and its `open()` fails with
-   * NetworkError. A Bluetooth one comes back as the port it was; the page must close that before it can use it again.
-   * For a device that the browser does not recognise, `plug` it with the same information.
-   * @param options `samePort`: also a wired one comes back as the port it was. Default false.
-   * @returns the port at which it is now.
+   * Plugs a device in again, and the browser recognises it. A wired device comes back as another port, with the same
+   * `device` and the same permission. The old port stays unplugged for good, and its `open()` fails with NetworkError.
+   * A Bluetooth device comes back as the same port; the page must close it before it can use it again. For a device
+   * that the browser does not recognise, use `plug` with the same information.
+   * @param options `samePort`: a wired device, too, comes back as the same port. Default false.
+   * @returns the port at which the device is now.
    * @throws TypeError when the port is not one of this object's.
    */
   replug(port: MockSerialPort, { samePort = false }: { readonly samePort?: boolean } = {}): MockSerialPort {
@@ -80,14 +80,14 @@ export class MockSerial extends ConnectionTarget {
     return port;
   }
 
-  /** What the user answers to the chooser from now on: a port, or null to dismiss it. */
+  /** Sets what the user chooses from now on: a port, or null to dismiss the chooser. */
   choose(port: MockSerialPort | null): void {
     this.#choice = port;
   }
 
   /**
    * The `getPorts()` method: the ports that are plugged in and that the site may use, in the order in which they came.
-   * A Bluetooth port is known while it is off, too.
+   * A Bluetooth port is listed even while it is off.
    */
   async getPorts(): Promise<MockSerialPort[]> {
     return [...this.#ports].filter(([, it]) => it.granted && (it.plugged || it.isBluetooth)).map(([port]) => port);
@@ -95,12 +95,12 @@ export class MockSerial extends ConnectionTarget {
 
   /**
    * The `requestPort()` method. The site may use the port that the user chooses.
-   * @throws TypeError when the argument is of another type, such as filters that are no list.
+   * @throws TypeError when the argument has a wrong type, such as filters that are not a list.
    * @throws SecurityError without user activation.
-   * @throws TypeError when a filter is empty, has a product without its vendor or USB numbers beside a Bluetooth
-   *   service class, or when a service class is none.
-   * @throws NotFoundError when the user dismisses the chooser, or when it would not offer the chosen port: because it
-   *   is unplugged, matches no filter, or is one of a Bluetooth service class that the request does not allow.
+   * @throws TypeError when a filter is empty, names a product without its vendor, or USB numbers together with a
+   * Bluetooth service class, or when a service class is not valid.
+   * @throws NotFoundError when the user dismisses the chooser, or when the chooser would not offer the chosen port: it
+   * is unplugged, matches no filter, or has a Bluetooth service class that the request does not allow.
    */
   async requestPort(options: PortRequestOptions = {}): Promise<MockSerialPort> {
     const converted = convertRequestOptions(options);

@@ -2,18 +2,18 @@ import type { Cable } from './cable.js';
 import { streamError } from './errors.js';
 import type { WriteErrorKind } from './types.js';
 
-/** A write, a close or an abort of the stream that is under way; there is never more than one. */
+/** A write, close or abort of the stream in progress. There is never more than one. */
 interface Operation {
-  /** Goes on as far as there is room, and settles the operation when nothing is left to do. */
+  /** Goes on as far as there is room. Settles the operation when nothing is left to do. */
   readonly advance: () => void;
   readonly resolve: () => void;
   readonly reject: (reason: unknown) => void;
 }
 
-/** What tells the length of an ArrayBuffer of any realm, and throws for all else, shared memory too. */
+/** Gives the length of an ArrayBuffer from any realm. Throws for anything else, also for shared memory. */
 const lengthOf = Object.getOwnPropertyDescriptor(ArrayBuffer.prototype, 'byteLength')?.get as (this: unknown) => number;
 
-/** The bytes of a chunk as they are now: none once its buffer is detached, as Web IDL has it. @throws TypeError */
+/** The bytes that a chunk holds now; none once its buffer is detached, as in Web IDL. @throws TypeError */
 function bytesOf(chunk: unknown): Uint8Array {
   const buffer = ArrayBuffer.isView(chunk) ? chunk.buffer : chunk;
   let length: number;
@@ -28,7 +28,7 @@ function bytesOf(chunk: unknown): Uint8Array {
     : new Uint8Array(buffer as ArrayBuffer);
 }
 
-/** Not ByteLengthQueuingStrategy, so that a chunk of the wrong type gets as far as the standard's own error. */
+/** Not ByteLengthQueuingStrategy: a chunk of the wrong type must reach the standard's own error. */
 function sizeOf(chunk: unknown): number {
   try {
     return bytesOf(chunk).length;
@@ -38,22 +38,22 @@ function sizeOf(chunk: unknown): number {
 }
 
 /**
- * The writing side of a port: the stream that takes the page's bytes and a buffer of `bufferSize` bytes that have not
- * yet left. On a free cable they leave in their time; on any other they leave when the device reads them.
+ * The writing side of a port: the stream that takes the page's bytes, and a buffer of `bufferSize` bytes that have not
+ * left yet. On a free cable they leave in their own time. On any other they leave when the device reads them.
  */
 export class Transmitter {
   readonly #cable: Cable;
   readonly #deviceWaits: () => boolean;
-  /** The standard's [[writeFatal]]: a stream has told of the loss. */
+  /** The standard's [[writeFatal]]: the page knows of the loss from a stream. */
   #fatal = false;
   /** The device is gone. */
   #gone = false;
-  /** The next write resolves all the same, as in Chromium. */
+  /** The next write resolves although the device is gone, as in Chromium. */
   #spared = false;
   readonly #sparesFirst: boolean;
   #onEnded: (() => void)[] = [];
   #capacity = 0;
-  /** Bytes taken from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
+  /** Bytes from the page that have not left: those in `#waiting`, and on a free cable those on the wire. */
   #held = 0;
   #waiting: Uint8Array[] = [];
   readonly #departures = new Set<() => void>();
@@ -64,7 +64,7 @@ export class Transmitter {
   #failure: { readonly error: WriteErrorKind | Error; after: number } | null = null;
 
   /**
-   * @param deviceWaits whether the device waits for bytes it has not been sent.
+   * @param deviceWaits whether the device waits for bytes that it has not been sent.
    * @param sparesFirst see `ChromiumWays.firstLostWriteResolves`.
    */
   constructor(cable: Cable, deviceWaits: () => boolean, sparesFirst: boolean) {
@@ -78,7 +78,7 @@ export class Transmitter {
     return this.#stream;
   }
 
-  /** Settles when there is no stream, or no more: an operation or the loss of the device has ended it. */
+  /** Settles when there is no stream any more: an operation or the loss of the device has ended it. */
   get ended(): Promise<void> {
     if (!this.#stream) return Promise.resolve();
     return new Promise((resolve) => this.#onEnded.push(resolve));
@@ -90,7 +90,7 @@ export class Transmitter {
     this.#capacity = capacity;
   }
 
-  /** Forgets the stream and all that has not left. */
+  /** Forgets the stream and all bytes that have not left. */
   close(): void {
     this.#discard();
     this.#replaceStream();
@@ -125,7 +125,7 @@ export class Transmitter {
     this.#operation?.advance();
   }
 
-  /** The device is gone. A stream nobody is using learns of it when it is used next. */
+  /** The device is gone. A stream that nobody uses notices it at its next use. */
   lose(): void {
     this.#gone = true;
     this.#discard();
@@ -148,7 +148,7 @@ export class Transmitter {
     }
     let done = 0;
     await this.#run(() => {
-      // Looked at afresh each time: the page may detach the buffer while it waits for room.
+      // Read afresh each time: the page may detach the buffer while this waits for room.
       for (let bytes = bytesOf(chunk); done < bytes.length; bytes = bytesOf(chunk)) {
         if (this.#failed()) return;
         const room = Math.min(this.#capacity - this.#held, this.#failure?.after ?? Number.POSITIVE_INFINITY);
@@ -169,7 +169,7 @@ export class Transmitter {
         if (this.#held === 0 && !this.#failed()) this.#operation?.resolve();
       });
     } finally {
-      // Also when an abort has cut the wait short: the stream then ends without another call.
+      // Also when an abort has ended the wait: the stream then ends without another call.
       if (this.#stream === stream) this.#replaceStream();
     }
   }
@@ -184,8 +184,8 @@ export class Transmitter {
   }
 
   /**
-   * Lets the operation begin once the stream has gone on, as the standard's steps in parallel do: an abort may come
-   * first.
+   * Begins the operation only after the stream has gone on, like the standard's steps in parallel:
+   * an abort may come first.
    */
   #run(advance: () => void): Promise<void> {
     return new Promise((resolve, reject) => {
@@ -205,7 +205,7 @@ export class Transmitter {
     });
   }
 
-  /** Fails the operation if the device is gone or a failure has been asked for. */
+  /** Fails the operation if the device is gone, or a test asked for a failure. */
   #failed(): boolean {
     if (this.#gone) {
       this.#fatal = true;
@@ -235,7 +235,10 @@ export class Transmitter {
     this.#pump();
   }
 
-  /** Moves bytes from the buffer to the line: all on a free cable, on any other a chunk for each read of the device. */
+  /**
+   * Moves bytes from the buffer to the line. On a free cable all of them;
+   * on any other, one chunk for each read of the device.
+   */
   #pump(): void {
     while (this.#waiting.length > 0 && !this.#reading) {
       if (!this.#cable.free && !this.#deviceWaits()) return;
@@ -264,7 +267,7 @@ export class Transmitter {
     this.#departures.add(cancel);
   }
 
-  /** The standard's "handle closing the writable stream", but for the part that `close()` waits for. */
+  /** The standard's "handle closing the writable stream", without the part that `close()` waits for. */
   #replaceStream(): void {
     this.#stream = null;
     this.#controller = null;

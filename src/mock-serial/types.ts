@@ -1,14 +1,14 @@
 import type { Clock } from '../line/index.js';
 
-/**
- * What tells one port from another: the standard's SerialPortInfo dictionary. Members that do not apply are left out.
- */
+/** What tells one port from another: the standard's SerialPortInfo dictionary. Members that do not apply are absent. */
 export interface PortInfo {
   /** 0 to 0xFFFF. */
   readonly usbVendorId?: number | undefined;
   /** 0 to 0xFFFF. */
   readonly usbProductId?: number | undefined;
-  /** A UUID in lower case, or the 16- or 32-bit number that stands for one, as 0x1101 for the Serial Port Profile. */
+  /**
+   * A UUID in lower case, or the 16- or 32-bit number that stands for it, such as 0x1101 for the Serial Port Profile.
+   */
   readonly bluetoothServiceClassId?: number | string | undefined;
 }
 
@@ -17,9 +17,9 @@ export type PortFilter = PortInfo;
 
 /** The standard's SerialPortRequestOptions dictionary. */
 export interface PortRequestOptions {
-  /** The chooser offers what matches any of them; everything if absent or empty. */
+  /** The chooser offers ports that match any of them. Absent or empty: all ports. */
   readonly filters?: readonly PortFilter[] | undefined;
-  /** The service classes, beside the Serial Port Profile, whose Bluetooth ports may be offered. */
+  /** Service classes whose Bluetooth ports may be offered, besides the Serial Port Profile. */
   readonly allowedBluetoothServiceClassIds?: readonly (number | string)[] | undefined;
 }
 
@@ -33,13 +33,13 @@ export interface OpenOptions {
   readonly stopBits?: 1 | 2 | undefined;
   /** Default `none`. */
   readonly parity?: 'none' | 'even' | 'odd' | undefined;
-  /** Bytes the port holds for the page in either direction, 1 to 16 MiB. Default 255. */
+  /** The size of the port's buffer in each direction, 1 byte to 16 MiB. Default 255 bytes. */
   readonly bufferSize?: number | undefined;
   /** Default `none`. */
   readonly flowControl?: 'none' | 'hardware' | undefined;
 }
 
-/** What a page opened a port with, defaults filled in. */
+/** The options with which a page opened a port, defaults filled in. */
 export type OpenedOptions = { readonly [Key in keyof OpenOptions]-?: Exclude<OpenOptions[Key], undefined> };
 
 /** What a page may set: the standard's SerialOutputSignals dictionary. */
@@ -61,29 +61,29 @@ export interface InputSignals {
 }
 
 /**
- * What can go wrong while a page reads, and what its `read()` then rejects with:
- *
+ * What can go wrong while a page reads, and the error of its `read()`:
  * - `break`: BreakError
  * - `framing`: FramingError
  * - `parity`: ParityError
  * - `overrun`: BufferOverrunError
  * - `system`: UnknownError, an error of the operating system
- * - `lost`: NetworkError; the only fatal one: `readable` is null from then on until the port is closed and opened again
+ * - `lost`: NetworkError, the only fatal one: `readable` is null until the port is closed and opened again
  */
 export type ReadErrorKind = 'break' | 'framing' | 'parity' | 'overrun' | 'system' | 'lost';
 
 /**
- * What can go wrong while a page writes: `system` (UnknownError) and `lost` (NetworkError, fatal), or an error of one's
- * own.
+ * What can go wrong while a page writes:
+ * `system` (UnknownError), `lost` (NetworkError, fatal), or an error of your own.
  */
 export type WriteErrorKind = 'system' | 'lost';
 
 /**
- * What arrives in place of a byte: `[byte]` as it is, `[]` lost. `index` counts the bytes sent that way, from 0.
+ * What arrives in place of a byte: `[byte]` unchanged, `[]` lost.
+ * `index` counts the bytes sent in that direction, from 0.
  */
 export type Fault = (byte: number, index: number) => readonly number[];
 
-/** What a mock port is like. Everything beyond the standard is off unless asked for. */
+/** What a mock port is like. Everything beyond the standard is off by default. */
 export interface PlugOptions {
   /** The site may use the port already, as if the browser remembered it from an earlier visit. Default false. */
   readonly granted?: boolean;
@@ -92,95 +92,99 @@ export interface PlugOptions {
   /** Where time comes from. Default: the clock of the MockSerial. */
   readonly clock?: Clock;
   /**
-   * Bytes take the time they would take at the rate the page opened the port with. Default false: the line takes no
-   * time and needs no clock, and what the page writes stays in the port's buffer until the device reads it.
+   * Bytes take as long as they would at the rate with which the page opened the port. Default false: the line takes no
+   * time and needs no clock, and bytes that the page writes stay in the port's buffer until the device reads them.
    */
   readonly timing?: boolean;
-  /** Milliseconds a byte is under way, in either direction, beside its time on the wire. Default 0. */
+  /** Milliseconds that a byte takes in either direction, beyond its time on the wire. Default 0. */
   readonly latency?: number;
   /**
-   * Sizes of the pieces in which bytes reach the page, used in turn and again from the first. Default: as the device
-   * wrote them.
+   * How many bytes reach the page together. The sizes are used in turn, then again from the first. Default: as the
+   * device wrote them.
    */
   readonly chunks?: readonly number[];
   /** Damage on the line. */
   readonly fault?: { readonly toDevice?: Fault; readonly toPage?: Fault };
   /**
-   * The page hears what it says, as on a single wire shared by both directions; the device hears it too. Default false.
+   * The page receives its own bytes, as on a single wire for both directions.
+   * The device receives them, too. Default false.
    */
   readonly echo?: boolean;
   /**
-   * Nothing but wires at the end of the cable: what the page sends comes back, a break as a zero byte and a break, RTS
-   * as CTS, DTR as DSR and DCD. The device hears nothing. Default false.
+   * Only wires at the end of the cable. The page's bytes come back, a break as a zero byte and a break, RTS as CTS, DTR
+   * as DSR and DCD. The device receives nothing. Default false.
    */
   readonly loopback?: boolean;
   /**
-   * The device waits while the page's buffer is full, where its bytes would otherwise be lost with BufferOverrunError.
-   * Always so when the page opens the port with hardware flow control. Default false.
+   * While the page's buffer is full, the device waits; otherwise its bytes are lost with BufferOverrunError. Always on
+   * when the page opens the port with hardware flow control. Default false.
    */
   readonly backpressure?: boolean;
 }
 
 export interface MockSerialOptions {
-  /** The clock of all ports that are not plugged in with one of their own. Default: the real clock. */
+  /** The clock of all ports that are plugged in without a clock of their own. Default: the real clock. */
   readonly clock?: Clock;
   /** Whether `requestPort()` may ask the user. Default false, as in a page that nobody has touched. */
   readonly userActivation?: boolean;
-  /** The ways of Chromium that are not the standard's: all of them, or some. Default: none. */
+  /** Ways of Chromium that differ from the standard: all (`true`), or some. Default: none. */
   readonly chromium?: boolean | ChromiumWays;
 }
 
-/** What a real Chromium was seen to do otherwise than the standard has it. */
+/** How a real Chromium was seen to differ from the standard. */
 export interface ChromiumWays {
-  /** The first write after an unplug resolves, although nobody is there; the next one rejects. */
+  /** The first write after an unplug resolves although no device is there; the next one rejects. */
   readonly firstLostWriteResolves?: boolean;
-  /** What comes while the buffer is full waits for room: there is no BufferOverrunError. */
+  /** Bytes that come while the buffer is full wait for room: there is no BufferOverrunError. */
   readonly bufferNeverOverruns?: boolean;
   /** A listener that was added to Serial with `{ once: true }` is never called. */
   readonly onceNeverFires?: boolean;
 }
 
-/** The other end of a port: what a test or a simulator sees and does there. */
+/** The other end of a port, for a test or a simulator. */
 export interface MockDevice {
-  /** What the page has opened the port with, defaults filled in; null while it is closed. */
+  /** The options with which the page opened the port, defaults filled in; null while it is closed. */
   readonly opened: OpenedOptions | null;
-  /** Called with `opened` each time the page opens or closes the port, and when it loses it by forgetting. */
+  /** Called with `opened` each time the page opens or closes the port, or loses it by `forget()`. */
   onopenchange: ((opened: OpenedOptions | null) => void) | null;
   /** Another program holds the port: the page's next `open()` fails with NetworkError. */
   busy: boolean;
   /** The page's `setSignals()` and `getSignals()` fail with NetworkError while this is true. */
   failSignals: boolean;
   /**
-   * What the page has set. Opening raises DTR (and RTS under hardware flow control, while there is room); closing drops
-   * all.
+   * The signals that the page has set. Opening raises DTR (and, under hardware flow control, RTS while there is room).
+   * Closing drops all.
    */
   readonly signals: SetSignals;
   /**
-   * Bytes written here that the page will never see: the port was unplugged or closed, or its buffer full, when they
-   * came; or they were held back and never got into it.
+   * Bytes that were written here and that the page will never see. The port was unplugged or closed, or its buffer
+   * full, when they came, or they were held back and never got into it.
    */
   readonly lost: number;
   /**
-   * The next bytes the page wrote, chunk by chunk, no chunk longer than the port's buffer; waits for them. Reads are
-   * served in the order of their calls, and no byte is lost between them. Waits on when the page closes the port.
-   * @returns an empty array once the port is unplugged and all that had arrived before is read.
+   * Waits for the next bytes that the page wrote, and gives one chunk of them, no longer than the port's buffer. Reads
+   * are served in the order of their calls, and no byte is lost between them. A read goes on waiting when the page
+   * closes the port.
+   * @returns an empty array once the port is unplugged and everything that had arrived is read.
    */
   read(): Promise<Uint8Array>;
   /**
-   * Sends bytes to the page. Those that find the port unplugged or closed when they arrive are counted in `lost`.
-   * @returns settles when all of them are in the buffer of the port; rejects with NetworkError when some were
-   * discarded. Nobody has to wait for it.
+   * Sends bytes to the page. `lost` counts those that arrive while the port is unplugged or closed.
+   * @returns a promise that settles when all bytes are in the port's buffer, and rejects with NetworkError when some
+   * were lost. You need not wait for it.
    */
   write(bytes: ArrayLike<number>): Promise<void>;
   /**
-   * Lets the page's reading fail, behind all bytes written before; see `ReadErrorKind`. Nothing happens while the port
-   * is closed.
+   * Makes the page's reading fail, after all bytes written before; see `ReadErrorKind`.
+   * Does nothing while the port is closed.
    */
   error(kind: ReadErrorKind): void;
-  /** Sets what the page gets from `getSignals()`; what is left out stays. All are false at first. */
+  /**
+   * Sets what the page gets from `getSignals()`. Signals that are left out keep their value. All are false at first.
+   */
   setSignals(signals: Partial<InputSignals>): void;
   /**
-   * Lets the page's writing fail.
+   * Makes the page's writing fail.
    * @param error default `system`.
    * @param after how many more bytes get through first; default 0: the next write, `close()` or `abort()` of the
    * writable fails.

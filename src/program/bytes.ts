@@ -1,8 +1,6 @@
-/*
- * What a packed text is made of. ES2022 alone knows neither UTF-8 nor base64, and this room uses nothing else.
- */
+/* The parts of a packed text. This room uses ES2022 alone, which has neither UTF-8 nor base64. */
 
-/** Puts values behind one another. */
+/** Appends values one after another. */
 export class PackedWriter {
   readonly #bytes: number[] = [];
 
@@ -14,12 +12,15 @@ export class PackedWriter {
     this.#bytes.push(value);
   }
 
-  /** Two bytes, the low one first. */
+  /** Two bytes, low byte first. */
   pair(value: number): void {
     this.#bytes.push(value & 0xff, value >> 8);
   }
 
-  /** A whole number up to 2^53 - 1: seven bits in each byte, the lowest first; the highest bit says that more come. */
+  /**
+   * A whole number from 0 to 2^53 - 1: seven bits in each byte, lowest first.
+   * The highest bit of a byte says that more follow.
+   */
   number(value: number): void {
     let rest = value;
     while (rest >= 0x80) {
@@ -29,7 +30,7 @@ export class PackedWriter {
     this.#bytes.push(rest);
   }
 
-  /** The number of its bytes in UTF-8, and those. */
+  /** The length of its UTF-8 form in bytes, then those bytes. */
   text(value: string): void {
     const bytes = utf8(value);
     this.number(bytes.length);
@@ -37,10 +38,10 @@ export class PackedWriter {
   }
 }
 
-/** What bytes cannot be. */
+/** Bytes that {@link PackedWriter} cannot have written. */
 export class BytesError extends Error {}
 
-/** Takes the values out again, each in the one form that {@link PackedWriter} gives it. @throws BytesError */
+/** Reads the values back. Accepts only the one form that {@link PackedWriter} writes. @throws BytesError */
 export class PackedReader {
   readonly #bytes: Uint8Array;
   #at = 0;
@@ -49,7 +50,7 @@ export class PackedReader {
     this.#bytes = bytes;
   }
 
-  /** How many are left. */
+  /** How many bytes are left. */
   get left(): number {
     return this.#bytes.length - this.#at;
   }
@@ -85,7 +86,7 @@ export class PackedReader {
   }
 }
 
-/** Half of a pair of UTF-16, which is no character, has three bytes as any other number of its size: it comes back. */
+/** Half of a UTF-16 pair is no character. It is packed in three bytes all the same, so that it comes back unchanged. */
 function utf8(text: string): number[] {
   const bytes: number[] = [];
   for (const character of text) {
@@ -97,7 +98,7 @@ function utf8(text: string): number[] {
   return bytes;
 }
 
-/** The mark of the first byte, and the lowest character, by how many bytes follow. */
+/** By how many bytes follow the first: its mark, and the lowest character of that length. */
 const FIRST = [0, 0xc0, 0xe0, 0xf0];
 const LOWEST = [0, 0x80, 0x800, 0x1_0000];
 
@@ -106,7 +107,7 @@ function fromUtf8(bytes: Uint8Array): string {
   let at = 0;
   while (at < bytes.length) {
     const first = bytes[at++] as number;
-    // What no character begins with gives one that is too low or too high for its bytes.
+    // A byte that cannot begin a character gives a code that is too low or too high, and is refused below.
     const more = first < 0x80 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
     let code = first - (FIRST[more] as number);
     for (let count = 0; count < more; count++) {
@@ -137,7 +138,7 @@ export function base64url(bytes: Uint8Array): string {
   return text;
 }
 
-/** @throws BytesError where the text is of other characters or of a length that no bytes give. */
+/** @throws BytesError when the text holds other characters, or has a length that no bytes give. */
 export function fromBase64url(text: string): Uint8Array {
   if (text.length % 4 === 1) throw new BytesError('no bytes have this length');
   const bytes = new Uint8Array(Math.floor((text.length * 3) / 4));
@@ -157,7 +158,7 @@ export function fromBase64url(text: string): Uint8Array {
   return bytes;
 }
 
-/** CRC-32 of ISO-HDLC, as in zip and png. It sees each change of up to 32 bits in a row. */
+/** CRC-32 as in zip and png (ISO-HDLC). It notices every error that spans at most 32 bits. */
 export function crc32(bytes: Uint8Array): number {
   let crc = 0xffff_ffff;
   for (const byte of bytes) {

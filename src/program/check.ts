@@ -2,8 +2,10 @@ import { type Identity, MAX_POSITION, MAX_TIME } from '../protocol/index.js';
 import { fieldsOf, type ProgramField, requireShape, slotKind, type TimerProgram, valueAt } from './program.js';
 
 /**
- * How much a finding weighs. An `error` is what the wire cannot carry: it cannot be written. A `serious` one may cost a
- * model and must be acknowledged before a write. A `warning` is unusual.
+ * How much a finding weighs.
+ * - `error`: the wire cannot carry it, so the program cannot be written.
+ * - `serious`: it may cost a model, so the pilot must acknowledge it before a write.
+ * - `warning`: it is unusual.
  */
 export type Severity = 'error' | 'serious' | 'warning';
 
@@ -13,7 +15,7 @@ export type Severity = 'error' | 'serious' | 'warning';
  * - `time-not-whole`, `time-out-of-range` (min, max): the wire cannot carry this time.
  * - `position-not-whole`, `position-out-of-range` (min, max): nor this position.
  * - `throttle-not-whole`, `throttle-out-of-range` (min, max): nor this idle throttle.
- * - `position-as-read` (value): the timer holds a position past its last step; it is kept unless edited.
+ * - `position-as-read` (value): the timer holds a position past its last step; it stays so unless the pilot edits it.
  * - `time-falls` (previous): a function comes before the one it follows.
  * - `time-repeats` (previous): two functions share a time and hold the same positions.
  * - `position-never-reached` (previous): two functions share a time, so the positions of the earlier one are never
@@ -51,18 +53,15 @@ export type FindingCode =
 export interface Finding {
   readonly severity: Severity;
   readonly code: FindingCode;
-  /** The value it is about; null when it is about the whole program. */
+  /** The value that it is about; null when it is about the whole program. */
   readonly field: ProgramField | null;
   readonly params: Readonly<Record<string, number | string>>;
 }
 
 export interface CheckOptions {
-  /**
-   * What the timer held: a position that it cannot have been set to is kept without an error while it is as it was
-   * read.
-   */
+  /** What the timer held. A position past the last step is no error while it equals the one that was read. */
   readonly baseline?: TimerProgram | undefined;
-  /** A DT below this is called short, in hundredths of a second. Default 6000, a minute. */
+  /** A DT below this counts as short. Hundredths of a second, default 6000 (one minute). */
   readonly shortDt?: number | undefined;
 }
 
@@ -73,8 +72,9 @@ const MAX_THROTTLE = 255;
 const USUAL_THROTTLE = 100;
 
 /**
- * Everything that a pilot should know of a program before it is written: errors first to last field, then warnings.
- * Slot 0 takes no part in the rising order: it is the motor stop on Q and reserved on B and E.
+ * Everything that a pilot should know about a program before it is written: first what the wire cannot carry, field by
+ * field, then all other findings. Slot 0 has no place in the rising order: it is the motor stop on Q, and reserved on B
+ * and E.
  * @throws CodecError `wrong-count` when the lists do not have the shape of the identity.
  * @example
  * ```ts
@@ -110,7 +110,7 @@ export function hasErrors(findings: readonly Finding[]): boolean {
   return findings.some(({ severity }) => severity === 'error');
 }
 
-/** What the wire cannot carry. */
+/** Values that the wire cannot carry. */
 function carried(program: TimerProgram, field: ProgramField, baseline: TimerProgram | undefined): Finding[] {
   const value = valueAt(program, field);
   if (value === null) return [];
@@ -124,7 +124,10 @@ function carried(program: TimerProgram, field: ProgramField, baseline: TimerProg
   return [{ severity: 'error', code: `${kind}-out-of-range`, field, params: { min: 0, max } }];
 }
 
-/** Functions rise strictly: certain for Q. For B and E the manuals differ, so it weighs less there. */
+/**
+ * Functions must rise strictly. That is certain for Q;
+ * for B and E the manuals differ, so the finding weighs less there.
+ */
 function order({ identity, times, positions }: TimerProgram, wrong: ReadonlySet<number>): Finding[] {
   const found: Finding[] = [];
   for (let at = 2; at <= identity.functions; at++) {
@@ -159,7 +162,7 @@ function motor({ identity, times }: TimerProgram, wrong: ReadonlySet<number>): F
   return found;
 }
 
-/** Ranges and steps of the manuals of 2010, hundredths of a second. */
+/** Ranges and steps from the manuals of 2010, in hundredths of a second. */
 export interface ManualRange {
   readonly min: number;
   readonly max: number;
@@ -171,8 +174,8 @@ const HUNDREDTHS: ManualRange = { min: 1, max: 999, step: 1 };
 const SECONDS: ManualRange = { min: 100, max: 72000, step: 100 };
 
 /**
- * The range and the step that the manual gives for the time of a slot; null where it gives none: class E, an unknown
- * class, the reserved slot of B.
+ * The range and step that the manual gives for the time of a slot. Null where it gives none: class E, an unknown class,
+ * the reserved slot of B.
  */
 export function manualRange(identity: Identity, at: number): ManualRange | null {
   const { timerClass } = identity;
@@ -204,7 +207,7 @@ function dethermaliser({ identity, times }: TimerProgram, limit: number): Findin
   return [{ severity: 'warning', code: 'dt-short', field: { kind: 'time', slot: at }, params: { limit } }];
 }
 
-/** A warning and no more: something else may bring it down, such as a radio DT. */
+/** Only a warning: something else may bring the model down, such as a radio DT. */
 function dtPositions({ identity, positions }: TimerProgram): Finding[] {
   const at = identity.functions;
   if (positions.some((row) => row[at] !== row[at - 1])) return [];

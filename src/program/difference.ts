@@ -10,9 +10,9 @@ export interface Change {
 }
 
 /**
- * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. The memory
- * that they come from is not one of them.
- * @throws CodecError `wrong-count` when they do not have the same slots and servos.
+ * The values in which two programs differ, times first, then positions servo by servo, then idle throttle. Which memory
+ * a program comes from does not count.
+ * @throws CodecError `wrong-count` when the two do not have the same slots and servos.
  * @example
  * ```ts
  * import { TimerClient } from 'sidus-timer/client';
@@ -39,7 +39,7 @@ export function differences(from: TimerProgram, to: TimerProgram): Change[] {
 
 /**
  * The fewest requests that turn one program into the other: one SETTIMERS with all times if any time differs, a
- * SETSERVO for each position, a SETLOWRPM. An idle throttle that is not known in `to` is left as it is.
+ * SETSERVO for each position, a SETLOWRPM. An idle throttle that is null in `to` gives no request.
  * @throws CodecError `wrong-count`, see {@link differences}.
  */
 export function changeRequests(from: TimerProgram, to: TimerProgram): Request[] {

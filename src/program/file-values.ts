@@ -3,18 +3,16 @@ import { identityOf, requireProgram } from './library.js';
 import { slotKind, type TimerProgram } from './program.js';
 import { LAST_DATE, list, record, refuse, whole, word } from './require.js';
 
-/*
- * How a program and a date stand in a file: in the words of a pilot, and each value exactly.
- */
+/* How a program and a date are written in a file: in the words of a pilot, and without any loss. */
 
-/** A row of a program, as the table on the screen has it. */
+/** One row of a program, as in the table on the page. */
 interface Row {
   readonly slot: string;
   readonly time?: string;
   readonly positions: readonly number[];
 }
 
-/** Slot 0 has no row of its own for its time: it is the motor stop on class Q, and reserved on the others. */
+/** What the time of slot 0 is called in a file: the motor stop on class Q, reserved on the others. */
 export function startTime({ timerClass }: Identity): 'motorStop' | 'reserved' {
   return timerClass === 'Q' ? 'motorStop' : 'reserved';
 }
@@ -37,7 +35,7 @@ export function programToFile({ identity, memory, times, positions, idleThrottle
   };
 }
 
-/** @throws CodecError with the place where it stands in the file as field. */
+/** @throws CodecError whose field is the place in the file. */
 export function programFromFile(value: unknown, path: string): TimerProgram {
   const of = record<{ identity: 0; memory: 0; motorStop: 0; reserved: 0; idleThrottle: 0; slots: 0 }>(value, path);
   const identity = identityOf(of.identity, path);
@@ -80,7 +78,7 @@ function slotName(identity: Identity, slot: number): string {
   return kind === 'start' ? 'start' : kind === 'dt' ? 'DT' : String(slot);
 }
 
-/** As the page calls it: `M1` is the first. */
+/** As the page calls it: `M1` is memory 0. */
 function memoryOf(value: unknown, path: string, { memories }: Identity): number | null {
   if (value === null || value === undefined) return null;
   const names = Array.from({ length: memories }, (_, memory) => memoryName(memory));
@@ -91,7 +89,7 @@ function memoryName(memory: number): string {
   return `M${memory + 1}`;
 }
 
-/** Seconds with two decimals, as a text: exact in every language, which 0.3 as a number is not. */
+/** Seconds with two decimals, as a text. The number 0.3 would not be exact in every language. */
 function timeToFile(hundredths: number): string {
   return `${Math.floor(hundredths / 100)}.${String(hundredths % 100).padStart(2, '0')}`;
 }
@@ -108,14 +106,14 @@ function timeFromFile(value: unknown, path: string): number {
   return hundredths;
 }
 
-/** UTC, so that it is the same wherever it is read. */
+/** In UTC, so that it reads the same everywhere. */
 export function dateToFile(milliseconds: number): string {
   return new Date(milliseconds).toISOString();
 }
 
 export function dateFromFile(value: unknown, path: string): number {
   const milliseconds = typeof value === 'string' ? Date.parse(value) : Number.NaN;
-  // Only what would be written is taken: a day that no month has is moved to the next month by some.
+  // Only the form that `dateToFile` writes is accepted: some engines take 31 April for 1 May.
   if (Number.isNaN(milliseconds) || dateToFile(milliseconds) !== value) {
     refuse('wrong-type', path, 'a time such as "2026-11-22T14:03:00.000Z"', value);
   }

@@ -3,33 +3,33 @@ import { fieldKey, type TimerProgram, valueAt } from './program.js';
 
 /**
  * How far an interrupted write came, by a fresh reading.
- *
  * - `nothing`: the timer holds what it held before.
  * - `part`: what it holds is explained by the old content and a part of the write.
- * - `all`: it holds all that was wanted.
- * - `foreign`: it holds something that neither explains: this is another timer, or something else changed it.
+ * - `all`: it holds everything that was wanted.
+ * - `foreign`: it holds something that neither explains. This is another timer, or something else changed it.
  */
 export type WriteExtent = 'nothing' | 'part' | 'all' | 'foreign';
 
 export interface PartOfWrite {
   readonly extent: WriteExtent;
-  /** The values that the write was to change and that are as wanted. */
+  /** The values that the write was to change and that are now as wanted. */
   readonly written: readonly Change[];
-  /** The values that the write was to change and that are as before. */
+  /** The values that the write was to change and that are still as before. */
   readonly missing: readonly Change[];
   /**
-   * The values that are neither as before nor as wanted; `from` is what they were before, `to` what the timer holds.
+   * The values that are neither as before nor as wanted.
+   * `from` is what they were before, `to` what the timer holds now.
    */
   readonly foreign: readonly Change[];
 }
 
 /**
- * Tells what became of an interrupted write. Nothing on the wire identifies a timer: this says only whether what it
- * holds can be explained, and `foreign` is the one answer that is certain to need a person.
+ * Tells what became of an interrupted write. Nothing on the wire identifies a timer, so this says only whether the
+ * write explains what the timer holds. After `foreign` a person has to decide.
  * @param before what the timer held before the write.
- * @param goal what it was to hold. An idle throttle that is null was not to be written.
+ * @param goal what it was to hold. Null as idle throttle: the write did not touch it.
  * @param held what a fresh read gave.
- * @throws CodecError `wrong-count` when the three are not of one layout.
+ * @throws CodecError `wrong-count` when the three do not have the same slots and servos.
  */
 export function partWritten(before: TimerProgram, goal: TimerProgram, held: TimerProgram): PartOfWrite {
   const asked = differences(before, goal).filter(({ to }) => to !== null);

@@ -1,28 +1,30 @@
 import { CodecError } from '../protocol/index.js';
 
 /*
- * JSON with what `JSON.parse` does not tell: where a fault stands, also one that is found later by the path of a value;
- * names that stand twice; and a limit of depth in place of a stack that overflows. Names such as `__proto__` are names
- * like any other.
+ * A reader of JSON that does three things more than `JSON.parse`: it says where a fault stands (even one that is found
+ * later, by the path of a value), it refuses a name that stands twice, and it limits the depth, so no stack overflows.
+ * Names such as `__proto__` are names like any other.
  */
 
 /** Deeper than anything that a pilot keeps. */
 const DEEPEST = 32;
-/** Lines as wide as this still fit on a screen, or on a sheet of paper that lies on its side. */
+/** A line of this width still fits on a screen, or on a sheet of paper in landscape. */
 const WIDEST = 110;
 
-/** Hears where each value begins, by its path: `settings[3].name`. */
+/** Called where each value begins, with its path: `settings[3].name`. */
 type Listener = (path: string, offset: number) => void;
 
-/** @throws CodecError `bad-file` with `text` or `end` as field, `duplicate`, `too-large`; all with line and column. */
+/** @throws CodecError `bad-file` (field `text` or `end`), `duplicate`, `too-large`; each with line and column. */
 export function readJson(text: string): unknown {
   return new JsonReader(text, null).read();
 }
 
-/** Where a value begins, or where what it is missing from begins; line and column count from 1. */
+/**
+ * Where a value begins. For a missing value: where the value that should hold it begins. Line and column count from 1.
+ */
 export function placeInText(text: string, path: string): { line: number; column: number } {
   let begin = 0;
-  // A value is heard behind the one around it: the last one lies deepest.
+  // An outer value is reported before the values inside it, so the last match is the deepest.
   new JsonReader(text, (at, offset) => {
     const next = path[at.length];
     const within = path.startsWith(at) && (next === undefined || next === '.' || next === '[');
@@ -109,7 +111,7 @@ class JsonReader {
     return found;
   }
 
-  /** Goes through what stands between brackets, with commas between. */
+  /** Reads the parts between two brackets, separated by commas. */
   #each(end: string, one: () => void): void {
     this.#at++;
     this.#space();
@@ -186,7 +188,9 @@ class JsonReader {
   }
 }
 
-/** JSON that a person can read: what fits on a line stands on one, everything else has a line for each value. */
+/**
+ * Writes JSON for people: a value that fits on one line stands on one; any other has one line for each of its parts.
+ */
 export function writeJson(value: unknown, indent = ''): string {
   const inner = `${indent}  `;
   if (typeof value !== 'object' || value === null) return JSON.stringify(value);
@@ -196,7 +200,7 @@ export function writeJson(value: unknown, indent = ''): string {
   const [open, close] = Array.isArray(value) ? ['[', ']'] : ['{ ', ' }'];
   if (lines.length === 0) return `${open}${close}`.replace('  ', '');
   const length = lines.reduce((sum, line) => sum + line.length + 2, indent.length + 4);
-  // What has several lines inside is longer in any case.
+  // A text that has several lines inside is longer than the limit in any case.
   if (length <= WIDEST) return `${open}${lines.join(', ')}${close}`;
   return `${open.trim()}\n${lines.map((line) => inner + line).join(',\n')}\n${indent}${close.trim()}`;
 }

@@ -15,40 +15,40 @@ import {
 import type { TimerProgram } from './program.js';
 import { flag, list, record, text, whole } from './require.js';
 
-/** What a library file says that it is. */
+/** The name of the format, which every library file carries. */
 export const FILE_FORMAT = 'sidus-timer library';
-/** The version of the format that is written; a newer one is not read. */
+/** The version that is written. Files of a newer version are refused. */
 export const FILE_VERSION = 1;
-/** The longest file that is read or written, in characters: 2,000 settings and 10,000 flights take under 20 million. */
+/** The longest file that is read or written, in characters. 2,000 settings and 10,000 flights take under 20 million. */
 export const MAX_FILE = 50_000_000;
 
-/** What one memory of a timer held when that was seen last. */
+/** What one memory of a timer held when it was last verified. */
 export interface VerifiedMemory {
   readonly program: TimerProgram;
   /** Milliseconds since 1970. */
   readonly at: number;
-  /** Whether the timer was a simulated one. */
+  /** Whether it was a simulated timer. */
   readonly simulated?: boolean;
 }
 
-/** What is known of an entry beside what the pilot has said of it. */
+/** Facts about an entry that the pilot did not type. */
 export interface EntryFacts {
-  /** When it was changed last, in milliseconds since 1970. */
+  /** When it was last changed, in milliseconds since 1970. */
   readonly changedAt?: number;
-  /** Of a model: what the memories of its timer held when they were last seen to be verified. At most 255. */
+  /** For a model: what the memories of its timer held when they were last verified. At most 255. */
   readonly verified?: readonly VerifiedMemory[];
 }
 export type FactsOf = ReadonlyMap<Model | Setting | Flight, EntryFacts>;
 
 export interface LibraryFile {
   readonly library: Library;
-  /** What the file says beside it, by entry; an entry without any is not in the map. */
+  /** The facts of each entry, by the entry itself. An entry without facts is not in the map. */
   readonly facts: FactsOf;
-  /** When it was written, in milliseconds since 1970. */
+  /** When the file was written, in milliseconds since 1970. */
   readonly writtenAt: number;
-  /** What wrote it, such as `Sidus Timer 0.2.0`. */
+  /** The program that wrote it, such as `Sidus Timer 0.2.0`. */
   readonly writtenBy: string;
-  /** The fields that no version up to this one knows, 20 at most: they were passed over. */
+  /** Fields that this version does not know and has skipped. At most 20 are named. */
   readonly ignored: readonly string[];
 }
 
@@ -58,15 +58,15 @@ const MOST_IGNORED = 20;
 const MOST_VERIFIED = 255;
 
 /**
- * A library, or a part of it, as a text that a person can read, too: JSON as in docs/file-format.md.
- * @param head when it is written, in milliseconds since 1970, and by what, up to 200 characters.
- * @throws CodecError as {@link requireLibrary} for what is no library; `too-large` for one past {@link MAX_FILE}.
+ * Writes a library, or a part of one, as JSON that a person can read, too. docs/file-format.md describes it.
+ * @param head when it is written, in milliseconds since 1970, and which program writes it, up to 200 characters.
+ * @throws CodecError as {@link requireLibrary} when it is no library; `too-large` past {@link MAX_FILE}.
  */
 export function formatLibraryFile(
   library: Library,
   head: { readonly writtenAt: number; readonly writtenBy: string; readonly facts?: FactsOf },
 ): string {
-  // What cannot be read again must not be written.
+  // Whatever could not be read back must not be written.
   const { models, settings, flights } = requireLibrary(library);
   const factsOf = (each: Model | Setting | Flight | undefined): object => {
     const { changedAt, verified } = (each && head.facts?.get(each)) ?? {};
@@ -107,16 +107,16 @@ export function formatLibraryFile(
 }
 
 /**
- * Reads a library file. Line ends may be those of any system. A field that is not known is passed over and named in
- * `ignored`; everything else is checked as strictly as what a timer says.
+ * Reads a library file. Line ends may be those of any system. An unknown field is skipped and named in `ignored`.
+ * Everything else is checked as strictly as a reply of a timer.
  * @throws CodecError with the path as field, and line and column in its details: `bad-file` for another kind of file
- * (field `format`), a broken text (`text`), one that ends too early (`end`) or one of UTF-16 that was read as another
- * (`encoding`); `newer-version`, `too-large`, `duplicate`; and as {@link requireLibrary}.
+ * (field `format`), a broken text (`text`), a text that ends too early (`end`) or UTF-16 that was read as another
+ * encoding (`encoding`); `newer-version`, `too-large`, `duplicate`; and as {@link requireLibrary}.
  */
 export function parseLibraryFile(source: string): LibraryFile {
   requireSize(source);
   const text = source.replace(/^\uFEFF/, '');
-  // The byte order mark of UTF-16 in letters of another encoding, or the zeros that stand beside each letter.
+  // The byte order mark of UTF-16 as another encoding shows it, or the zeros beside each letter.
   if (/^(?:ÿþ|þÿ|\uFFFE|\uFFFD\uFFFD|\0|.\0)/.test(text)) {
     throw new CodecError('bad-file', 'encoding', 'the text is UTF-16 that was read as something else');
   }
@@ -137,7 +137,7 @@ function requireSize({ length }: string): void {
   throw new CodecError('too-large', 'file', `a file has at most ${MAX_FILE} characters, not ${length}`, details);
 }
 
-/** The names that are known, by what they stand in. */
+/** The known names, by the object that they stand in. */
 const HEAD = ['$schema', 'format', 'version', 'writtenAt', 'writtenBy', 'models', 'settings', 'flights'] as const;
 const MODEL = [
   'id',
@@ -247,7 +247,7 @@ class FileReader {
     return entry;
   }
 
-  /** Notes what is not known. */
+  /** Notes the names that are not known. */
   #know<Name extends string>(value: unknown, path: string, names: readonly Name[]): Fields<Name> {
     const of = record<Fields<Name>>(value, path);
     for (const name of Object.keys(of)) {

@@ -17,61 +17,65 @@ import {
 } from './require.js';
 
 /*
- * What a pilot keeps beside the timer. The same shapes lie in files and in the page's storage; each is checked by one
- * function here, wherever it comes from.
+ * What a pilot keeps: models, settings, flights. The file and the storage of the page hold the same shapes. One
+ * function here checks each of them, wherever it comes from.
  */
 
 /**
- * What a servo does: it turns a surface; or it lets go of something, as a disc lets arms go one after another and a
- * line the tailplane at DT; or something that only the pilot has a name for; or there is none.
+ * What a servo does. `rudder`, `tailplane`, `wing`: it turns a surface. `release`: it releases something, such as a
+ * disc that frees arms one after another, or a line that holds the tailplane until DT. `other`: something that only the
+ * pilot has a name for. `none`: no servo is there.
  */
 export const DUTIES = ['rudder', 'tailplane', 'wing', 'release', 'other', 'none'] as const;
 export type Duty = (typeof DUTIES)[number];
 
-/** What the pilot has said of a servo. */
+/** What the pilot has told about a servo. */
 export interface ServoUse {
   readonly duty: Duty;
-  /** Of an `other` duty, up to 16 characters; else empty. */
+  /** What it does, for the duty `other`: up to 16 characters. Empty for any other duty. */
   readonly name: string;
-  /** The ends of the way that it uses, in steps 0..130, `low` not above `high`. */
+  /** The ends of its travel, in steps 0..130. `low` is not above `high`. */
   readonly low: number;
   readonly high: number;
-  /** More steps turn the trailing edge down, of a rudder to the left; else up, or to the right. */
+  /** True: more steps turn the trailing edge down (a rudder to the left). False: up (a rudder to the right). */
   readonly reversed: boolean;
 }
 
-/** A model aircraft with its timer. Nothing on the wire names it: what belongs to it is what the pilot says. */
+/** A model aircraft with its timer. Nothing on the wire names it, so the pilot says what belongs to it. */
 export interface Model {
-  /** Unique, and the same for ever: 1 to 64 of `A-Z a-z 0-9 - _`. */
+  /** Unique and never changed: 1 to 64 characters of `A-Z a-z 0-9 - _`. */
   readonly id: string;
   /** 1 to 60 characters. */
   readonly name: string;
-  /** The class of its timer; null while nobody has said. */
+  /** The class of its timer; null until the pilot has said it. */
   readonly timerClass: string | null;
   /** Up to 5000 characters. */
   readonly note: string;
-  /** What its servos move, one for each; empty where the pilot has not said. At most 255. */
+  /** What its servos move, one entry for each. Empty where the pilot has not said. At most 255. */
   readonly servos: readonly ServoUse[];
-  /** What the pilot calls its memories, such as “calm”; empty texts, or a shorter list, where they have no name. */
+  /**
+   * The pilot's names for the memories, such as “calm”.
+   * A memory without a name has an empty text, or the list ends before it.
+   */
   readonly memoryNames: readonly string[];
-  /** A picture as base64 of a JPEG file, up to 200,000 characters; null without one. */
+  /** A picture: a JPEG file in base64, up to 200,000 characters; null without one. */
   readonly photo: string | null;
-  /** Put away: it is kept, and shown only when asked for. */
+  /** Put away: kept, but shown only on request. */
   readonly archived: boolean;
 }
 
 /**
- * Where the values of a setting come from: typed by the pilot; read from a timer, or a simulated one; kept before a
- * write; a file; a link.
+ * Where the values of a setting come from: the pilot typed them; a timer or a simulated timer was read; a backup before
+ * a write; a file; a link.
  */
 export const SOURCES = ['typed', 'timer', 'simulated', 'backup', 'file', 'link'] as const;
 export type SettingSource = (typeof SOURCES)[number];
 
 /** A program that the pilot keeps under a name. */
 export interface Setting {
-  /** Unique, and the same for ever, as in {@link Model.id}. */
+  /** Unique and never changed, as in {@link Model.id}. */
   readonly id: string;
-  /** The model that it belongs to, by its id; null: to none. */
+  /** The id of the model that it belongs to; null for none. */
   readonly model: string | null;
   /** 1 to 60 characters. */
   readonly name: string;
@@ -79,51 +83,51 @@ export interface Setting {
   readonly note: string;
   /** Up to 20, of 1 to 30 characters each. */
   readonly tags: readonly string[];
-  /** When its values were read or changed last, in milliseconds since 1970. */
+  /** When its values were last read or changed, in milliseconds since 1970. */
   readonly at: number;
   /** The values, with the identity of the timer that they are for. */
   readonly program: TimerProgram;
   readonly from: SettingSource;
-  /** Put away: it is kept, and shown only when asked for. */
+  /** Put away: kept, but shown only on request. */
   readonly archived: boolean;
 }
 
-/** One flight in the pilot's log. It holds a copy of what was flown, so that it never changes. */
+/** One flight in the pilot's log. It holds a copy of the program that was flown, so that it never changes. */
 export interface Flight {
-  /** Unique, and the same for ever, as in {@link Model.id}. */
+  /** Unique and never changed, as in {@link Model.id}. */
   readonly id: string;
   /** When it was flown, in milliseconds since 1970. */
   readonly at: number;
   /** Up to 100 characters. */
   readonly place: string;
-  /** The model by its id, and its name on that day; null and empty where it was none of the library. */
+  /** The model by its id, and its name on that day. Null and empty when it was not in the library. */
   readonly model: string | null;
   readonly modelName: string;
-  /** The setting by its id, and its name on that day; null and empty where it was none of the library. */
+  /** The setting by its id, and its name on that day. Null and empty when it was not in the library. */
   readonly setting: string | null;
   readonly settingName: string;
-  /** What the timer held. */
+  /** The program that the timer held. */
   readonly program: TimerProgram;
-  /** Metres per second, 0 to 50; null where it was not noted. */
+  /** Metres per second, 0 to 50; null when nobody noted it. */
   readonly wind: number | null;
-  /** Degrees Celsius, -50 to 60; null where it was not noted. */
+  /** Degrees Celsius, -50 to 60; null when nobody noted it. */
   readonly temperature: number | null;
   /** Such as `3` or `fly-off 1`, up to 30 characters. */
   readonly round: string;
-  /** How long it was timed, in seconds, 0 to 36,000; null where it was not noted. */
+  /** The flight time in seconds, 0 to 36,000; null when nobody noted it. */
   readonly result: number | null;
   /** Up to 5000 characters. */
   readonly note: string;
 }
 
-/** All that a pilot keeps, or a part of it. The order of the lists is the order that the pilot has given them. */
+/** All that a pilot keeps, or a part of it. The lists are in the order that the pilot gave them. */
 export interface Library {
   readonly models: readonly Model[];
   readonly settings: readonly Setting[];
   readonly flights: readonly Flight[];
 }
 
-/** The longest texts, in characters, and lists. */
+/** The greatest lengths of texts, in characters, and of lists. */
 export const LIMITS = {
   name: 60,
   servoName: 16,
@@ -137,8 +141,8 @@ export const LIMITS = {
 
 /**
  * Makes sure that a value is a model.
- * @param path where it stands, for the error: `models[3]`.
- * @returns the same values without anything that does not belong to a model.
+ * @param path the place that an error names: `models[3]`.
+ * @returns a copy that has the fields of a model and no others.
  * @throws CodecError `wrong-type`, `out-of-range`, `not-an-integer`, `wrong-count`, `unknown-word`.
  */
 export function requireModel(value: unknown, path = 'model'): Model {
@@ -214,7 +218,7 @@ export function requireLibrary(value: unknown): Library {
   };
 }
 
-/** A list of the library, each with an id of its own. */
+/** A list of the library. Each entry must have an id of its own. */
 export function entries<T extends { readonly id: string }>(
   value: unknown,
   path: string,
@@ -231,7 +235,7 @@ export function entries<T extends { readonly id: string }>(
 }
 
 /**
- * Makes sure that a value is a program that a timer can hold: positions and idle throttle up to 255, for a timer may
+ * Makes sure that a value is a program that a timer can hold. Positions and idle throttle go up to 255: a timer may
  * hold what nobody should set.
  * @throws CodecError as {@link requireModel}; also `bad-identity`.
  */
@@ -252,8 +256,8 @@ export function requireProgram(value: unknown, path = 'program'): TimerProgram {
 }
 
 /**
- * Makes sure that a value is what a timer can say of itself.
- * @param path of the program that it stands in.
+ * Makes sure that a value is an identity that a timer can have.
+ * @param path the place of the program that holds it.
  */
 export function identityOf(value: unknown, path: string): Identity {
   const place = `${path}.identity`;

@@ -3,39 +3,41 @@ import { BytesError, base64url, crc32, fromBase64url, PackedReader, PackedWriter
 import { LIMITS, requireSetting, type Setting } from './library.js';
 import { text } from './require.js';
 
-/** What a link carries: a setting, without what only the library of its sender knows of it. */
+/** What a link carries: a setting, without the fields that only the sender's library can use. */
 export interface SharedSetting extends Pick<Setting, 'name' | 'note' | 'tags' | 'at' | 'program'> {
-  /** The name of the model, up to 60 characters; empty where it belongs to none. */
+  /** The name of the model, up to 60 characters. Empty when it belongs to none. */
   readonly modelName: string;
 }
 
-/** What stands before the code in the fragment of an address: `https://…/#s=AVE…`. */
+/** Stands before the code in the fragment of an address: `https://…/#s=AVE…`. */
 export const LINK_MARK = '#s=';
 
 const VERSION = 1;
-/** The checksum at the end. */
+/** Bytes of the checksum at the end. */
 const SUM = 4;
-/** No setting is longer: the longest note, all tags and the largest program in the widest characters. */
+/**
+ * No setting needs more characters: the longest note, all tags and the largest program, all in the widest characters.
+ */
 const LONGEST_CODE = 60_000;
-/** The bits of the byte that says what may be missing. */
+/** The bits of the byte that says which optional parts are there. */
 const HAS_MEMORY = 1;
 const HAS_THROTTLE = 2;
-/** Shows that a note goes on where it came from. */
+/** Ends a note that was cut. */
 const CUT = ' …';
 
 /**
  * Packs a whole setting into the characters of base64url, `A-Z a-z 0-9 - _`: version, timer, values, texts and a
  * checksum. docs/file-format.md shows the bytes. A setting of 44 values with 60 characters of text takes under 200.
- * @param options.longest cuts the end of a longer note, so that the code has at most so many characters: a QR code has
- * little room. Nothing else is ever cut; a code without any note may still be longer.
- * @throws CodecError as {@link requireSetting} for what is no setting.
+ * @param options.longest the most characters that the code may have. A longer note is cut at its end, for a QR code has
+ * little room. Nothing else is ever cut, so a code without a note may still be longer.
+ * @throws CodecError as {@link requireSetting} when it is no setting.
  */
 export function encodeLink(shared: SharedSetting, options: { readonly longest?: number } = {}): string {
   const setting = requireShared(shared);
   const { longest = Number.POSITIVE_INFINITY } = options;
   const whole = pack(setting);
   if (whole.length <= longest) return whole;
-  // The longest beginning that fits, found by halving; characters are never cut in two.
+  // The longest beginning that fits, found by halving. No character is cut in two.
   const characters = [...setting.note];
   const cutTo = (count: number): string => {
     const note = count === 0 ? '' : characters.slice(0, count).join('').trimEnd() + CUT;
@@ -52,10 +54,10 @@ export function encodeLink(shared: SharedSetting, options: { readonly longest?: 
 }
 
 /**
- * Takes a setting out of a code, a fragment or a whole address with `#s=`. White space in it, as mail puts it there,
+ * Reads a setting from a code, a fragment or a whole address with `#s=`. White space inside, which mail programs add,
  * does no harm.
- * @throws CodecError `bad-link`: no setting, or cut or damaged; `newer-version`; `too-large`; and for a code that is
- * whole, but says what no setting can hold, as {@link requireSetting}.
+ * @throws CodecError `bad-link`: no setting, or a cut or damaged one; `newer-version`; `too-large`. A whole code whose
+ * values no setting can hold gives an error as {@link requireSetting}.
  */
 export function decodeLink(link: string): SharedSetting {
   const mark = link.lastIndexOf(LINK_MARK);
@@ -96,7 +98,10 @@ function pack({ name, note, tags, at, program, modelName }: SharedSetting): stri
   return base64url(to.bytes);
 }
 
-/** In every version the first byte is its number and the last four are the sum: what is newer is known from damage. */
+/**
+ * In every version the first byte is the version and the last four are the checksum.
+ * So a newer code is told from a damaged one.
+ */
 function unpack(bytes: Uint8Array): unknown {
   const from = new PackedReader(bytes.subarray(0, -SUM));
   const end = new PackedReader(bytes.subarray(-SUM));
@@ -132,7 +137,7 @@ function unpack(bytes: Uint8Array): unknown {
   return { name, modelName, note, tags, at, program: { identity, memory, times, positions, idleThrottle } };
 }
 
-/** As strict as what is kept: a link may come from anybody. */
+/** As strict as for stored settings: a link may come from anybody. */
 function requireShared(value: unknown): SharedSetting {
   const shared = value as SharedSetting;
   const { name, note, tags, at, program } = requireSetting({

@@ -1,7 +1,7 @@
 import { CodecError, type Identity, slotCount } from '../protocol/index.js';
 
 /**
- * What a pilot sets: the content of one memory. Slots are start, function 1 .. NF-1, DT, as many as the identity says.
+ * What a pilot sets: the content of one memory. Its slots are start, function 1 .. NF-1 and DT; the identity gives NF.
  */
 export interface TimerProgram {
   readonly identity: Identity;
@@ -12,9 +12,9 @@ export interface TimerProgram {
    * Q and reserved on B and E.
    */
   readonly times: readonly number[];
-  /** `[servo][slot]`, steps 0..130. A timer may hold 131..255; such a value is kept as it was read. */
+  /** `[servo][slot]`, steps 0..130. A timer may hold 131..255; such a value stays as it was read. */
   readonly positions: readonly (readonly number[])[];
-  /** 0..255, unit unknown; null when it was not read (any class but Q) or the timer did not answer. */
+  /** 0..255, unit unknown; null when nobody asked for it (any class but Q) or the timer did not answer. */
   readonly idleThrottle: number | null;
 }
 
@@ -24,7 +24,7 @@ export type ProgramField =
   | { readonly kind: 'position'; readonly servo: number; readonly slot: number }
   | { readonly kind: 'idleThrottle' };
 
-/** What a slot is: `start` is slot 0, `dt` the last, `function` each one between. */
+/** What a slot is: `start` is slot 0, `dt` the last one, `function` any between them. */
 export function slotKind(identity: Identity, slot: number): 'start' | 'function' | 'dt' {
   if (slot === 0) return 'start';
   return slot === identity.functions ? 'dt' : 'function';
@@ -41,7 +41,7 @@ export function fieldsOf(identity: Identity): ProgramField[] {
   ];
 }
 
-/** A short name of a field, the same for equal fields: `time:3`, `position:0:3`, `idleThrottle`. */
+/** A short name of a field. Equal fields have equal names: `time:3`, `position:0:3`, `idleThrottle`. */
 export function fieldKey(field: ProgramField): string {
   if (field.kind === 'time') return `time:${field.slot}`;
   if (field.kind === 'position') return `position:${field.servo}:${field.slot}`;
@@ -65,12 +65,12 @@ export function withValue(program: TimerProgram, field: ProgramField, value: num
   return { ...program, positions };
 }
 
-/** Whether two timers are of one class, firmware and layout. It does not mean that they are the same timer. */
+/** Whether two timers have the same class, firmware and layout. They may still be two timers. */
 export function sameKind(a: Identity, b: Identity): boolean {
   return a.timerClass === b.timerClass && a.firmware === b.firmware && sameLayout(a, b) && a.memories === b.memories;
 }
 
-/** Whether programs of two timers have the same slots and servos. */
+/** Whether the programs of two timers have the same slots and servos. */
 export function sameLayout(a: Identity, b: Identity): boolean {
   return a.functions === b.functions && a.servos === b.servos;
 }

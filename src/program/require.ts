@@ -1,16 +1,17 @@
 import { CodecError } from '../protocol/index.js';
 
 /*
- * Makes sure that a value from outside is of its kind. `path` is where it stands, for the error: `settings[3].name`.
+ * Checks of values from outside. Each makes sure that a value is of its kind. `path` is the place that an error names:
+ * `settings[3].name`.
  */
 
-/** What has the fields of something, perhaps, with anything in them. */
+/** An object that may have the fields of `T`, each with any value. */
 export type Raw<T> = { readonly [Name in keyof T]?: unknown };
 
-/** The last millisecond that a calendar knows. */
+/** The latest time that a JavaScript `Date` can hold, in milliseconds since 1970. */
 export const LAST_DATE = 8.64e15;
 
-/** What is wrong inside of something, with the place where that stands. */
+/** Puts `path` before the field of an error that the check throws. */
 export function within(path: string, check: () => void): void {
   try {
     check();
@@ -54,7 +55,7 @@ export function text(value: unknown, path: string, longest: number, shortest = 0
   return value;
 }
 
-/** How many characters a text has, as a JSON Schema counts them; a text that is far too long is not gone through. */
+/** How many characters a text has, counted as JSON Schema does. A text that is far too long is not counted through. */
 function characters(value: string, longest: number): number {
   return value.length <= longest || value.length > 2 * longest ? value.length : [...value].length;
 }
@@ -66,7 +67,7 @@ export function id(value: unknown, path: string): string {
   return value;
 }
 
-/** What may be missing: null, too, says that it is. */
+/** For a value that may be missing; null counts as missing. */
 export function optional<T>(value: unknown, check: (given: unknown) => T): T | null {
   return value === null || value === undefined ? null : check(value);
 }
@@ -87,7 +88,7 @@ export function whole(value: unknown, path: string, min: number, max: number): n
   return measured(value, path, min, max) as number;
 }
 
-/** A list of whole numbers. Where one stands is made up for those that are refused: a library has 100,000 of them. */
+/** A list of whole numbers. The path of a number is made only for an error: a library has 100,000 numbers. */
 export function wholes(value: unknown, path: string, most: number, min: number, max: number): number[] {
   return list(value, path, most).map((each, at) =>
     Number.isInteger(each) && (each as number) >= min && (each as number) <= max
@@ -102,7 +103,7 @@ export function measured(value: unknown, path: string, min: number, max: number)
   if (value < min || value > max) {
     throw new CodecError('out-of-range', path, `${path} must be ${min} to ${max}`, { value, min, max });
   }
-  // No negative zero: it would not come back from a file.
+  // Turns -0 into 0: a negative zero would not come back from a file.
   return value + 0;
 }
 

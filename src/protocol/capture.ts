@@ -2,7 +2,7 @@ import { CodecError } from './errors.js';
 
 /** Bytes that passed on the line together. */
 export interface CaptureEntry {
-  /** Milliseconds since the capture began, never less than the entry before. */
+  /** Milliseconds since the capture began. Never less than in the entry before. */
   readonly time: number;
   /** `out`: to the timer. `in`: from the timer. */
   readonly direction: 'out' | 'in';
@@ -10,20 +10,19 @@ export interface CaptureEntry {
 }
 
 const HEADER = '# Sidus capture 1';
-/** Nine digits of seconds, in milliseconds. */
+/** Seconds of nine digits, in milliseconds. */
 const LONGEST_CAPTURE = 1e12 - 1;
 const LINE = /^(\d{1,9}(?:\.\d{1,6})?) ([<>])((?: [0-9a-f]{2})+)$/i;
 
 /**
- * A capture as text: a heading, then a line for each entry with its time in seconds, `>` to the timer or `<` from it,
- * and the bytes in hex. Empty lines and lines that begin with `#` are skipped. Times are written to the millisecond.
+ * Writes a capture as text: a heading, then one line for each entry. A line has the time in seconds with three
+ * decimals, `>` (to the timer) or `<` (from it), and the bytes in hex. A reader skips empty lines and lines that begin
+ * with `#`.
  *
- *     # Sidus capture 1
- *     0.000 > 00 00 00 00 00 03 6b 6b 45
- *     0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
- * @throws CodecError `bad-capture` with `entry N` as field, counted from 0, for what {@link parseCapture} could not
- * read: a time that is negative, longer than a capture can be (31 years) or before the one above it; an entry without
- * bytes; no direction. Times since 1970 become times of a capture by {@link captureOf}.
+ * # Sidus capture 1 0.000 > 00 00 00 00 00 03 6b 6b 45 0.052 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45
+ * @throws CodecError `bad-capture` with `entry N` as field, counted from 0, for an entry that {@link parseCapture}
+ * could not read back: a time that is negative, past the longest capture (31 years) or before the one above it; no
+ * bytes; no direction. {@link captureOf} turns times since 1970 into times of a capture.
  */
 export function formatCapture(entries: readonly CaptureEntry[]): string {
   let previous = 0;
@@ -41,13 +40,13 @@ export function formatCapture(entries: readonly CaptureEntry[]): string {
 }
 
 /**
- * Reads a capture. Line ends may be those of any system.
+ * Reads a capture with the line ends of any system.
  * @throws CodecError `bad-capture` with `line N` as field: no heading, a line of another form, a time before the one
  * above it.
  */
 export function parseCapture(text: string): CaptureEntry[] {
   const lines = text.split(/\r\n|\r|\n/);
-  // Without the byte order mark too, which counts as a blank.
+  // trim() removes a byte order mark, too.
   if ((lines[0] as string).trim() !== HEADER) throw refusal(1, `the first line must be “${HEADER}”`);
   const entries: CaptureEntry[] = [];
   lines.forEach((line, index) => {
@@ -66,10 +65,10 @@ export function parseCapture(text: string): CaptureEntry[] {
 }
 
 /**
- * A capture of what was seen on the line, such as the entries of the client's `onLine`: those with bytes, with times
- * since the first of them.
- * @param entries times in milliseconds, in any count. One that runs backwards, as when a clock was put right, counts as
- * the one before it.
+ * Makes a capture of what was seen on the line, such as the entries of the client's `onLine`. It takes the entries that
+ * have bytes, and counts time from the first of them.
+ * @param entries times in milliseconds, from any start. A time that runs backwards, as after a correction of the clock,
+ * counts as the one before it.
  * @example
  * ```ts
  * import { TimerClient } from 'sidus-timer/client';

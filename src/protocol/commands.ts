@@ -13,19 +13,19 @@ import {
 
 /** One row of the table of commands. */
 export interface Command {
-  /** The letter of the request: odd. */
+  /** The letter of the request: an odd number. */
   readonly request: number;
-  /** The letter of the reply: the next, even. */
+  /** The letter of the reply: the even number after it. */
   readonly reply: number;
-  /** Another letter that the source prints for the reply in one place, though it belongs to another command. */
+  /** Another letter that the source prints for this reply in one place, though it belongs to another command. */
   readonly misprint?: number;
   /** The values that the request carries, in their order on the wire. */
   readonly sends: readonly Field[];
-  /** The values that the reply carries. */
+  /** The values that the reply carries, in their order on the wire. */
   readonly answers: readonly Field[];
-  /** It may be sent again: two of it leave the timer as one does. */
+  /** Whether it may be sent again: twice leaves the timer as once does. */
   readonly repeatable: boolean;
-  /** What it does to the timer: nothing, to what it stores, to its servos or its motor. */
+  /** What it does to the timer: nothing (`reads`), changes what it stores, moves servos, or frees the motor. */
   readonly effect: 'reads' | 'stores' | 'moves' | 'frees-motor' | 'unknown';
 }
 
@@ -33,10 +33,10 @@ export interface Command {
 const functionField = byteField('function', (identity) => identity.functions);
 const servoField = byteField('servo', (identity) => identity.servos - 1);
 const positionField = byteField('position', () => MAX_POSITION);
-/** Unit unknown. */
+/** Unit unknown, 0..255. */
 const idleThrottleField = byteField('idleThrottle', () => 255);
 
-/** A table that nobody can change, down to its lists: everybody shares it. */
+/** Freezes a table and the lists in it: the whole program shares it. */
 function frozen<const T extends object>(table: T): T {
   for (const value of Object.values(table)) {
     if (typeof value === 'object') frozen(value);
@@ -45,8 +45,8 @@ function frozen<const T extends object>(table: T): T {
 }
 
 /**
- * All commands of the protocol: the one place where a letter, the layout of its data and what it does are written.
- * Encoders, decoders, client, virtual timer, log and documentation read it.
+ * All commands of the protocol. Only here stands the letter of a command, the layout of its data and what it does.
+ * Encoders, decoders, client, virtual timer, log and documentation read this table.
  */
 export const COMMANDS = frozen({
   GETTIMERS: {
@@ -142,12 +142,15 @@ export const COMMANDS = frozen({
   },
 } as const satisfies Record<string, Command>);
 
-/** The maker's name of a command, as in the table. */
+/** The maker's name of a command. */
 export type CommandName = keyof typeof COMMANDS;
 
 export const COMMAND_NAMES: readonly CommandName[] = Object.freeze(Object.keys(COMMANDS) as CommandName[]);
 
-/** The command whose request or reply has this letter, and which of the two it is; undefined for any other letter. */
+/**
+ * The command that has this letter, and whether it is the letter of its request or of its reply. Undefined for a letter
+ * that no command has.
+ */
 export function commandOf(code: number): { name: CommandName; direction: 'request' | 'reply' } | undefined {
   for (const name of COMMAND_NAMES) {
     if (COMMANDS[name].request === code) return { name, direction: 'request' };
@@ -159,14 +162,14 @@ export function commandOf(code: number): { name: CommandName; direction: 'reques
 type FieldValues<Fields extends readonly Field[]> = {
   readonly [F in Fields[number] as F['name']]: F extends Field<string, infer Value> ? Value : never;
 };
-/** One object in hovers and errors, instead of an intersection. */
+/** Shows one object in hovers and errors, in place of an intersection. */
 type Flat<T> = { [Name in keyof T]: T[Name] } & {};
 
-/** The request of one command: its name and its values; of several commands, any of them. */
+/** The request of one command: its name and its values. Of several commands: any of their requests. */
 export type RequestOf<Name extends CommandName> = Name extends CommandName
   ? Flat<{ readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['sends']>>
   : never;
-/** The reply to one command: its name and its values; to several, any of them. */
+/** The reply to one command: its name and its values. Of several commands: any of their replies. */
 export type ReplyOf<Name extends CommandName> = Name extends CommandName
   ? Flat<{ readonly name: Name } & FieldValues<(typeof COMMANDS)[Name]['answers']>>
   : never;

@@ -2,8 +2,7 @@ import { checksum, type Frame, MIN_LENGTH, TERMINATOR, ZEROS_NEEDED, ZEROS_SENT 
 
 /**
  * Why bytes were skipped.
- *
- * - `noise`: no header (four zeros and a length) stands in them.
+ * - `noise`: they hold no header (four zeros and a length).
  * - `length`: the length after the zeros is 1 or 2.
  * - `terminator`: the byte where the frame should end is not 45.
  * - `checksum`: the sum of command and data is wrong.
@@ -13,49 +12,49 @@ export type RejectionReason = 'noise' | 'length' | 'terminator' | 'checksum' | '
 
 /** A run of bytes that belong to no frame. A run that spans several chunks is reported in pieces. */
 export interface Rejection {
-  /** Why the first header in these bytes was refused, or `noise`. */
+  /** Why the first header in these bytes was refused; `noise` when there is none. */
   readonly reason: RejectionReason;
-  /** The bytes as they came. Of more than five zeros before them only five are shown. */
+  /** The bytes as they came. Of the zeros before them at most five are shown. */
   readonly bytes: Uint8Array;
 }
 
 export interface DecoderQuirks {
   /**
-   * Takes a frame of four bytes whose checksum is the bare command byte, as the source prints it: `true` for the reply
-   * to GETLOWRPM (76), or the letters for which to do so. Off unless asked for: it lets more damaged frames pass. May
-   * be switched while the decoder runs.
+   * Takes a reply to GETLOWRPM (76) of one data byte whose checksum is the bare command byte, as the source prints it.
+   * A list names the letters for which to do so. Off by default, because it lets more damaged frames pass. May be
+   * switched while the decoder runs.
    */
   bareChecksum?: boolean | readonly number[];
 }
 
 export interface FrameDecoderOptions {
-  /** Told of all bytes that belong to no frame. */
+  /** Called with all bytes that belong to no frame. */
   readonly onRejected?: ((rejection: Rejection) => void) | undefined;
   /**
-   * Told of each frame together with its bytes as they came, before `push` returns it. Of more than five zeros five are
-   * shown.
+   * Called with each frame and its bytes as they came, before `push` returns the frame. Of the zeros before it at most
+   * five are shown.
    */
   readonly onFrame?: ((frame: Frame, bytes: Uint8Array, bareChecksum: boolean) => void) | undefined;
   readonly quirks?: DecoderQuirks | undefined;
 }
 
 /**
- * Twice the longest frame without its zeros, which has 256 bytes: what is held, and the sums that are kept. A frame
- * inside another can ask for no more than that.
+ * Twice the longest frame, which has 256 bytes from its length byte on. It is the room for held bytes, and for their
+ * sums. A frame inside another one never needs more.
  */
 const ROOM = 512;
-/** The longest piece of a chunk that the data of its frames share, in bytes. */
+/** The longest buffer that the data of several frames share, in bytes. */
 const SHARED = 4096;
 const NO_DATA = new Uint8Array(0);
-/** The one reply for which the source prints a checksum that leaves the data out: to GETLOWRPM. */
+/** The one reply, to GETLOWRPM, for which the source prints a checksum without the data. */
 const BARE_CHECKSUM: readonly number[] = [0x76];
 
 /**
  * Finds frames in a stream of bytes that may be cut, damaged or noisy. No bytes make it throw.
  *
- * A frame begins with four or more zeros; the next byte that is not zero is its length. When the length, the terminator
- * or the checksum is wrong, the decoder looks again from the byte after that length, so a frame hidden behind a false
- * header is found. It holds at most one longest frame (256 bytes).
+ * A frame begins with four or more zeros; the next byte that is not zero is its length. When length, terminator or
+ * checksum is wrong, the decoder looks again from the byte after that length, and so finds a frame that a false header
+ * hides. It never holds more than the longest frame, 256 bytes.
  * @example
  * ```ts
  * import { encodeFrame, FrameDecoder } from 'sidus-timer/protocol';
@@ -71,23 +70,22 @@ export class FrameDecoder {
   readonly #onRejected: FrameDecoderOptions['onRejected'];
   readonly #onFrame: FrameDecoderOptions['onFrame'];
   /**
-   * A frame that is not whole yet, from its length byte on. There is room for two, so that one which begins inside
-   * another that turned out to be none mostly stays where it is: a stream of false headers would move all of it for
-   * each.
+   * The frame that is not whole yet, from its length byte on. With room for two, a frame that begins inside a false one
+   * can mostly stay where it is. Else a stream of false headers would move all bytes for each of them.
    */
   readonly #held = new Uint8Array(ROOM);
   /**
-   * Where in there the frame begins, how far it has come, and where it will be whole. When it has come that far, none
-   * is held.
+   * Where the held frame begins, how far it has come, and where it will end.
+   * No frame is held when it has come that far.
    */
   #from = 0;
   #to = 0;
   #whole = 0;
-  /** Zeros directly before the next byte to be looked at, or before the held frame. */
+  /** Zeros directly before the next byte to look at, or before the held frame. */
   #zeros = 0;
   /**
-   * Sums of the bytes up to each place, from one header on whose sum was wrong to `#summed`, in a ring: the headers
-   * that stand inside its frame need no byte added up again. Only the difference of two of them means something.
+   * Running sums of the bytes, as a ring, from the first header whose checksum was wrong up to `#summed`. The headers
+   * inside its frame then need no byte added again. Only the difference of two sums means something.
    */
   readonly #sums = new Uint8Array(ROOM);
   #summed = 0;
@@ -104,10 +102,10 @@ export class FrameDecoder {
   }
 
   /**
-   * Takes the next bytes from the line, cut anywhere.
-   * @returns the frames that became whole, in order. Their data never shares memory with `chunk`; frames that came
-   * together may lie in one buffer of up to 4096 bytes, so whoever takes `data.buffer` has to mind `byteOffset` and
-   * `byteLength`.
+   * Takes the next bytes from the line. A chunk may begin and end anywhere.
+   * @returns the frames that became whole, in order. Their data never shares memory with `chunk`. Frames that came
+   * together may share one buffer of up to 4096 bytes, so use `data.byteOffset` and `data.byteLength` with
+   * `data.buffer`.
    */
   push(chunk: Uint8Array): Frame[] {
     const frames: Frame[] = [];
@@ -117,7 +115,7 @@ export class FrameDecoder {
       if (this.#to < this.#whole) return frames;
       this.#scan(this.#held, this.#from, this.#to, frames);
     }
-    // Zeros at the front are only counted: where bytes come one by one, five of a short frame's nine pushes end here.
+    // Only counts the zeros in front: when bytes come one by one, five of the nine pushes of a short frame end here.
     let zeros = this.#zeros;
     for (; at < chunk.length && chunk[at] === 0; at++) zeros++;
     this.#zeros = zeros;
@@ -127,7 +125,7 @@ export class FrameDecoder {
   }
 
   /**
-   * The line has fallen silent: gives up the unfinished frame and looks inside what had come of it.
+   * Call it when the line has fallen silent. Gives up the unfinished frame and looks for frames inside its bytes.
    * @returns the frames found there.
    */
   idle(): Frame[] {
@@ -140,8 +138,8 @@ export class FrameDecoder {
   }
 
   /**
-   * Adds to the held frame what it lacks, as far as `bytes` have it between `from` and `end`.
-   * @returns where the rest of them begins.
+   * Adds to the held frame the bytes that it lacks, as far as they stand in `bytes` between `from` and `end`.
+   * @returns where the remaining bytes begin.
    */
   #fill(bytes: Uint8Array, from: number, end: number): number {
     const held = this.#held;
@@ -153,23 +151,23 @@ export class FrameDecoder {
   }
 
   /**
-   * The one walk over the bytes from `from` to `end`. It never goes back: a frame that is not whole ends the walk
-   * early, and then the rest is held.
+   * Walks once over the bytes from `from` to `end` and never back. A frame that is not whole ends the walk early; the
+   * rest is then held.
    *
-   * @param givenUp why the frame that begins at `from` is no longer waited for.
+   * @param givenUp why the decoder no longer waits for the frame that begins at `from`.
    */
   #scan(bytes: Uint8Array, from: number, end: number, frames: Frame[], givenUp?: RejectionReason): void {
     const onRejected = this.#onRejected;
     let at = from;
     let zeros = givenUp ? 0 : this.#zeros;
-    // Where the bytes begin that belong to no frame so far, how many zeros came before them in earlier chunks, and why
-    // the first header among them was refused.
+    // Where the bytes without a frame begin, how many zeros before them came in earlier chunks, and why the first
+    // header among them was refused.
     let skipped = from;
     let skippedZeros = this.#zeros;
     let reason = givenUp;
-    // One copy for many frames of a chunk: an array of its own for each would cost more than finding them. Not by
-    // slice(), which gives no copy of a Buffer of Node. It goes no further than `SHARED`: a frame that somebody keeps
-    // keeps no large chunk.
+    // Many frames of a chunk share one copy: a copy for each would cost more than finding the frame. slice() does not
+    // do, because on a Buffer of Node it makes no copy. A copy has at most `SHARED` bytes, so a kept frame does not
+    // keep a large chunk.
     let own: ArrayBuffer | undefined;
     let ownFrom = 0;
     let ownEnd = 0;
@@ -183,7 +181,7 @@ export class FrameDecoder {
       }
       if (zeros >= ZEROS_NEEDED) {
         if (length >= MIN_LENGTH && at + length >= end) {
-          // Not whole yet. What came before its zeros belongs to no frame; the rest has to wait.
+          // The frame is not whole yet. The bytes before its zeros belong to no frame; the rest has to wait.
           if (onRejected) this.#report(onRejected, bytes, skipped, at, skippedZeros, zeros, reason);
           this.#hold(bytes, at, end);
           this.#zeros = zeros;
@@ -223,7 +221,7 @@ export class FrameDecoder {
       }
       zeros = 0;
       at++;
-      // The four zeros before a header cover every fourth byte: where that is not zero, they begin at none of the four.
+      // Of any four zeros in a row one stands at every fourth byte: where that byte is not zero, no four begin here.
       while (at + 3 < end && bytes[at + 3] !== 0) at += 4;
     }
     if (onRejected) this.#report(onRejected, bytes, skipped, end, skippedZeros, zeros, reason);
@@ -233,7 +231,7 @@ export class FrameDecoder {
   /** Holds the frame that begins at `at` and is not whole at `end`. */
   #hold(bytes: Uint8Array, at: number, end: number): void {
     const size = (bytes[at] as number) + 1;
-    // In a chunk it never does: that ends before the frame.
+    // Bytes of a chunk never stay: the chunk ends before the frame does.
     const stays = at + size <= bytes.length;
     this.#from = stays ? at : 0;
     this.#to = stays ? end : 0;
@@ -243,14 +241,14 @@ export class FrameDecoder {
     this.#fill(bytes, at, end);
   }
 
-  /** What is wrong with the whole frame whose length byte stands at `at`; undefined if nothing is. */
+  /** What is wrong with the whole frame whose length byte stands at `at`; undefined when nothing is. */
   #fault(bytes: Uint8Array, at: number, length: number): RejectionReason | undefined {
     if (length < MIN_LENGTH) return 'length';
     if (bytes[at + length] !== TERMINATOR) return 'terminator';
     return this.#isSumRight(bytes, at, at + length - 1) || this.#isBare(bytes, at, length) ? undefined : 'checksum';
   }
 
-  /** Whether the byte at `last` is the sum of those between it and the length byte at `at`. */
+  /** Whether the byte at `last` is the checksum of the bytes between the length byte at `at` and itself. */
   #isSumRight(bytes: Uint8Array, at: number, last: number): boolean {
     if (at >= this.#summed) {
       const isRight = sumOf(bytes, at + 1, last) === bytes[last];
@@ -262,7 +260,7 @@ export class FrameDecoder {
     return (((sums[last % ROOM] as number) - (sums[(at + 1) % ROOM] as number)) & 0xff) === bytes[last];
   }
 
-  /** Keeps the sums from `from` to `to`; those that are kept already are not added up again. */
+  /** Fills in the running sums from `from` to `to`. Sums that are there already are not worked out again. */
   #addUp(bytes: Uint8Array, from: number, to: number): void {
     const sums = this.#sums;
     let at = Math.max(from, this.#summed);
@@ -283,8 +281,8 @@ export class FrameDecoder {
   }
 
   /**
-   * Reports the bytes from `from` to `to`, less the zeros at their end, which may begin a frame. `zerosBefore` of them
-   * came in earlier chunks; `zerosAfter` is the length of the run of zeros that ends at `to`.
+   * Reports the bytes from `from` to `to`, without the zeros at their end, which may begin a frame. `zerosBefore` of
+   * them came in earlier chunks; `zerosAfter` counts the zeros that end at `to`.
    */
   #report(
     onRejected: (rejection: Rejection) => void,
@@ -302,8 +300,8 @@ export class FrameDecoder {
 }
 
 /**
- * The sum of some bytes, modulo 256: four at a time and from the end, the fastest of the plain ways to what takes most
- * of the time.
+ * The sum of some bytes, modulo 256. Four at a time and from the end: the quickest simple loop, for the work that takes
+ * most of the time.
  */
 function sumOf(bytes: Uint8Array, from: number, to: number): number {
   let sum = 0;

@@ -1,22 +1,21 @@
 /**
  * What can be wrong with a value that is to become bytes, or with bytes that are to become a value.
- *
  * - `not-an-integer`: a value is not a whole number.
  * - `out-of-range`: a value is smaller or larger than its field can carry on this timer.
  * - `wrong-count`: a list does not have one entry for each slot, or for each servo.
- * - `wrong-length`: the data of a frame is shorter or longer than its command wants, or than a frame can hold.
+ * - `wrong-length`: the data of a frame is shorter or longer than its command needs, or than a frame can hold.
  * - `unknown-command`: no command has this letter.
- * - `unexpected-reply`: the frame does not answer the request that waits.
- * - `bad-identity`: a version reply that no timer can have sent; the error carries its bytes.
- * - `identity-needed`: the layout of these bytes is known only together with the timer's identity.
- * - `bad-capture`: a text is no capture, or entries are none; the field says in which line, or which entry.
- * - `wrong-type`: a value is not of the kind that its field wants: a text, a list, an object.
- * - `unknown-word`: a field has only some words, and this is none of them.
- * - `bad-file`: a text is no library file, or its text is broken.
- * - `bad-link`: a text carries no setting, or it has been cut or damaged on its way.
- * - `newer-version`: a file or a link was made by a newer version of this program; the value is its number.
+ * - `unexpected-reply`: the frame does not answer the pending request.
+ * - `bad-identity`: no timer can have sent this version reply; the error carries its bytes.
+ * - `identity-needed`: only the timer's identity gives the layout of these bytes, and it is missing.
+ * - `bad-capture`: a text is no capture, or a list holds no entries of one; the field names the line or the entry.
+ * - `wrong-type`: a value is of another type than its field: a text, a list, an object.
+ * - `unknown-word`: a field accepts only certain words, and this is none of them.
+ * - `bad-file`: a text is no library file, or a damaged one.
+ * - `bad-link`: a text carries no setting, or it was cut or damaged on its way.
+ * - `newer-version`: a newer version of this program made the file or link; the value is its version number.
  * - `too-large`: a text is longer, or nested deeper, than anything that a pilot keeps.
- * - `duplicate`: a name or an id that must stand once stands twice.
+ * - `duplicate`: a name or an id that must be unique stands twice.
  */
 export type CodecErrorCode =
   | 'not-an-integer'
@@ -36,7 +35,7 @@ export type CodecErrorCode =
   | 'too-large'
   | 'duplicate';
 
-/** Facts that go with a {@link CodecError}, for the sentence that is shown to a person. */
+/** Facts about a {@link CodecError}, for the sentence that the pilot reads. */
 export interface CodecErrorDetails {
   /** The value that was refused. */
   readonly value?: unknown;
@@ -46,7 +45,7 @@ export interface CodecErrorDetails {
   readonly max?: number;
   /** The bytes that could not be read. */
   readonly bytes?: Uint8Array;
-  /** Where it stands in a text, both counted from 1. */
+  /** Line and column in a text, both counted from 1. */
   readonly line?: number;
   readonly column?: number;
 }
@@ -55,7 +54,7 @@ export interface CodecErrorDetails {
 export class CodecError extends Error {
   override readonly name = 'CodecError';
   readonly code: CodecErrorCode;
-  /** Which value: `position`, `times[3]`, `identity.functions`, `data` ... */
+  /** Which value is wrong: `position`, `times[3]`, `identity.functions`, `data` ... */
   readonly field: string;
   readonly details: CodecErrorDetails;
 

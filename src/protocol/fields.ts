@@ -1,32 +1,32 @@
 import { CodecError, requireInteger } from './errors.js';
 import { decodeIdentity, encodeIdentity, type Identity, slotCount } from './identity.js';
 
-/** How this timer differs from the usual reading of the protocol. All are off unless asked for. */
+/** How this timer differs from the usual reading of the protocol. All are off by default. */
 export interface LayoutQuirks {
   /** Times have their high byte first. */
   readonly bigEndianTimes?: boolean;
   /** SETSERVO carries servo, function, position instead of function, servo, position. */
   readonly servoFirst?: boolean;
-  /** Memories are counted from 1 on the wire. In values they always count from 0. */
+  /** The wire counts memories from 1. Values always count from 0. */
   readonly memoriesFromOne?: boolean;
 }
 
-/** What the layout of a message may depend on besides its values. */
+/** What the layout of a message may depend on, besides its values. */
 export interface LayoutOptions {
   readonly identity?: Identity | undefined;
   readonly quirks?: LayoutQuirks | undefined;
 }
 
 /**
- * One value in the data of a message: how it becomes bytes and comes back. All values but the last of a message are one
- * byte; the last takes what is left.
+ * One value in the data of a message: how it becomes bytes, and bytes become it. Each value takes one byte, but the
+ * last value of a message takes all bytes that are left.
  */
 export interface Field<Name extends string = string, Value = unknown> {
   readonly name: Name;
-  /** Bytes that it takes for a timer of this identity; for one that may be missing, with it. */
+  /** How many bytes it takes for a timer of this identity. Counts a value that may be missing as present. */
   size(identity: Identity): number;
   encode(value: Value, layout: LayoutOptions): readonly number[];
-  /** @param data exactly the bytes of this value, as many as there are. */
+  /** @param data exactly the bytes of this value. */
   decode(data: Uint8Array, layout: LayoutOptions): Value;
 }
 
@@ -39,7 +39,7 @@ function requireLength(data: Uint8Array, min: number, max: number): void {
   });
 }
 
-/** A number of one byte, 0 up to `max` of the identity; to 255 while the identity is unknown. */
+/** A number of one byte, from 0 to `max` of the identity. While the identity is unknown: to 255. */
 export function byteField<Name extends string>(name: Name, max: (identity: Identity) => number): Field<Name, number> {
   const check = (value: number, { identity }: LayoutOptions): number => {
     requireInteger(value, name, 0, identity ? max(identity) : 255);
@@ -56,7 +56,7 @@ export function byteField<Name extends string>(name: Name, max: (identity: Ident
   };
 }
 
-/** The memory to be selected, counted from 0. */
+/** The memory to select, counted from 0. */
 export const memoryField: Field<'memory', number> = {
   name: 'memory',
   size: () => 1,
@@ -73,9 +73,9 @@ export const memoryField: Field<'memory', number> = {
 };
 
 /**
- * The memory that is current, or null: the source prints this reply once with an index and once without. The caller
- * judges the index, also one that the timer cannot have: an index equal to the number of memories shows that the timer
- * counts from 1; -1 shows that it does not, although that was assumed.
+ * The current memory, or null: the source prints this reply once with an index and once without. This field accepts an
+ * index that the timer cannot have; the caller judges it. An index equal to the number of memories shows that the timer
+ * counts from 1. -1 shows that it counts from 0, although 1 was assumed.
  */
 export const currentMemoryField: Field<'memory', number | null> = {
   name: 'memory',
@@ -93,8 +93,8 @@ export const currentMemoryField: Field<'memory', number | null> = {
 };
 
 /**
- * The idle throttle that the timer holds, unit unknown, or null: the source prints this reply once with a value and
- * once without.
+ * The idle throttle that the timer holds, unit unknown, or null:
+ * the source prints this reply once with a value and once without.
  */
 export const currentIdleThrottleField: Field<'idleThrottle', number | null> = {
   name: 'idleThrottle',
@@ -115,7 +115,7 @@ function firstMemory(quirks: LayoutQuirks | undefined): number {
   return quirks?.memoriesFromOne ? 1 : 0;
 }
 
-/** Every slot's time in hundredths of a second, 16 bits each, low byte first. */
+/** The time of every slot in hundredths of a second, 16 bits each, low byte first. */
 export const timesField: Field<'times', readonly number[]> = {
   name: 'times',
   size: (identity) => 2 * slotCount(identity),
@@ -138,7 +138,7 @@ export const timesField: Field<'times', readonly number[]> = {
   },
 };
 
-/** The times that the timer holds now, or null: an acknowledgement without them. */
+/** The times that the timer holds now; null when the acknowledgement carries none. */
 export const acknowledgedTimesField: Field<'times', readonly number[] | null> = {
   name: 'times',
   size: (identity) => timesField.size(identity),
@@ -146,7 +146,7 @@ export const acknowledgedTimesField: Field<'times', readonly number[] | null> = 
   decode: (data, layout) => (data.length === 0 ? null : timesField.decode(data, layout)),
 };
 
-/** Every servo's position in every slot, servo by servo: S1 start .. DT, then S2, and so on. */
+/** The position of every servo in every slot, servo by servo: S1 from start to DT, then S2, and so on. */
 export const positionsField: Field<'positions', readonly (readonly number[])[]> = {
   name: 'positions',
   size: (identity) => identity.servos * slotCount(identity),
@@ -156,7 +156,7 @@ export const positionsField: Field<'positions', readonly (readonly number[])[]> 
       requireCount(row, `positions[${servo}]`, identity && slotCount(identity));
       const steps = Array.from(row);
       steps.forEach((position, slot) => {
-        // A timer may hold what cannot be set, 131 to 255, and then it says so.
+        // A timer may hold and report 131 to 255, which nobody can set.
         requireInteger(position, `positions[${servo}][${slot}]`, 0, 255);
       });
       return steps;
@@ -172,7 +172,7 @@ export const positionsField: Field<'positions', readonly (readonly number[])[]> 
   },
 };
 
-/** Class, firmware, functions, memories and servos. */
+/** Class, firmware, and the numbers of functions, memories and servos. */
 export const identityField: Field<'identity', Identity> = {
   name: 'identity',
   size: () => 9,
@@ -180,9 +180,9 @@ export const identityField: Field<'identity', Identity> = {
   decode: decodeIdentity,
 };
 
-/** The longest time that 16 bits of hundredths can carry: 655.35 s. */
+/** The longest time that 16 bits of hundredths carry: 65535, which is 655.35 s. */
 export const MAX_TIME = 0xffff;
-/** The last of a servo's steps, which are 0..130. Their angle is not known. */
+/** The last step of a servo; steps are 0..130. Their angle is not known. */
 export const MAX_POSITION = 130;
 
 function requireCount(list: readonly unknown[], field: string, count: number | undefined): void {

@@ -1,11 +1,11 @@
 import { CodecError, requireInteger } from './errors.js';
 
 /**
- * One message on the wire without its wrapping. Around it go five zeros (preamble and sync), the length, the checksum
- * and the terminator 45.
+ * The content of one frame. On the wire, five zeros (preamble and sync) and the length stand before it, the checksum
+ * and the terminator 45 after it.
  */
 export interface Frame {
-  /** The command's letter, 0..255: odd for requests, the next even one for replies. */
+  /** The letter of the command, 0..255. Requests have odd letters; each reply has the next even one. */
   readonly code: number;
   /** 0 to 252 bytes. */
   readonly data: Uint8Array;
@@ -13,23 +13,23 @@ export interface Frame {
 
 /** Zeros that are sent before each frame: one of preamble, four of sync. */
 export const ZEROS_SENT = 5;
-/** Zeros that must stand before a frame for it to be taken: the maker's own examples print four. */
+/** Zeros that a frame needs before it: the maker's own examples print four. */
 export const ZEROS_NEEDED = 4;
-/** The last byte of every frame. It may stand inside data too, so it ends nothing by itself. */
+/** The last byte of every frame. It may also stand inside data, so alone it does not end a frame. */
 export const TERMINATOR = 0x45;
-/** The length counts itself, the command, the data and the checksum: all but the data is 3. */
+/** The smallest length. It counts itself, the command and the checksum; data adds to it. */
 export const MIN_LENGTH = 3;
-/** The length is one byte. */
+/** The greatest length: it is one byte. */
 export const MAX_LENGTH = 255;
-/** The longest data that a frame can carry. */
+/** The most data bytes that a frame can carry: 252. */
 export const MAX_DATA = MAX_LENGTH - MIN_LENGTH;
 
-/** Bytes on the wire of a frame with this much data. */
+/** Bytes on the wire of a frame with this many bytes of data. */
 export function frameSize(dataLength: number): number {
   return ZEROS_SENT + MIN_LENGTH + dataLength + 1;
 }
 
-/** Sum of command and data, modulo 256. The length is not in it. */
+/** The sum of command and data, modulo 256. The length does not count. */
 export function checksum(code: number, data: ArrayLike<number>): number {
   let sum = code;
   for (let i = 0; i < data.length; i++) sum += data[i] as number;
@@ -37,9 +37,7 @@ export function checksum(code: number, data: ArrayLike<number>): number {
 }
 
 export interface EncodeFrameOptions {
-  /**
-   * Sends the bare command byte where the checksum belongs, as three examples of the source print it. Default false.
-   */
+  /** Sends the bare command byte in place of the checksum, as three examples of the source print it. Default false. */
   readonly bareChecksum?: boolean;
 }
 

@@ -2,12 +2,12 @@ import { FrameDecoder, type FrameDecoderOptions } from './decoder.js';
 import type { Frame } from './frame.js';
 
 /**
- * The frames in a stream of chunks: what `for await` takes, such as a `ReadableStream` of bytes, a stream of Node or an
- * array. At the end of the stream, what is left of an unfinished frame is looked into. A frame that damage has hidden
- * behind a false header may come only with the bytes after it: where the line falls silent for long, use a
- * {@link FrameDecoder} and its `idle()` instead.
- * @param chunks bytes as they come, cut anywhere.
- * @throws what the stream fails with.
+ * Gives the frames in a stream of chunks. The stream is anything that `for await` takes: a `ReadableStream` of bytes, a
+ * stream of Node, an array. When the stream ends, it looks for frames in the unfinished rest. A false header can hide a
+ * frame until more bytes come. Where the line may stay silent for long, use a {@link FrameDecoder} and its `idle()`
+ * instead.
+ * @param chunks bytes as they come. A chunk may begin and end anywhere.
+ * @throws whatever the stream fails with.
  * @example
  * ```ts
  * import { encodeFrame, frames } from 'sidus-timer/protocol';

@@ -1,30 +1,27 @@
 import { CodecError } from './errors.js';
 import { MAX_DATA } from './frame.js';
 
-/**
- * The letters the maker gives: B for rubber motor, Q for electric motor, E for slope. Any other letter is kept as it
- * came.
- */
+/** The maker's letters: B for rubber motor, Q for electric motor, E for slope. Any other letter stays as it came. */
 export type TimerClass = 'B' | 'Q' | 'E' | (string & {});
 
 /**
- * What a timer says of itself in its version reply. It tells the layout of every other message, and nothing tells one
- * timer from another of the same class and firmware.
+ * What a timer says about itself in its version reply. It gives the layout of every other message. It does not tell two
+ * timers of the same class and firmware apart.
  */
 export interface Identity {
   /** One printable ASCII letter. */
   readonly timerClass: TimerClass;
   /** Three ASCII digits, such as `536`. */
   readonly firmware: string;
-  /** NF, 1 or more: the functions 1 .. NF-1 and DT, which is number NF. Start comes before them. */
+  /** NF, 1 or more. Functions are 1 .. NF-1; DT is number NF. Start (number 0) comes before them. */
   readonly functions: number;
-  /** NM, 1 or more: memories, counted from 0. */
+  /** NM, 1 or more: the number of memories, which count from 0. */
   readonly memories: number;
-  /** NS, 1 or more: servos, counted from 0. */
+  /** NS, 1 or more: the number of servos, which count from 0. */
   readonly servos: number;
 }
 
-/** The slots of a program: start, function 1 .. NF-1, DT. */
+/** The number of slots in a program: start, function 1 .. NF-1, DT. */
 export function slotCount(identity: Identity): number {
   return identity.functions + 1;
 }
@@ -34,7 +31,7 @@ const SPACE = 0x20;
 
 /**
  * Makes sure that an identity can be real and that its messages fit into frames.
- * @throws CodecError `bad-identity`, or `wrong-type` for what is no object.
+ * @throws CodecError `bad-identity`, or `wrong-type` when it is no object.
  */
 export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
   const refuse = (field: string, why: string): never => {
@@ -56,7 +53,7 @@ export function requireIdentity(identity: Identity, bytes?: Uint8Array): void {
   }
 }
 
-/** The nine bytes of a version reply: class, three digits, space, NF, NM, NS, space. */
+/** The nine bytes of a version reply: class, three digits, a space, NF, NM, NS, a space. */
 export function encodeIdentity(identity: Identity): number[] {
   requireIdentity(identity);
   const { timerClass, firmware, functions, memories, servos } = identity;
@@ -82,6 +79,6 @@ export function decodeIdentity(data: Uint8Array): Identity {
   if (space1 !== SPACE || space2 !== SPACE) {
     throw new CodecError('bad-identity', 'identity', 'the two separators of a version must be 20', { bytes: data });
   }
-  // It is handed out as it is, and the layout of every message rests on it.
+  // Every caller gets this object itself, and the layout of every message rests on it.
   return Object.freeze(identity);
 }

@@ -1,5 +1,5 @@
 /**
- * Bytes to frames to messages and back, and recordings as text. Pure: no DOM, no clock, no I/O.
+ * From bytes to frames to messages and back, and captures as text. Pure: no DOM, no clock, no I/O.
  * @module
  */
 

@@ -8,18 +8,18 @@ import type { Identity } from './identity.js';
 export interface CodecOptions extends LayoutOptions, EncodeFrameOptions {}
 
 export interface DecodeReplyOptions<Name extends CommandName = CommandName> extends LayoutOptions {
-  /** The request that waits. Without it the reply is named by its letter alone. */
+  /** The pending request. Without it the letter alone names the reply. */
   readonly pending?: Named<Name> | undefined;
 }
 
-/** A command by its name, or a request of it. */
+/** A command by its name, or a request of that command. */
 type Named<Name extends CommandName> = Name | { readonly name: Name; readonly [value: string]: unknown };
 
 type Values = Readonly<Record<string, unknown>>;
 
 /**
- * A request as it goes on the wire.
- * @param options with an identity every value must fit that timer; without one it must fit its bytes.
+ * The bytes of a request.
+ * @param options with an identity every value must fit that timer; without one every value must fit its bytes.
  * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range` or `wrong-count`, with the field.
  * @example
  * ```ts
@@ -35,7 +35,7 @@ export function encodeRequest(request: Request, options: CodecOptions = {}): Uin
 }
 
 /**
- * A request as a timer reads it.
+ * Reads a request, as a timer does.
  * @throws CodecError `unknown-command`, `wrong-length`, `out-of-range`.
  */
 export function decodeRequest(frame: Frame, options: LayoutOptions = {}): Request {
@@ -46,7 +46,7 @@ export function decodeRequest(frame: Frame, options: LayoutOptions = {}): Reques
 }
 
 /**
- * A reply as it goes on the wire.
+ * The bytes of a reply.
  * @throws CodecError `unknown-command`, `not-an-integer`, `out-of-range`, `wrong-count` or `bad-identity`.
  */
 export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Array {
@@ -55,11 +55,11 @@ export function encodeReply(reply: Reply, options: CodecOptions = {}): Uint8Arra
 }
 
 /**
- * A reply as the client reads it. With a pending GETTIMERS the letter 66 is taken for 62, with a pending UNLOCK 6A for
- * 6E, as the source prints them in one place. The caller decides whether that is safe now (see {@link answers}).
- * @throws CodecError `unexpected-reply` when it does not answer the pending request, `unknown-command` when no reply
- * has this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
- * @returns with a pending request of a known name, the reply to that one: its values are typed.
+ * Reads a reply, as the client does. With a pending GETTIMERS it takes the letter 66 for 62, with a pending UNLOCK 6A
+ * for 6E: the source prints them so in one place. The caller decides whether that is safe (see {@link answers}).
+ * @throws CodecError `unexpected-reply` when the frame does not answer the pending request, `unknown-command` when no
+ * reply has this letter, `wrong-length`, `out-of-range`, `bad-identity`, `identity-needed`.
+ * @returns the reply. With a pending request of a known name, its values are typed.
  * @example
  * ```ts
  * import { decodeReply, encodeReply, FrameDecoder } from 'sidus-timer/protocol';
@@ -89,8 +89,8 @@ export function decodeReply<Name extends CommandName = CommandName>(
 }
 
 /**
- * Whether a frame with this letter answers a request: `exact`, or by a letter that the source misprints and that
- * belongs to another command. A misprint is safe to take only when no earlier request can still be answered.
+ * Whether a frame with this letter answers a request: `exact`, or `misprint` for a letter that the source prints in one
+ * place and that belongs to another command. Take a misprint only when no earlier request can still be answered.
  */
 export function answers(code: number, asked: CommandName): 'exact' | 'misprint' | undefined {
   const command: { reply: number; misprint?: number } = COMMANDS[asked];
@@ -104,7 +104,7 @@ export function exchangeSize(name: CommandName, identity: Identity): { request: 
   return { request: size(requestFields(name, {})), reply: size(replyFields(name)) };
 }
 
-/** The row of a message, which a caller without types may have made of anything. */
+/** The row of a message. A caller without types may pass anything. */
 function commandNamed(message: { readonly name: CommandName }): (typeof COMMANDS)[CommandName] {
   const name: unknown = (message as { readonly name: CommandName } | null | undefined)?.name;
   if (typeof name === 'string' && Object.hasOwn(COMMANDS, name)) return COMMANDS[name as CommandName];

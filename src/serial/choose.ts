@@ -1,20 +1,20 @@
 import { ConnectionError } from './errors.js';
 import type { SerialLike, SerialPortLike } from './types.js';
 
-/** What a browser says of itself before anything is tried. */
+/** What a browser says about itself before anything is tried. */
 export interface Surroundings {
   readonly serial?: SerialLike | undefined;
   readonly isSecureContext: boolean;
   /**
-   * Whether the Permissions-Policy of the page lets it use serial ports. Left out: not known, as in browsers that do
-   * not tell.
+   * Whether the Permissions-Policy of the page allows serial ports. Left out:
+   * not known, as in browsers that do not say.
    */
   readonly policyAllows?: boolean | undefined;
 }
 
 /**
- * Whether serial ports can be used here at all.
- * @returns null when they can, else why not.
+ * Whether this page can use serial ports at all.
+ * @returns null when it can; otherwise the reason why not.
  */
 export function availability(surroundings: Surroundings): 'insecure' | 'unsupported' | 'policy' | null {
   const { serial, isSecureContext, policyAllows } = surroundings;
@@ -24,7 +24,7 @@ export function availability(surroundings: Surroundings): 'insecure' | 'unsuppor
 }
 
 /**
- * The ports that the pilot has allowed before and that are plugged in now. Needs no click.
+ * The plugged-in ports that the pilot has allowed before. Needs no click.
  * @param policyAllows see {@link Surroundings}.
  * @throws ConnectionError `policy` or `not-allowed`.
  */
@@ -37,8 +37,8 @@ export async function rememberedPorts(serial: SerialLike, policyAllows?: boolean
 }
 
 /**
- * Lets the pilot choose a port in the browser's own dialog. Must be called from a click. Asks without filters: a list
- * of USB vendors would hide Bluetooth ports and adapters that nobody has heard of.
+ * Lets the pilot choose a port in the browser's own dialog. Call it from a click. It asks without filters: a list of
+ * USB vendors would hide Bluetooth ports and unknown adapters.
  * @param policyAllows see {@link Surroundings}.
  * @throws ConnectionError `nothing-chosen`, `policy` or `not-allowed`.
  */
@@ -53,7 +53,7 @@ export async function choosePort(serial: SerialLike, policyAllows?: boolean): Pr
 function refused(error: unknown, policyAllows: boolean | undefined): ConnectionError {
   const name = error instanceof DOMException ? error.name : '';
   if (name === 'NotFoundError') return new ConnectionError('nothing-chosen', 'no port was chosen', error);
-  // The same error tells that nobody clicked.
+  // The browser gives the same error when nobody has clicked.
   if (name === 'SecurityError' && policyAllows === false) {
     return new ConnectionError('policy', 'the policy of the page forbids serial ports', error);
   }

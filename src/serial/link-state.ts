@@ -6,23 +6,23 @@ import type { Heard } from './rate-listener.js';
 import type { OpenedSettings } from './settings.js';
 import type { PortInfo, SerialPortLike } from './types.js';
 
-/** An open port with a timer behind it that has said what it is. */
+/** An open port with a timer that has said what it is. */
 export interface TimerConnection {
   readonly client: TimerClient;
   readonly identity: Identity;
-  /** As the port is open, with the rate at which the timer answered. */
+  /** The settings of the open port, with the rate at which the timer answered. */
   readonly settings: OpenedSettings;
   readonly info: PortInfo;
   readonly kind: PortKind;
-  /** The name under which settings of this port are remembered, see `portKey`. */
+  /** The name by which settings of this port are remembered, see `portKey`. */
   readonly portKey: string;
 }
 
-/** Where a link stands, see `LINK_TABLE` for what each status means and what follows it. */
+/** The state of a link. `LINK_TABLE` says what each status means and what follows it. */
 export type LinkState =
   | {
       readonly status: 'off';
-      /** Why it ended; null when nothing was wrong. */
+      /** Why it ended; null when nothing went wrong. */
       readonly error: ConnectionError | null;
     }
   | { readonly status: 'choosing' }
@@ -31,36 +31,36 @@ export type LinkState =
       readonly port: SerialPortLike;
       /** How often the port has refused to open. */
       readonly refusals: number;
-      /** When it is given up, in milliseconds by the link's clock; null while the port has not refused. */
+      /** When the link gives up, in milliseconds by its clock; null while the port has not refused. */
       readonly until: number | null;
     }
   | {
       readonly status: 'searching';
       readonly port: SerialPortLike;
-      /** The rate that is being tried, bits a second. */
+      /** The rate that is being tried, in bits a second. */
       readonly baudRate: number;
-      /** Which of the rates to try it is, from 1 to `steps`. */
+      /** The number of this rate among those to try, from 1 to `steps`. */
       readonly step: number;
       readonly steps: number;
     }
   | {
       readonly status: 'waiting';
       readonly port: SerialPortLike;
-      /** The rate at which it is asked, bits a second. */
+      /** The rate at which the link asks, in bits a second. */
       readonly baudRate: number;
-      /** How often it was asked in vain since it is waited for. */
+      /** How often it has asked without an answer since it began to wait. */
       readonly asked: number;
-      /** What else talks on the port, by all that came at any rate; null while nothing does. */
+      /** What else talks on the port, at any rate; null while nothing does. */
       readonly heard: Heard | null;
     }
   | { readonly status: 'on'; readonly port: SerialPortLike; readonly connection: TimerConnection }
   | {
       readonly status: 'away';
-      /** The port that was lost. It may return as another object. */
+      /** The port that was lost. It may come back as another object. */
       readonly port: SerialPortLike;
       readonly info: PortInfo;
       readonly error: ConnectionError;
-      /** Whether it is known to be unplugged; else its stream has failed, and its plug may be in. */
+      /** Whether the port is known to be unplugged. If not, its stream has failed, and it may still be plugged in. */
       readonly unplugged: boolean;
     }
   | { readonly status: 'closing' };

@@ -1,29 +1,29 @@
 /**
- * Where a link to a timer may stand, and where each event leads from there. What is not listed cannot happen there.
- *
+ * The states of a link to a timer, and where each event leads from there. An event that is not listed in a state cannot
+ * happen in it.
  * States:
  * - `off`: nothing is open.
- * - `choosing`: the browser's chooser is shown.
- * - `opening`: a port is being opened; as long as it is refused, again and again for a while.
- * - `searching`: the port is open, and one rate after another is tried.
- * - `waiting`: nothing answered at any rate; it is asked quietly until something does.
+ * - `choosing`: the browser's chooser is open.
+ * - `opening`: a port is being opened. While it refuses, the link tries again for some time.
+ * - `searching`: the port is open, and the link tries one rate after another.
+ * - `waiting`: nothing answered at any rate. The link asks quietly until something does.
  * - `on`: a timer has said what it is.
- * - `away`: the port was unplugged or its stream failed; it is opened again once it is there.
- * - `closing`: the last request comes to its end and the port is closed.
+ * - `away`: the port was unplugged or its stream failed. The link opens it again once it is back.
+ * - `closing`: the last request comes to its end, and the port is closed.
  *
  * Events:
- * - `choose`, `open`, `stop`: asked for by {@link TimerLink}'s methods.
- * - `refused`: the port is there and does not open: most often another program has it, perhaps only for a moment.
+ * - `choose`, `open`, `stop`: a caller asked for it, see {@link TimerLink}.
+ * - `refused`: the port is there but does not open. Most often another program has it, perhaps only for a moment.
  * - `opened`: the port is open.
- * - `asked`: a rate is being tried, or was tried in vain.
+ * - `asked`: a rate is being tried, or was tried without an answer.
  * - `answered`: the timer has said what it is.
- * - `silent`: nothing answers, or no longer.
- * - `another`: a timer answers, and it is not the one that was there.
+ * - `silent`: nothing answers, or nothing answers any more.
+ * - `another`: another timer than before answers.
  * - `lost`: the port is gone or its stream has failed.
  * - `unplugged`: a port whose stream has failed turns out to be unplugged.
- * - `returned`: the port is there again.
+ * - `returned`: the port is back.
  * - `closed`: the port is closed.
- * - `failed`: it ends here, for the reason that comes with it.
+ * - `failed`: the link ends here; its error says why.
  */
 export const LINK_TABLE = {
   off: { choose: 'choosing', open: 'opening', failed: 'off' },
@@ -56,8 +56,8 @@ export type LinkStatus = keyof typeof LINK_TABLE;
 export type LinkEvent = { [Status in LinkStatus]: keyof (typeof LINK_TABLE)[Status] }[LinkStatus];
 
 /**
- * Where an event leads.
- * @throws Error when it cannot happen there: a mistake of the program.
+ * The status to which an event leads.
+ * @throws Error when the event cannot happen in this status, which is a fault of the program.
  */
 export function nextStatus(status: LinkStatus, event: LinkEvent): LinkStatus {
   const next = (LINK_TABLE[status] as Partial<Record<LinkEvent, LinkStatus>>)[event];

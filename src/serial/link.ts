@@ -13,34 +13,31 @@ import type { SerialLike, SerialPortLike } from './types.js';
 /** What an application remembers of a port, by its `portKey`. */
 export interface RememberedPort {
   readonly settings?: SerialSettings | undefined;
-  /** The rate at which a timer answered there, bits a second: it is tried first. */
+  /** The rate at which a timer has answered there, in bits a second. It is tried first. */
   readonly knownRate?: number | undefined;
 }
 
 export interface TimerLinkOptions {
-  /**
-   * `navigator.serial`. Without it there is no chooser, and a port that was lost is found again only as the same
-   * object.
-   */
+  /** `navigator.serial`. Without it there is no chooser, and a lost port is found again only as the same object. */
   readonly serial?: SerialLike | undefined;
   /** See `Surroundings`. */
   readonly policyAllows?: boolean | undefined;
   /** Default: the real clock. */
   readonly clock?: Clock | undefined;
-  /** Told of everything on the line, also of the questions at rates at which nothing answers. */
+  /** Called with everything on the line, also with the questions at rates where nothing answers. */
   readonly onLine?: ((entry: LineEntry) => void) | undefined;
-  /** Told of every new state, one after the other, in the order that `LINK_TABLE` gives. */
+  /** Called with every new state, one after the other, in an order that `LINK_TABLE` allows. */
   readonly onState?: ((state: LinkState) => void) | undefined;
-  /** Gives what is remembered of a port, where `choose()` and `connect()` are not told. */
+  /** Gives what is remembered of a port, for calls of `choose()` and `connect()` that do not say it. */
   readonly remembered?: ((portKey: string) => RememberedPort | undefined) | undefined;
-  /** Gives what is remembered of such a timer at such a port, once the timer has said what it is. */
+  /** Gives what is remembered of such a timer on such a port, once the timer has said what it is. */
   readonly assumed?: ((identity: Identity, portKey: string) => AssumedQuirks | undefined) | undefined;
 }
 
 /**
- * A link to a timer that survives the field: it finds rate and timer, waits for one that sleeps, opens a port again
- * that was lost, and stops at any time. It sends nothing but the question what is there (GETSWVER); all else is up to
- * whoever has the connection. Every method may be called at any time, and none rejects unless it says so.
+ * A link to a timer for use in the field. It finds the rate and the timer, waits while the timer sleeps, reopens a port
+ * that was lost, and stops at any time. It sends only the question for the identity (GETSWVER); the user of the
+ * connection sends everything else. You may call every method at any time. None rejects unless its description says so.
  * @example
  * ```ts
  * import { MockSerial } from 'sidus-timer/mock-serial';
@@ -59,10 +56,10 @@ export class TimerLink {
   readonly #clock: Clock;
   #state: LinkState = { status: 'off', error: null };
   #reconnector: Reconnector | null = null;
-  /** Counts what the pilot wanted, and the choosers shown: only the last of each is followed. */
+  /** Counts the calls of the pilot and the choosers shown. Only the newest of each counts. */
   #newest = 0;
   #chooser = 0;
-  /** Those who wait for the link to settle. */
+  /** Callers that wait for the link to settle. */
   #waiting: (() => void)[] = [];
 
   constructor(options: TimerLinkOptions = {}) {
@@ -75,7 +72,7 @@ export class TimerLink {
   }
 
   /**
-   * The ports that the pilot has allowed before and that are plugged in now. Needs no click.
+   * The plugged-in ports that the pilot has allowed before. Needs no click.
    * @throws ConnectionError `policy` or `not-allowed`.
    */
   async ports(): Promise<KnownPort[]> {
@@ -84,10 +81,10 @@ export class TimerLink {
   }
 
   /**
-   * Lets the pilot choose a port and connects to it. Must be called from a click. What is open stays until a port is
-   * chosen, also if none is: only where nothing is, the state says why none was.
-   * @param settings default: those remembered of the port that is chosen, else `DEFAULT_SETTINGS`.
-   * @returns when nothing was chosen, or as {@link connect}.
+   * Lets the pilot choose a port and connects to it. Call it from a click. An open connection stays until a port is
+   * chosen. If none is chosen, it goes on; without one, the state says why no port was chosen.
+   * @param settings default: those remembered for the chosen port, else `DEFAULT_SETTINGS`.
+   * @returns once the chooser is closed without a port, or as {@link connect}.
    */
   async choose(settings?: SerialSettings): Promise<void> {
     const { serial, policyAllows } = this.#options;
@@ -108,9 +105,10 @@ export class TimerLink {
   }
 
   /**
-   * Connects to a port. Whatever is open or under way is ended first.
-   * @param settings default: those remembered of this port, else `DEFAULT_SETTINGS`.
-   * @param knownRate the rate at which a timer answered there; default: the one remembered of this port.
+   * Connects to a port. Ends any other connection, or attempt, first.
+   * @param settings default: those remembered for this port, else `DEFAULT_SETTINGS`.
+   * @param knownRate the rate at which a timer has answered there, in bits a second. Default: the one remembered for
+   * this port.
    * @returns once the link has settled: it is `on`, `waiting`, `away` or `off`.
    */
   async connect(
@@ -140,9 +138,7 @@ export class TimerLink {
     await settled;
   }
 
-  /**
-   * Ends whatever is open or under way. Settles once the link is off and the port closed, within the time of one reply.
-   */
+  /** Ends any connection or attempt. Settles once the link is off and the port closed, within the time of one reply. */
   async stop(): Promise<void> {
     const mine = this.#supersede();
     if (this.#state.status === 'choosing') this.#enter('stop', { status: 'off', error: null });
@@ -152,25 +148,23 @@ export class TimerLink {
   }
 
   /**
-   * To be called when a connected timer no longer answers: asks quietly on the same port until it does. Does nothing
-   * unless the link is `on`.
+   * Call it when a connected timer no longer answers. The link then asks quietly on the same port until the timer does.
+   * Does nothing unless the link is `on`.
    */
   wait(): void {
     this.#reconnector?.askAgain();
   }
 
   /**
-   * Looks whether all is still as the link believes, as after the sleep of the computer. A timer that is `on` is asked
-   * what it is once it has nothing else to do: if it is the same kind as before nothing happens, if it is another it is
-   * identified again, and if nothing answers it is waited for. While the port is `away` it is looked for at once.
+   * Checks whether everything is still as the link believes, as after the sleep of the computer. A timer that is `on`
+   * is asked for its identity once no other request waits. The same kind as before: nothing happens. Another: it is
+   * identified again. No answer: the link waits for it. While the port is `away`, the link looks for it at once.
    */
   async recheck(): Promise<void> {
     await this.#reconnector?.recheck();
   }
 
-  /**
-   * Gives the permission to use a port back to the browser, where the browser can take it. A link to it is ended first.
-   */
+  /** Gives the permission for a port back to the browser, where the browser supports that. Ends a link to it first. */
   async forget(port: SerialPortLike): Promise<void> {
     if (this.#reconnector?.known.port === port) await this.stop();
     await port.forget?.();
@@ -181,7 +175,7 @@ export class TimerLink {
     return ++this.#newest;
   }
 
-  /** Ends the reconnector, if there is one. Whoever starts another one waits for that: it may be to the same port. */
+  /** Ends the reconnector, if there is one. Wait for this before starting another: it may be to the same port. */
   async #end(): Promise<void> {
     const reconnector = this.#reconnector;
     if (!reconnector) return;
@@ -201,6 +195,6 @@ export class TimerLink {
   }
 }
 
-/** Milliseconds that a timer may take to answer at first, beyond those of the bytes. */
+/** How long a timer may take to answer at first, in milliseconds beyond the time of the bytes. */
 const MARGIN = 600;
 const SETTLED: readonly LinkState['status'][] = ['on', 'waiting', 'away', 'off'];

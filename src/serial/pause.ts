@@ -1,8 +1,6 @@
 import type { Clock } from '../line/index.js';
 
-/**
- * Settles after so many milliseconds, or at once when a signal asks to stop. Whoever waits looks at the signals then.
- */
+/** Settles after `ms` milliseconds, or at once when a signal asks to stop. The caller then checks its signals. */
 export function pause(clock: Clock, ms: number, ...signals: readonly AbortSignal[]): Promise<void> {
   if (signals.some(({ aborted }) => aborted)) return Promise.resolve();
   return new Promise((resolve) => {

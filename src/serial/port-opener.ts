@@ -3,12 +3,14 @@ import { ConnectionError } from './errors.js';
 import type { OpenedSettings } from './settings.js';
 import type { SerialPortLike } from './types.js';
 
-/** The browser's own default of 255 bytes overflows when the page is busy for a moment. */
+/** The browser's default of 255 bytes overflows when the page is busy for a moment. */
 const BUFFER_SIZE = 16 * 1024;
-/** Milliseconds after which a port that does not close, such as a Bluetooth port out of reach, is left to itself. */
+/**
+ * Milliseconds after which a port that does not close, such as a Bluetooth port out of reach, is no longer waited for.
+ */
 const LONGEST_CLOSE = 3000;
 
-/** A port that is opened and closed, at one rate after another, never twice at a time. Its streams belong to others. */
+/** Opens and closes a port, at one rate after another, never twice at a time. It does not touch the streams. */
 export class PortOpener {
   readonly port: SerialPortLike;
   readonly #clock: Clock;
@@ -19,14 +21,14 @@ export class PortOpener {
     this.#clock = clock;
   }
 
-  /** How the port is open; null while it is closed. */
+  /** The settings of the open port; null while it is closed. */
   get settings(): OpenedSettings | null {
     return this.#open;
   }
 
   /**
-   * Opens the port, closing it before if it is open otherwise.
-   * @throws ConnectionError `busy`, `unplugged` or `bad-settings`. Whatever came of it, it is closed by {@link close}.
+   * Opens the port. Closes it first if it is open with other settings.
+   * @throws ConnectionError `busy`, `unplugged` or `bad-settings`. Use {@link close} afterwards in any case.
    */
   async open(settings: OpenedSettings): Promise<void> {
     if (this.#open?.baudRate === settings.baudRate) return;
@@ -41,7 +43,7 @@ export class PortOpener {
     }
   }
 
-  /** Closes the port. Never throws: one that is unplugged may refuse, and there is nothing left to close then. */
+  /** Closes the port. Never throws: an unplugged port may refuse, and then nothing is left to close. */
   async close(): Promise<void> {
     if (!this.#open) return;
     this.#open = null;
@@ -65,7 +67,7 @@ export class PortOpener {
   #refusal(error: unknown): ConnectionError {
     if (this.port.connected === false) return new ConnectionError('unplugged', 'the port is not plugged in', error);
     const isUnfit = error instanceof TypeError || (error instanceof DOMException && error.name === 'NotSupportedError');
-    // A port that is open already does not take how DTR and RTS are to stand.
+    // A port that is already open has refused the settings of DTR and RTS.
     if (isUnfit || this.#open)
       return new ConnectionError('bad-settings', 'the port does not take these settings', error);
     return new ConnectionError('busy', 'the port cannot be opened', error);

@@ -12,7 +12,7 @@ import { clearest, RateListener } from './rate-listener.js';
 import { ReturnWatch } from './return-watch.js';
 import { quietRate, type Rates, ratesToTry } from './settings.js';
 
-/** Milliseconds between two tries to open a port that refuses, and until it is given up. */
+/** How often to try a port that refuses to open, and when to give up, in milliseconds. */
 const OPEN_EVERY = 1000;
 const OPEN_FOR = 15_000;
 /** Milliseconds from one quiet question to the next. */
@@ -25,7 +25,7 @@ export type PortSessionEnd =
   | {
       readonly why: 'lost';
       readonly error: ConnectionError;
-      /** Whether it was known to be unplugged at the loss. */
+      /** Whether the port was known to be unplugged at the loss. */
       readonly unplugged: boolean;
       readonly watch: ReturnWatch;
       /** Milliseconds from the first opening to the loss. */
@@ -33,8 +33,7 @@ export type PortSessionEnd =
     };
 
 /**
- * One port session, from opening a port that is plugged in until it is lost or left: `opening`, `searching`, `waiting`,
- * `on`.
+ * One port session, from opening a plugged-in port until it is lost or left: `opening`, `searching`, `waiting`, `on`.
  */
 export class PortSession {
   readonly #context: LinkContext;
@@ -43,11 +42,11 @@ export class PortSession {
   readonly #over = new AbortController();
   #end: PortSessionEnd = { why: 'stopped' };
   #openedAt: number | null = null;
-  /** Asks at the rate at which the port is open; null while a timer has been found, or the port is closed. */
+  /** Asks at the current rate of the port; null once a timer has been found, or while the port is closed. */
   #probe: Probe | null = null;
   /** What was heard at each rate. */
   readonly #listeners = new Map<number, RateListener>();
-  /** The connection while it is on, and the way on from there. */
+  /** The connection while it is on, and how to leave it. */
   #on: { readonly connection: TimerConnection; readonly leave: (to: 'search' | 'wait') => void } | null = null;
 
   constructor(context: LinkContext, known: KnownPort) {
@@ -56,7 +55,7 @@ export class PortSession {
     this.#opener = new PortOpener(known.port, context.clock);
   }
 
-  /** @param event what led here. */
+  /** @param event why the session begins. */
   async run(event: 'open' | 'returned'): Promise<PortSessionEnd> {
     const { port } = this.#known;
     const { stop } = this.#context;
@@ -92,7 +91,7 @@ export class PortSession {
     on.leave(why === 'silent' ? 'wait' : 'search');
   }
 
-  /** Asks a timer that was there whether it still is. */
+  /** Asks the timer whether it is still there. */
   async recheck(): Promise<void> {
     const on = this.#on;
     if (!on) return;
@@ -103,7 +102,7 @@ export class PortSession {
       why = sameKind(found, identity) ? null : 'another';
     } catch (error) {
       if (!(error instanceof TimerError)) throw error;
-      // A line that damages too much, a lost port and a pilot who stops say nothing about the timer.
+      // Damage on the line, a lost port or a stop by the pilot say nothing about the timer.
       why = error.code === 'no-answer' || error.code === 'bad-reply' ? 'silent' : null;
     }
     if (why) this.askAgain(why);
@@ -119,8 +118,8 @@ export class PortSession {
   }
 
   /**
-   * Opens the port, again and again while it is there and refuses. @throws ConnectionError `busy` in the end, or
-   * `bad-settings`.
+   * Opens the port. Tries again while the port is there and refuses. @throws ConnectionError `busy` after the last try,
+   * or `bad-settings`.
    */
   async #open(event: 'open' | 'returned' | 'refused'): Promise<void> {
     const { clock, settings } = this.#context;
@@ -152,7 +151,7 @@ export class PortSession {
     this.#tell('opened', this.#searching(0));
   }
 
-  /** Finds a timer and stays with it, until the port refuses to open at another rate, or all is over. */
+  /** Finds a timer and stays with it, until the port refuses to open at another rate or the session ends. */
   async #meet(): Promise<void> {
     let next: 'search' | 'wait' = 'search';
     while (!this.#isOver) {
@@ -168,7 +167,7 @@ export class PortSession {
     const rates = this.#rates;
     for (const [index, baudRate] of rates.entries()) {
       if (index > 0) this.#tell('asked', this.#searching(index));
-      // An adapter may not know a rate; another program may have taken the port meanwhile, which shows below.
+      // The adapter may not know a rate. Another program may have taken the port in the meantime, which shows below.
       if (!(await this.#setRate(baudRate))) continue;
       const found = (await this.#ask()) ?? (index === 0 ? await this.#ask() : null);
       if (found) return found;
@@ -195,7 +194,7 @@ export class PortSession {
     return 'refused';
   }
 
-  /** Lets the pilot work with the timer until it is asked again what it is. */
+  /** Lets the pilot work with the timer until the link has to ask for its identity again. */
   async #stayWith({ client, identity, settings }: ProbedTimer): Promise<'search' | 'wait'> {
     const { port, info, kind, key } = this.#known;
     this.#context.knownRate = settings.baudRate;
@@ -216,7 +215,7 @@ export class PortSession {
     return next;
   }
 
-  /** Asks once at the rate at which the port is open. What has found a timer is its own client's from then on. */
+  /** Asks once at the current rate. A client that has found a timer belongs to the connection from then on. */
   async #ask(): Promise<ProbedTimer | null> {
     const { settings, port } = this.#opener;
     if (this.#isOver || !settings) return null;
@@ -239,7 +238,7 @@ export class PortSession {
     return listener;
   }
 
-  /** @returns whether the port is open at this rate. */
+  /** @returns whether the port is now open at this rate. */
   async #setRate(baudRate: number): Promise<boolean> {
     if (this.#isOver) return false;
     if (this.#opener.settings?.baudRate !== baudRate) await this.#endProbe();
@@ -252,7 +251,7 @@ export class PortSession {
     }
   }
 
-  /** The port is gone, or its stream has failed. */
+  /** Notes that the port is gone, or that its stream has failed. */
   #lose(cause?: unknown, unplugged = this.#known.port.connected === false): void {
     if (this.#isOver) return;
     const { clock, serial, wasOpen } = this.#context;
@@ -265,7 +264,7 @@ export class PortSession {
     const error = new ConnectionError('lost', 'the port was unplugged or its stream failed', cause);
     const lasted = clock.now() - (this.#openedAt ?? clock.now());
     this.#finish({ why: 'lost', error, unplugged, watch: new ReturnWatch(port, serial, clock), lasted });
-    // Told at once, so that it is known before any request that was under way fails.
+    // Reported at once, before any request in progress fails.
     this.#context.tell('lost', { status: 'away', port, info, error, unplugged });
   }
 

@@ -1,6 +1,6 @@
 import type { PortInfo, SerialPortLike } from './types.js';
 
-/** What a pilot would call the adapter behind a port: the maker of its chip, or how it is connected. */
+/** What a pilot would call the adapter of a port: the maker of its chip, or how it is connected. */
 export type PortKind = 'ftdi' | 'cp210x' | 'ch340' | 'pl2303' | 'bluetooth' | 'usb' | 'other';
 
 /** A port that the pilot has allowed, with its name. */
@@ -20,10 +20,10 @@ const VENDORS: ReadonlyMap<number, PortKind> = new Map([
 ]);
 
 /**
- * The kind of adapter, by the vendor of its USB chip: FTDI, Silicon Labs CP210x, WCH CH340, Prolific PL2303. `usb`: of
- * another vendor; `bluetooth`: a Bluetooth serial port; `other`: a port that says nothing of itself, as those built
- * into a computer.
- * @param info what `getInfo()` of the port gives.
+ * The kind of adapter, by the vendor of its USB chip: FTDI, Silicon Labs CP210x, WCH CH340, Prolific PL2303. `usb`:
+ * another vendor. `bluetooth`: a Bluetooth serial port. `other`: a port that says nothing about itself, such as one
+ * built into a computer.
+ * @param info what the port's `getInfo()` gives.
  */
 export function portKind({ usbVendorId, bluetoothServiceClassId }: PortInfo): PortKind {
   if (bluetoothServiceClassId !== undefined) return 'bluetooth';
@@ -43,7 +43,7 @@ export function portKey({ usbVendorId, usbProductId, bluetoothServiceClassId }: 
   return `usb:${hex(usbVendorId, 4)}:${hex(usbProductId ?? 0, 4)}`;
 }
 
-/** A port with all that can be said of it. */
+/** A port with its information, key and kind. */
 export function known(port: SerialPortLike): KnownPort {
   const info = port.getInfo();
   return { port, kind: portKind(info), key: portKey(info), info };

@@ -6,7 +6,7 @@ import type { RateListener } from './rate-listener.js';
 import type { OpenedSettings } from './settings.js';
 import type { SerialPortLike } from './types.js';
 
-/** How often an impossible answer must come in a row to be believed: a damaged one passes the checksum now and then. */
+/** How often in a row an impossible answer must come to be believed: a damaged one sometimes passes the checksum. */
 const BAD_REPLIES = 3;
 
 /** A timer that has said what it is, and the client that asked it. */
@@ -17,8 +17,8 @@ export interface ProbedTimer {
 }
 
 /**
- * Asks on an open port, at one rate, whether there is a timer (GETSWVER), as often as one likes. A late reply to an
- * earlier question says the same, so a timer that is slow is found too.
+ * Asks on an open port, at one rate, whether there is a timer (GETSWVER), any number of times. A late reply to an
+ * earlier question serves as well, so it finds a slow timer, too.
  */
 export class Probe {
   readonly #client: TimerClient;
@@ -67,13 +67,13 @@ export class Probe {
     }
   }
 
-  /** Lets go of the port. */
+  /** Releases the port. */
   close(): Promise<void> {
     return this.#client.close();
   }
 }
 
-/** Something has answered what no timer can be: with what it said of itself. */
+/** Something answered with an identity that no timer can have. The error carries its bytes. */
 function impossible(error: TimerError): ConnectionError {
   const { details } = (error.cause ?? {}) as Partial<CodecError>;
   return new ConnectionError('bad-reply', 'the answer cannot be right', error, details?.bytes);

@@ -4,25 +4,23 @@ import { commandOf } from '../protocol/index.js';
 /** What was heard on a port in place of a timer. */
 export interface Heard {
   /**
-   * `text`: readable lines, as of a receiver, a printer or a terminal. `echo`: only what was sent came back. `noise`:
-   * anything else that belongs to no frame.
+   * `text`: readable lines, as from a receiver, a printer or a terminal. `echo`: only our own bytes came back. `noise`:
+   * any other bytes that belong to no frame.
    */
   readonly kind: 'text' | 'noise' | 'echo';
-  /** The last of it, 64 bytes at most; none of an echo. */
+  /** The last bytes, 64 at most; none for an echo. */
   readonly sample: Uint8Array;
-  /** The rate at which it was heard, bits a second. */
+  /** The rate at which it was heard, in bits a second. */
   readonly baudRate: number;
 }
 
-/** Bytes that are kept. */
+/** How many bytes are kept. */
 const SAMPLE = 64;
-/** So many bytes, or errors of the line, are more than plugging in and a flash of light leave behind. */
+/** Plugging in, or a flash of light, gives fewer bytes or line errors than this. */
 const ENOUGH = 8;
-/**
- * The share of readable bytes from which on they are text. Of bytes that mean nothing about one in three is readable.
- */
+/** From this share of readable bytes on, they count as text. Of random bytes about one in three is readable. */
 const READABLE = 0.9;
-/** Questions in a row in which nothing came, after which what came before is forgotten. */
+/** After this many questions in a row without a byte, earlier bytes are forgotten. */
 const FORGET_AFTER = 8;
 
 /** Listens at one rate to what comes in place of a timer's answer. */
@@ -30,14 +28,13 @@ export class RateListener {
   readonly #baudRate: number;
   #sample = new Uint8Array(0);
   /**
-   * Bytes that belong to no frame, those of them that can be read, errors of the line, and what came back of what was
-   * sent.
+   * Counts bytes that belong to no frame, the readable ones among them, line errors, and our own bytes that came back.
    */
   #bytes = 0;
   #readable = 0;
   #errors = 0;
   #echoes = 0;
-  /** Whether anything came since the last question, and in how many in a row nothing has. */
+  /** Whether nothing has come since the last question, and for how many questions in a row. */
   #isQuiet = true;
   #quiet = 0;
 
@@ -45,7 +42,7 @@ export class RateListener {
     this.#baudRate = baudRate;
   }
 
-  /** What it was, best taken together; null for nothing, or too little to tell. */
+  /** What was heard, all together; null for nothing, or too little to tell. */
   get heard(): Heard | null {
     const sample = this.#sample;
     const baudRate = this.#baudRate;
@@ -65,7 +62,7 @@ export class RateListener {
     this.#isQuiet = false;
   }
 
-  /** Another question begins. */
+  /** Begins the next question. */
   next(): void {
     this.#quiet = this.#isQuiet ? this.#quiet + 1 : 0;
     this.#isQuiet = true;
@@ -81,14 +78,14 @@ export class RateListener {
   }
 }
 
-/** Printable ASCII, tab and the ends of lines. */
+/** Printable ASCII, tab and line ends. */
 function isReadable(byte: number): boolean {
   return (byte >= 0x20 && byte < 0x7f) || byte === 0x09 || byte === 0x0a || byte === 0x0d;
 }
 
 const ORDER = ['text', 'noise', 'echo'] as const;
 
-/** What tells most of what was heard at several rates: text says that the rate is right. */
+/** The most telling of what was heard at several rates. Text shows that the rate is right. */
 export function clearest(heard: readonly (Heard | null)[]): Heard | null {
   for (const kind of ORDER) {
     const found = heard.find((each) => each?.kind === kind);

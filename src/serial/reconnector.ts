@@ -6,13 +6,14 @@ import { type KnownPort, known } from './ports.js';
 import type { ReturnWatch } from './return-watch.js';
 
 /**
- * Milliseconds after which a port that fails with its plug in is opened again, the first time in a row, the second ...
+ * How long to wait before a port is opened again that failed while plugged in: after the first failure in a row, the
+ * second, and so on. Milliseconds.
  */
 const REOPEN_AFTER = [200, 1000, 2000, 4000, 8000];
-/** Milliseconds after which a port that stayed open so long does not count as failing in a row. */
+/** A port that stayed open for this many milliseconds does not count as failing in a row. */
 const STEADY = 10_000;
 
-/** One wish to connect: port sessions, and between them waiting for the port to return. */
+/** One call to connect: port sessions, and between them the wait for the port to return. */
 export class Reconnector {
   readonly #context: LinkContext;
   readonly #stop: AbortController;
@@ -43,7 +44,7 @@ export class Reconnector {
     this.#ended = this.#run();
   }
 
-  /** Ends it, and says nothing more. Settles when the port is closed. */
+  /** Ends it; from then on no state is reported. Settles when the port is closed. */
   async stop(): Promise<void> {
     this.#stop.abort();
     await this.#ended;
@@ -54,7 +55,7 @@ export class Reconnector {
     this.#portSession?.askAgain('silent');
   }
 
-  /** Looks whether what was there still is, or what was lost is there again. */
+  /** Checks whether the timer is still there, or whether the lost port is back. */
   async recheck(): Promise<void> {
     this.#watch?.look();
     await this.#portSession?.recheck();
@@ -71,23 +72,22 @@ export class Reconnector {
   }
 
   /**
-   * Waits until the port is there again, or all is over.
-   * @returns why it is no longer waited for.
+   * Waits until the port is back, or the link ends.
+   * @returns why the wait is over.
    */
   async #await({ watch, lasted, error, unplugged }: PortSessionEnd & { why: 'lost' }): Promise<ConnectionError | null> {
     this.#watch = watch;
     try {
       if (lasted >= STEADY) this.#failures = 0;
-      // The plug may be pulled at any moment from the loss on: then nothing failed in a row, and there is nothing to
-      // wait for.
+      // The plug may be pulled at any moment after the loss. Then it is no failure in a row, and no delay is needed.
       if ((await watch.isThere()) && !watch.gone.aborted) {
-        // Opened at once and for ever, a port that fails as soon as it is open would keep the page busy.
+        // A port that fails as soon as it is open, reopened at once and for ever, would keep the page busy.
         const delay = REOPEN_AFTER[this.#failures++];
         if (delay === undefined) return error;
         await pause(this.#context.clock, delay, this.#stop.signal, watch.gone);
       }
       if (watch.gone.aborted) this.#failures = 0;
-      // A stream may fail before the browser tells that the plug was pulled.
+      // A stream may fail before the browser says that the plug was pulled.
       if (!unplugged && !(await watch.isThere())) {
         const { port, info } = this.#known;
         this.#context.tell('unplugged', { status: 'away', port, info, error, unplugged: true });

@@ -4,26 +4,26 @@ import { portKey } from './ports.js';
 import type { SerialLike, SerialPortLike } from './types.js';
 
 /**
- * Milliseconds between two looks for the port. They are needed only where an event was missed, as in the sleep of a
- * computer.
+ * Milliseconds between two looks for the port.
+ * Looking helps only when an event was missed, as during the sleep of a computer.
  */
 const LOOK_EVERY = 3000;
 
 /**
- * Waits for a lost port to be there again: the same object, or another one that says the same of itself and was not
- * there when this one was lost. Make it at the loss, so that it misses nothing.
+ * Waits for a lost port to return: the same object, or another one with the same information that was not there at the
+ * loss. Make it at the moment of the loss, so that it misses nothing.
  */
 export class ReturnWatch {
   readonly #lost: SerialPortLike;
   readonly #serial: SerialLike | undefined;
   readonly #clock: Clock;
-  /** Ports that were there already. */
+  /** Ports that were already there. */
   readonly #others: Promise<Set<SerialPortLike>>;
   readonly #gone = new AbortController();
   #returned: SerialPortLike | null = null;
   #wake = new AbortController();
 
-  /** @param serial absent: only the port itself is watched. */
+  /** @param serial without it, only the port itself is watched. */
   constructor(lost: SerialPortLike, serial: SerialLike | undefined, clock: Clock) {
     this.#lost = lost;
     this.#serial = serial;
@@ -34,18 +34,18 @@ export class ReturnWatch {
     serial?.addEventListener?.('connect', this.#onConnect);
   }
 
-  /** Whether the port is there at this moment, so that not its plug was pulled. */
+  /** Whether the port is still plugged in. */
   async isThere(): Promise<boolean> {
-    // Browsers that do not tell list the ports that are plugged in.
+    // Browsers without `connected` list the ports that are plugged in.
     return this.#lost.connected ?? (await this.#ports()).includes(this.#lost);
   }
 
-  /** Aborted once the browser tells that the plug was pulled, or is in again: that the stream fails may come first. */
+  /** Aborted once the browser says that the plug was pulled, or is in again. The stream may fail before that. */
   get gone(): AbortSignal {
     return this.#gone.signal;
   }
 
-  /** @returns the port to open; null when the signal asked to stop before there was one. */
+  /** @returns the port to open; null when the signal asked to stop first. */
   async returned(signal: AbortSignal): Promise<SerialPortLike | null> {
     const wake = (): void => this.look();
     signal.addEventListener('abort', wake);
@@ -88,7 +88,7 @@ export class ReturnWatch {
     if (await this.isThere()) return this.#lost;
     const others = await this.#others;
     const ports = await this.#ports();
-    // What is pulled out and plugged in again counts as returned.
+    // A port that was pulled out and plugged in again counts as returned.
     for (const other of others) if (!ports.includes(other)) others.delete(other);
     return ports.find((port) => port.connected !== false && !others.has(port) && this.#isAlike(port));
   }

@@ -1,20 +1,20 @@
 /** How a port is opened. */
 export interface SerialSettings {
-  /** Bits a second, or `find`: {@link RATES} are tried until the timer answers. */
+  /** Bits a second, or `find`: the link tries {@link RATES} until the timer answers. */
   readonly baudRate: number | 'find';
   readonly dataBits: 7 | 8;
   readonly parity: 'none' | 'even' | 'odd';
   readonly stopBits: 1 | 2;
-  /** The DTR line: raised, dropped, or null: as the browser leaves it, which is raised. */
+  /** The DTR line: true raised, false dropped, null as the browser leaves it (raised). */
   readonly dtr: boolean | null;
-  /** The RTS line: raised, dropped, or null: as the browser leaves it. */
+  /** The RTS line: true raised, false dropped, null as the browser leaves it. */
   readonly rts: boolean | null;
 }
 
-/** Settings with a rate that is decided. */
+/** Settings with a fixed rate. */
 export type OpenedSettings = SerialSettings & { readonly baudRate: number };
 
-/** The rate is found, 8 data bits, no parity, 1 stop bit: see the protocol page on the speed of the line. */
+/** The link finds the rate. 8 data bits, no parity, 1 stop bit: see docs/protocol.md on the speed of the line. */
 export const DEFAULT_SETTINGS: SerialSettings = Object.freeze({
   baudRate: 'find',
   dataBits: 8,
@@ -24,18 +24,18 @@ export const DEFAULT_SETTINGS: SerialSettings = Object.freeze({
   rts: null,
 });
 
-/** Rates in the order in which they are tried, never none. */
+/** Rates in the order in which they are tried. Never empty. */
 export type Rates = readonly [number, ...number[]];
 
 /**
- * The rates at which a timer may answer, the likeliest first. The capture of a real one rules out 2400 bits a second
- * and below.
+ * The rates at which a timer may answer, the likeliest first.
+ * The capture of a real one rules out 2400 bits a second and below.
  */
 export const RATES: Rates = Object.freeze([9600, 19200, 38400, 57600, 115200, 4800]) as Rates;
 
 /**
- * The rates to try at a port, the likeliest first: the one known to have worked there, then {@link RATES}. One alone if
- * the settings say which, or over Bluetooth, where the rate asked for has no meaning.
+ * The rates to try on a port, the likeliest first: the one known to have worked there, then {@link RATES}. Only one
+ * rate if the settings name it, or over Bluetooth, where the rate has no meaning.
  */
 export function ratesToTry({ baudRate }: SerialSettings, isBluetooth: boolean, knownRate?: number): Rates {
   if (baudRate !== 'find') return [baudRate];
@@ -44,13 +44,13 @@ export function ratesToTry({ baudRate }: SerialSettings, isBluetooth: boolean, k
   return isBluetooth ? [first] : [first, ...others];
 }
 
-/** Every so many quiet questions one goes out at another rate than the likeliest. */
+/** One in this many quiet questions uses another rate than the likeliest. */
 const OTHER_RATE_EVERY = 4;
 
 /**
- * The rate of the quiet question number `asked`, counted from 0: mostly the likeliest, each fourth time the next of the
- * others. So each of the rates is asked at least once in 4 times as many questions as there are other rates: at one a
- * second within 24 seconds.
+ * The rate of quiet question number `asked`, counted from 0. Three of four questions use the likeliest rate, the fourth
+ * uses the next of the others. So after 4 questions for each other rate, every rate was asked: at one question a
+ * second, within 24 seconds.
  */
 export function quietRate([likeliest, ...others]: Rates, asked: number): number {
   const round = Math.floor(asked / OTHER_RATE_EVERY);

@@ -11,7 +11,7 @@ describe('one position', () => {
     expect(timer.core.content.positions[1]?.[4]).toBe(70);
   });
 
-  it('is sent again when its answer is lost: that does no harm', async () => {
+  it('is sent again when its answer is lost, because that does no harm', async () => {
     let lost = 0;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lost-- > 0 ? [] : [byte]) } });
     await run(client.identify());

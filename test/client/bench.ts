@@ -4,7 +4,7 @@ import type { TimerProgram } from '../../src/program/index.js';
 import { COMMANDS, type CommandName, encodeFrame, type Request } from '../../src/protocol/index.js';
 import { VirtualTimer, type VirtualTimerOptions } from '../../src/simulator/index.js';
 
-/** A virtual timer and a client on one clock that is turned by hand. */
+/** A virtual timer and a client on one clock that the test turns. */
 export interface Bench {
   readonly clock: VirtualClock;
   readonly timer: VirtualTimer;

@@ -67,7 +67,7 @@ describe.each(Object.entries(JOBS))('%s', (_, job) => {
   });
 });
 
-it('the loss of the port is told of, and rejects what was under way, when onLost throws', async () => {
+it('when onLost throws, the loss of the port is still reported, and the running job rejects', async () => {
   const onLost = vi.fn(() => {
     throw trouble;
   });
@@ -79,7 +79,7 @@ it('the loss of the port is told of, and rejects what was under way, when onLost
   expect(reported.mock.calls).toEqual([[trouble]]);
 });
 
-it('an error of a callback is thrown behind the job where there is no reportError', async () => {
+it('without reportError, an error of a callback is thrown after the job', async () => {
   vi.stubGlobal('reportError', undefined);
   const later: (() => void)[] = [];
   vi.stubGlobal('queueMicrotask', (work: () => void) => later.push(work));
@@ -93,17 +93,20 @@ it('an error of a callback is thrown behind the job where there is no reportErro
 });
 
 describe('a hook that gates the write', () => {
-  it.each(['throws', 'rejects'])('fails the job when onMemory %s, with the first memory current again', async (how) => {
-    const { client, timer, run } = bench();
-    const goal = { ...(await run(client.readProgram())), memory: 2 };
-    timer.core.memory = 1;
-    const onMemory = (): Promise<void> => {
-      if (how === 'throws') throw trouble;
-      return Promise.reject(trouble);
-    };
-    await expect(run(client.writeMemories([goal], { onMemory }))).rejects.toBe(trouble);
-    expect(timer.core.memory).toBe(1);
-    expect(timer.core.answered.some(({ name }) => name === 'SETTIMERS' || name === 'SETSERVO')).toBe(false);
-    expect(reported).not.toHaveBeenCalled();
-  });
+  it.each(['throws', 'rejects'])(
+    'makes the job fail when onMemory %s, and the first memory is current again',
+    async (how) => {
+      const { client, timer, run } = bench();
+      const goal = { ...(await run(client.readProgram())), memory: 2 };
+      timer.core.memory = 1;
+      const onMemory = (): Promise<void> => {
+        if (how === 'throws') throw trouble;
+        return Promise.reject(trouble);
+      };
+      await expect(run(client.writeMemories([goal], { onMemory }))).rejects.toBe(trouble);
+      expect(timer.core.memory).toBe(1);
+      expect(timer.core.answered.some(({ name }) => name === 'SETTIMERS' || name === 'SETSERVO')).toBe(false);
+      expect(reported).not.toHaveBeenCalled();
+    },
+  );
 });

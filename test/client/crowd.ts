@@ -2,16 +2,14 @@ import type { BytePort } from '../../src/client/index.js';
 import { FrameDecoder } from '../../src/protocol/index.js';
 import type { VirtualTimer } from '../../src/simulator/index.js';
 
-/**
- * When a frame that nobody asked for comes: before the request is with the timer, or behind the timer's reply to it.
- */
+/** When an unexpected frame comes: before the request reaches the timer, or after the timer's reply. */
 export type Moment = 'before' | 'after';
 
-/** A port into whose beam something else talks, at the requests that a test names. */
+/** A port with a second talker in its beam, at the requests that a test names. */
 export interface Crowd extends BytePort {
-  /** What else comes at this request, counted from 0 over all that went out; nothing by default. */
+  /** What else comes at this request, counted from 0 over all requests; nothing by default. */
   stray: (index: number, code: number, moment: Moment) => Uint8Array | undefined;
-  /** Says something at once. */
+  /** Sends bytes at once. */
   say(bytes: Uint8Array): void;
 }
 
@@ -21,7 +19,7 @@ export function crowd(timer: VirtualTimer): Crowd {
   const requests = new FrameDecoder();
   let count = 0;
   let controller: ReadableStreamDefaultController<Uint8Array> | undefined;
-  /** What follows the next reply of the timer. */
+  /** What follows the timer's next reply. */
   let behind: Uint8Array | undefined;
   const say = (bytes: Uint8Array | undefined): void => {
     if (bytes) controller?.enqueue(bytes);

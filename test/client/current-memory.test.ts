@@ -17,7 +17,7 @@ function counting({ line }: Bench): () => number {
 }
 
 describe('a timer that does not answer which memory is current', () => {
-  it('is read all the same; the question goes out six times, and twice from then on', async () => {
+  it('is still read; the question goes out six times, and only twice from then on', async () => {
     const made = bench();
     const { client, timer, run } = made;
     await run(client.identify());
@@ -29,7 +29,7 @@ describe('a timer that does not answer which memory is current', () => {
     expect(count()).toBe(2);
   });
 
-  it('can be written: that it does not say so is what was read', async () => {
+  it('can be written: the reading had no current memory either', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', () => null);
     const baseline = await run(client.readProgram());
@@ -37,7 +37,7 @@ describe('a timer that does not answer which memory is current', () => {
     expect([report.result, report.held?.memory]).toEqual(['verified', null]);
   });
 
-  it('is not taken for one when a memory is to be selected, or several are to be read', async () => {
+  it('is an error, and not a quirk, when a job has to select a memory', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     answering(timer, 'GETMEMORY', () => null);
@@ -49,7 +49,7 @@ describe('a timer that does not answer which memory is current', () => {
 });
 
 describe('an answer that names another memory than the one that was read', () => {
-  it('is not believed alone', async () => {
+  it('is not believed when it comes once', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [1] : undefined));
@@ -57,7 +57,7 @@ describe('an answer that names another memory than the one that was read', () =>
     expect(report.result).toBe('verified');
   });
 
-  it('is believed when it came twice, and told with both numbers', async () => {
+  it('is believed when it comes twice, and the error names both memories', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'GETMEMORY', () => [1]);
@@ -70,7 +70,7 @@ describe('an answer that names another memory than the one that was read', () =>
     expect(names(timer.core.answered)).not.toContain('SETTIMERS');
   });
 
-  it('that names none any more stops a write before its first value', async () => {
+  it('stops a write before its first value when it no longer names a memory', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'GETMEMORY', () => []);
@@ -78,7 +78,7 @@ describe('an answer that names another memory than the one that was read', () =>
     await expect(writing).rejects.toMatchObject({ code: 'memory-unknown', details: { expected: 0, found: null } });
   });
 
-  it('that cannot be is not followed by one that is believed alone', async () => {
+  it('is asked for until two agree, when the first answer was impossible', async () => {
     const made = bench();
     const { client, timer, run } = made;
     answering(timer, 'GETMEMORY', (count) => [[200], [4]][count]);
@@ -88,7 +88,7 @@ describe('an answer that names another memory than the one that was read', () =>
     expect(count(), 'until two agree, and once at the end').toBe(5);
   });
 
-  it('that names no memory at all is asked for again', async () => {
+  it('is asked for again when it names no memory at all', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [] : undefined));
     expect((await run(client.readProgram())).memory).toBe(0);
@@ -111,7 +111,7 @@ describe('an impossible memory', () => {
     [5, false, 5],
     [5, true, 5],
     [6, true, 6],
-  ])('%i, where memories count from 1: %s, is told as it stood on the wire', async (index, memoriesFromOne, told) => {
+  ])('%i, where memories count from 1: %s, is reported as it was on the wire', async (index, memoriesFromOne, told) => {
     const { client, timer, run } = bench({}, { quirks: { memoriesFromOne } });
     answering(timer, 'GETMEMORY', () => [index]);
     expect((await run(client.readProgram())).memory).toBeNull();
@@ -119,14 +119,14 @@ describe('an impossible memory', () => {
     expect([client.quirksFound.has('memories-from-one'), client.quirksAssumed]).toEqual([false, { memoriesFromOne }]);
   });
 
-  it('0, which no timer has that counts from 1, takes that back', async () => {
+  it('0 takes back that the timer counts from 1', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', (count) => (count < 2 ? [4] : [0]));
     expect((await run(client.readProgram())).memory).toBe(0);
     expect([[...client.quirksFound.keys()], client.quirksAssumed]).toEqual([[], {}]);
   });
 
-  it('is asked for once more where one answer was enough, and not where two have agreed', async () => {
+  it('is asked for once more where one answer would have been enough, and not where two have agreed', async () => {
     const made = bench();
     const { client, timer, run } = made;
     await run(client.identify());

@@ -15,13 +15,13 @@ const at =
 const lose = (): number[] => [];
 
 describe('a line that damages bytes', () => {
-  it('asks again for a reply that was lost, behind a fence of another letter', async () => {
+  it('asks again for a lost reply, after a fence with another letter', async () => {
     const { client, timer, run } = bench({ fromTimer: { fault: at([18 + 7], lose) } });
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
     expect(names(timer.core.answered).slice(0, 4)).toEqual(['GETSWVER', 'GETMEMORY', 'GETSWVER', 'GETMEMORY']);
   });
 
-  it('believes a read only when two agree, once damage was seen, and reads again what it had believed', async () => {
+  it('needs two readings that agree once damage was seen, and repeats the reading from before', async () => {
     // The second of two flips keeps the sum right: this reply to GETSERVOPOS passes, and is wrong. Damage shows only
     // behind it.
     const reply = 18 + 10 + 31;
@@ -52,14 +52,14 @@ describe('a line that damages bytes', () => {
     await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'other-timer' });
   });
 
-  it('takes no notice of noise before the first request', async () => {
+  it('does not count noise before the first request', async () => {
     const { client, run, timer } = bench();
     const program = client.readProgram();
     expect(await run(program)).toEqual(contentOf(timer));
     expect(client.damageSeen).toBe(false);
   });
 
-  it('finds a reply behind a false header when the line falls silent, without asking again', async () => {
+  it('finds a reply after a false header when the line falls silent, without asking again', async () => {
     const header = [...fromHex('00 00 00 00 24 68')];
     const { client, timer, run } = bench({ fromTimer: { fault: at([0], (byte) => [...header, byte]) } });
     expect(await run(client.identify())).toEqual(B536);
@@ -67,7 +67,7 @@ describe('a line that damages bytes', () => {
     expect(names(timer.core.answered)).toEqual(['GETSWVER', 'GETSWVER']);
   });
 
-  it('gives up with a word when no two reads agree', async () => {
+  it('gives up with an error when no two readings agree', async () => {
     let value = 0;
     const { client, timer, run } = bench({ fromTimer: { fault: at([0], (byte) => [0xaa, byte]) } });
     timer.core.onAnswer = () => {
@@ -80,7 +80,7 @@ describe('a line that damages bytes', () => {
     expect(names(timer.core.answered).filter((name) => name === 'GETSERVOPOS')).toHaveLength(6);
   });
 
-  it('says that a reply cannot be right when it comes each time with content that cannot be', async () => {
+  it('says that a reply cannot be right when its content is impossible each time', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     // The positions of two servos where the timer said that it has three.
@@ -95,7 +95,7 @@ describe('a line that damages bytes', () => {
 });
 
 describe('replies that come late', () => {
-  it('are never taken for a later request: the times of the other memory', async () => {
+  it('are never taken for the reply to a later request: the times of the other memory', async () => {
     // The reply to GETTIMERS comes after its time is up, when the memory has been changed.
     const { client, timer, run, clock } = bench({}, { margin: 100 });
     await run(client.identify());
@@ -121,7 +121,7 @@ describe('replies that come late', () => {
 });
 
 describe('stopping while the line is being cleared', () => {
-  it('settles within one reply time, also when it waits until the latest reply is overdue', async () => {
+  it('ends within one reply time, even while it waits for the latest possible reply', async () => {
     const { client, timer, run, clock } = bench();
     await run(client.identify());
     timer.core.sleep();
@@ -134,7 +134,7 @@ describe('stopping while the line is being cleared', () => {
     expect(clock.now() - begin).toBeLessThan(3100);
   });
 
-  it.each(['asked to stop', 'the port is lost'])('settles on a line that never falls silent when %s', async (why) => {
+  it.each(['asked to stop', 'the port is lost'])('ends on a line that never falls silent when %s', async (why) => {
     const clock = new VirtualClock();
     let line: ReadableStreamDefaultController<Uint8Array> | undefined;
     const readable = new ReadableStream<Uint8Array>({
@@ -184,7 +184,7 @@ describe('the law of the write', () => {
     return hit.kind === 'lose' ? [] : hit.kind === 'flip' ? [byte ^ 0x11] : [byte, byte];
   };
 
-  it('verified means that the timer holds what was wanted, whatever the line does; once it is quiet, again reaches the goal', async () => {
+  it('verified means that the timer holds what was wanted, whatever the line does; on a quiet line a second write succeeds', async () => {
     await fc.assert(
       fc.asyncProperty(faults, faults, async (out, back) => {
         let quiet = false;

@@ -17,7 +17,7 @@ async function suspicious(timerClass = 'B'): Promise<Bench> {
 }
 
 describe('answers of which no two agree', () => {
-  it('to one question: it is given up after six', async () => {
+  it('to one question: the client gives up after six', async () => {
     const { client, timer, run } = await suspicious();
     answering(timer, 'GETMEMORY', (count) => [count % 2]);
     await expect(run(client.request({ name: 'GETMEMORY' }))).rejects.toMatchObject({
@@ -32,7 +32,7 @@ describe('answers of which no two agree', () => {
     ['GETTIMERS', ({ content }) => content.times.splice(3, 1, (content.times[3] as number) ^ 1)],
     ['GETSERVOPOS', ({ content }) => content.positions[1]?.splice(3, 1, (content.positions[1][3] as number) ^ 1)],
     ['GETLOWRPM', (core) => Object.assign(core, { idleThrottle: core.idleThrottle ^ 1 })],
-  ])('to the questions for a memory: it is given up after six, and %s is named', async (request, change) => {
+  ])('to the questions for a memory: the client gives up after six, and names %s', async (request, change) => {
     const { client, timer, run } = await suspicious('Q');
     timer.core.onAnswer = ({ name }) => name === request && change(timer.core);
     await expect(run(client.readProgram())).rejects.toMatchObject({
@@ -43,7 +43,7 @@ describe('answers of which no two agree', () => {
     expect(names(timer.core.answered).filter((name) => name === request)).toHaveLength(READS);
   });
 
-  it('which memory is current, at the beginning and at the end: it is given up after four readings', async () => {
+  it('which memory is current, at the beginning and at the end: the client gives up after four readings', async () => {
     const { client, timer, run } = bench();
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETSERVOPOS') timer.core.memory = 1 - timer.core.memory;
@@ -56,7 +56,7 @@ describe('answers of which no two agree', () => {
     expect(names(timer.core.answered).filter((name) => name === 'GETSERVOPOS')).toHaveLength(4);
   });
 
-  it('what was read of another memory does not count as a first reading of this one', async () => {
+  it('a reading of another memory does not count as a first reading of this one', async () => {
     const { client, timer, run } = await suspicious();
     let left = 2;
     timer.core.onAnswer = ({ name }) => {
@@ -106,7 +106,7 @@ describe('what an error says of the request', () => {
   it.each([
     ['each time', 0],
     ['as often, with silence before', 2],
-  ])('the reply came with a content that cannot be, %s', async (_, silences) => {
+  ])('the content of the reply was impossible, %s', async (_, silences) => {
     const { client, timer, run } = bench();
     await run(client.identify());
     answering(timer, 'GETTIMERS', (count) => (count < silences ? null : [1]));
@@ -118,7 +118,7 @@ describe('what an error says of the request', () => {
     });
   });
 
-  it('a question that was silent before and is answered badly now is malformed, after two tries', async () => {
+  it('a question without an answer before, and a bad one now, is malformed after two tries', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     let isSilent = true;
     answering(timer, 'GETLOWRPM', () => (isSilent ? null : [1, 2]));
@@ -139,7 +139,7 @@ describe('what an error says of the request', () => {
     });
   });
 
-  it('a timer that fell silent on a line that was damaged before is silent, and soon told so again', async () => {
+  it('a timer that falls silent on a line that was damaged before is silent, and the next error comes sooner', async () => {
     const { client, timer, run, line } = await suspicious();
     timer.core.sleep();
     await expect(run(client.readProgram())).rejects.toMatchObject({ code: 'no-answer' });
@@ -150,7 +150,7 @@ describe('what an error says of the request', () => {
 });
 
 describe('a client that is closed', () => {
-  it('lets the request under way come to its end', async () => {
+  it('lets the running request end', async () => {
     const { client, timer, run } = bench({ latency: 50 });
     await run(client.identify());
     const asked = client.request({ name: 'GETTIMERS' });
@@ -161,7 +161,7 @@ describe('a client that is closed', () => {
     expect(timer.writable.locked).toBe(false);
   });
 
-  it('asks nothing more, and goes to no other memory', async () => {
+  it('asks nothing more, and selects no other memory', async () => {
     const { client, timer, run } = bench({ latency: 50 });
     await run(client.identify());
     timer.core.onAnswer = ({ name }) => {
@@ -174,7 +174,7 @@ describe('a client that is closed', () => {
 });
 
 describe('a selected memory', () => {
-  it('that is not the one that was asked for is told with both numbers', async () => {
+  it('is an error with both numbers when it is not the one that was asked for', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     answering(timer, 'GETMEMORY', () => [1]);
@@ -184,7 +184,7 @@ describe('a selected memory', () => {
     });
   });
 
-  it('that the timer does not name is uncertain: the job stops, and so is the way back', async () => {
+  it('is uncertain when the timer does not name it: the job stops, and so does the way back', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     answering(timer, 'GETMEMORY', (count) => (count < 2 ? undefined : []));
@@ -195,7 +195,7 @@ describe('a selected memory', () => {
     expect(names(timer.core.answered)).not.toContain('GETTIMERS');
   });
 
-  it('is asked for twice before the first other one, and after each', async () => {
+  it('is asked for twice before the first selection, and after each one', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     timer.core.answered.length = 0;
@@ -218,14 +218,14 @@ describe('a selected memory', () => {
 describe('times that fall, and rise with their bytes exchanged', () => {
   const FALLING = [0, 0x0200, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808, 0x0909];
 
-  it('are no hint when they are known to have their high byte first', async () => {
+  it('are no hint when the high byte is known to come first', async () => {
     const { client, timer, run } = bench({ quirks: { bigEndianTimes: true } }, { quirks: { bigEndianTimes: true } });
     timer.core.content.times = FALLING;
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
     expect([...client.quirksFound.keys()]).toEqual([]);
   });
 
-  it('are none any more when a reading rises as it is', async () => {
+  it('are no hint any more when a reading rises without an exchange', async () => {
     const { client, timer, run } = bench();
     const { times } = timer.core.content;
     timer.core.content.times = FALLING;
@@ -236,7 +236,7 @@ describe('times that fall, and rise with their bytes exchanged', () => {
     expect([...client.quirksFound.keys()]).toEqual([]);
   });
 
-  it('equal times are no fall', async () => {
+  it('equal times do not count as falling', async () => {
     const { client, timer, run } = bench();
     const equal = edited(contentOf(timer), [
       [4, 0x0102],

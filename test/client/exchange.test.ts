@@ -133,7 +133,7 @@ describe('a request that is given up', () => {
     expect(bench.codes()).toEqual([MOVETOFUNC]);
   });
 
-  it('before it went out, because its time is up and the fence was damaged', async () => {
+  it('before it goes out, because its time is up and the fence was damaged', async () => {
     const bench = await unanswered();
     bench.exchange.begin({ parts: [] });
     const { endsBy } = bench.exchange.schedule;
@@ -147,7 +147,7 @@ describe('a request that is given up', () => {
     expect(bench.codes()).toEqual([GETSWVER]);
   });
 
-  it('at once after twelve exchanges without an answer, unless nothing came of the last ones', async () => {
+  it('at once after twelve exchanges without an answer, unless the last ones were silent', async () => {
     const bench = setUp();
     await bench.run(bench.exchange.ask({ name: 'GETMEMORY' }));
     bench.sent.length = 0;
@@ -160,7 +160,7 @@ describe('a request that is given up', () => {
   it.each<[boolean, number]>([
     [true, 7],
     [false, 7],
-  ])('for silence behind noise after seven exchanges, whether it has answered before: %s', async (before, silent) => {
+  ])('for silence after noise after seven exchanges, whether it has answered before: %s', async (before, silent) => {
     const bench = setUp();
     if (before) await bench.run(bench.exchange.ask({ name: 'GETMEMORY' }));
     bench.sent.length = 0;
@@ -176,7 +176,7 @@ describe('the time of a job', () => {
   it.each<[string, boolean, number]>([
     ['the request', false, own],
     ['a fence and the request', true, longestFence(TIMING) + own],
-  ])('has to be enough for %s', async (_, isFenced, needed) => {
+  ])('must be enough for %s', async (_, isFenced, needed) => {
     for (const missing of [0, 1]) {
       const bench = setUp();
       bench.exchange.begin({ parts: [] });
@@ -198,7 +198,7 @@ describe('the time of a job', () => {
 });
 
 describe('a fence', () => {
-  it('is asked before a request while an older one can be answered, and not from then on', async () => {
+  it('goes out before a request while an older one can still be answered, and not later', async () => {
     for (const [since, codes] of [
       [2999, [GETSWVER, GETMEMORY]],
       [3000, [GETMEMORY]],
@@ -218,7 +218,7 @@ describe('a fence', () => {
     }
   });
 
-  it('is not needed where a late reply to the same question will do', async () => {
+  it('is not needed where a late reply to the same question is good enough', async () => {
     const bench = setUp();
     const comes = inTurn('silent', 'ok');
     bench.comes = comes;
@@ -229,7 +229,7 @@ describe('a fence', () => {
     expect(other.codes(), 'another question').toEqual([GETSWVER, GETSWVER]);
   });
 
-  it('that another timer answers stops no question for what is there now', async () => {
+  it('does not stop a question about what is there now when another timer answers it', async () => {
     const bench = await unanswered();
     bench.comes = (code) => (code === GETSWVER ? version('999') : 'ok');
     expect(await bench.run(bench.exchange.identify())).toMatchObject({ identity: { firmware: '999' } });
@@ -254,7 +254,7 @@ describe('a check before a request goes out again', () => {
     expect(made).toBe(checks);
   });
 
-  it('is made before the first time, too, when the fence before it was not answered', async () => {
+  it('comes before the first time, too, when the fence before it was not answered', async () => {
     const bench = await unanswered();
     const fences = inTurn('silent', 'ok');
     bench.comes = (code) => (code === MOVETOFUNC ? 'ok' : fences());
@@ -289,7 +289,7 @@ describe('who answers', () => {
 });
 
 describe('an exchange that is closed', () => {
-  it('lets the request under way come to its end, and sends no other', async () => {
+  it('lets the running request end, and sends no other', async () => {
     const bench = setUp();
     bench.comes = () => 'silent';
     const begin = bench.clock.now();

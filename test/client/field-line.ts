@@ -4,18 +4,18 @@ import type { VirtualTimer } from '../../src/simulator/index.js';
 
 export type Direction = 'out' | 'in';
 
-/** What befalls one byte, and with it the line. */
+/** What happens to one byte, and to the line at that moment. */
 export interface Fault {
-  /** What arrives in the place of the byte. Default: the byte. */
+  /** What arrives in place of the byte. Default: the byte. */
   readonly bytes?: (byte: number) => readonly number[];
-  /** Milliseconds for which this byte and all that come behind it are held up. */
+  /** For how many milliseconds this byte, and all bytes after it, are delayed. */
   readonly delay?: number;
-  /** What happens to the whole when the byte is about to pass. */
+  /** What happens to the whole line just before the byte passes. */
   readonly event?: 'cut' | 'gone' | 'asleep';
 }
 
 interface Way {
-  /** Bytes that came to this way so far. */
+  /** How many bytes have come this way so far. */
   count: number;
   heldUntil: number;
   readonly deliver: (bytes: Uint8Array) => void;
@@ -27,8 +27,8 @@ interface Page {
 }
 
 /**
- * What lies between a page and a timer in the field: a line on which one fault can be set off at any byte of either
- * direction, and which can be opened again after it was cut, or after the page that had it open is gone.
+ * The line between a page and a timer in the field. A test can set off one fault at any byte of either direction. The
+ * line can be opened again after it was cut, or after its page has gone.
  */
 export class FieldLine {
   readonly timer: VirtualTimer;
@@ -38,7 +38,7 @@ export class FieldLine {
   readonly #ways: Readonly<Record<Direction, Way>>;
   #armed: { readonly direction: Direction; readonly index: number; readonly fault: Fault } | null = null;
   #lose: () => void = () => {};
-  /** The page that has the line open. */
+  /** The page that has opened the line. */
   #page: Page = { controller: null };
 
   constructor(timer: VirtualTimer, clock: VirtualClock) {
@@ -56,7 +56,7 @@ export class FieldLine {
     };
   }
 
-  /** Opens the line for a new page. What comes from the timer goes to this one from now on. */
+  /** Opens the line for a new page, which gets the timer's bytes from now on. */
   open(): BytePort {
     const page: Page = { controller: null };
     this.#page = page;
@@ -78,17 +78,17 @@ export class FieldLine {
     };
   }
 
-  /** Lets the page hear bytes that no timer has sent. */
+  /** Lets the page receive bytes that no timer has sent. */
   disturb(bytes: Uint8Array): void {
     this.#page.controller?.enqueue(bytes);
   }
 
-  /** Sets a fault off at a byte, counted from now on. */
+  /** Sets off a fault at a byte, counted from now on. */
   arm(direction: Direction, index: number, fault: Fault): void {
     this.#armed = { direction, index: this.#ways[direction].count + index, fault };
   }
 
-  /** Whether the fault has not been set off yet. */
+  /** Whether the fault is still to come. */
   get isArmed(): boolean {
     return this.#armed !== null;
   }
@@ -134,7 +134,7 @@ export class FieldLine {
     controller?.error(new Error('The line is cut.'));
   }
 
-  /** The page is gone without a word. Nobody reads until the line is opened again. */
+  /** The page has gone without closing the line. Nobody reads until the line is opened again. */
   #leave(): void {
     this.#page = { controller: null };
     this.#lose();

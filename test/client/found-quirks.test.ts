@@ -9,7 +9,7 @@ describe('what a timer was found to do differently', () => {
     expect(quirks.found.get('memory-impossible')).toEqual({ index: 7 });
   });
 
-  it('is forgotten when another timer is there, and what was said beforehand is not', () => {
+  it('is forgotten when another timer comes, but what the caller has assumed is not', () => {
     const quirks = new Quirks({ servoFirst: true });
     quirks.note('echo');
     quirks.assume({ memoriesFromOne: true });
@@ -20,14 +20,14 @@ describe('what a timer was found to do differently', () => {
     expect(quirks.mayMisprint('GETTIMERS', 'known')).toBe(false);
   });
 
-  it('is forgotten with all that is assumed when the pilot says so', () => {
+  it('is forgotten with all assumptions when the caller asks for that', () => {
     const quirks = new Quirks({ servoFirst: true });
     quirks.note('echo');
     quirks.forget();
     expect([quirks.found.size, quirks.assumed]).toEqual([0, {}]);
   });
 
-  it('is dropped when the timer contradicts it, and only that', () => {
+  it('is dropped alone when the timer contradicts it', () => {
     const quirks = new Quirks({ servoFirst: true, memoriesFromOne: true });
     quirks.note('memories-from-one');
     quirks.note('echo');
@@ -38,7 +38,7 @@ describe('what a timer was found to do differently', () => {
 });
 
 describe('the misprinted form of a reply', () => {
-  it('is believed when it came twice, and no longer once the right one came', () => {
+  it('is believed when it comes twice, and no longer after the right one came', () => {
     const quirks = new Quirks({});
     const seen = () => [
       quirks.mayMisprint('GETTIMERS', 'yes'),
@@ -57,7 +57,7 @@ describe('the misprinted form of a reply', () => {
     expect(seen()).toEqual([false, false, false, false]);
   });
 
-  it('of UNLOCK is believed at once: it is not sent again to see', () => {
+  it('of UNLOCK is believed at once, because it must not be sent again', () => {
     const quirks = new Quirks({});
     quirks.noteForm('UNLOCK', 'misprint');
     expect([...quirks.found.keys()]).toEqual(['unlock-reply-6a']);
@@ -79,7 +79,7 @@ describe('bare checksums of requests', () => {
 });
 
 describe('the byte order of times', () => {
-  it('is open when it is suspected, until somebody decides', () => {
+  it('is undecided when it is suspected, until somebody decides', () => {
     const quirks = new Quirks({});
     const open = [quirks.byteOrderOpen];
     quirks.note('times-big-endian');

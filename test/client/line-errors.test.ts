@@ -36,7 +36,7 @@ describe('an error of the line', () => {
     ['BreakError', 'break'],
     ['BufferOverrunError', 'overrun'],
     ['UnknownError', 'other'],
-  ] as const)('%s: reading goes on, it is told as %s, and counted', async (name, kind) => {
+  ] as const)('%s: reading goes on, and the error is reported as %s, and counted', async (name, kind) => {
     const { timer, clock, run, line } = bench();
     const port = new FailingPort(timer);
     const client = new TimerClient(port, { clock, onLine: (entry) => line.push(entry) });
@@ -67,7 +67,7 @@ describe('an error of the line', () => {
     }
   });
 
-  it('behind which there is no new stream is no error of the line but the loss of the port', async () => {
+  it('without a new stream after it is the loss of the port', async () => {
     const { timer, clock, run } = bench();
     const port = new FailingPort(timer);
     let lost: unknown;
@@ -85,7 +85,7 @@ describe('an error of the line', () => {
     expect(client.lineErrors.size).toBe(0);
   });
 
-  it('that fails with what is no error at all is told as other', async () => {
+  it('is reported as other when the stream fails with something that is not an error', async () => {
     const { timer, clock, run } = bench();
     const port = new FailingPort(timer);
     const client = new TimerClient(port, { clock });

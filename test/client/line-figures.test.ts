@@ -25,7 +25,7 @@ describe('how long things may take', () => {
     expect(replyTime(18, timing)).toBe(618);
   });
 
-  it('bytes that are still coming: one longest frame and a silence', () => {
+  it('bytes that are still coming: the longest frame and a silence', () => {
     expect(overtime(timing)).toBe(261 + 60);
   });
 
@@ -41,7 +41,7 @@ describe('how long things may take', () => {
     expect(exchangesOf(['GETSWVER'], null)).toEqual({ count: 1, bytes: 522 });
   });
 
-  it('a fence: draining, and the latest reply that may come or an exchange of the longest frames', () => {
+  it('a fence: draining, and either the latest possible reply or an exchange of the longest frames', () => {
     expect(longestFence(timing)).toBe(1060 + LATEST_REPLY);
     expect(longestFence({ baudRate: 100, margin: 600 })).toBe(1060 + (52_200 + 600) + (26_100 + 60) + 60);
   });
@@ -98,7 +98,7 @@ describe('requests that may still be answered', () => {
     expect(requests.isEmpty).toBe(true);
   });
 
-  it('one that was answered is none, unless one before it was not', () => {
+  it('do not include an answered one, unless one before it is open', () => {
     const { requests, send } = make();
     send({ name: 'GETSWVER' }, false);
     expect(requests.isEmpty).toBe(true);
@@ -107,7 +107,7 @@ describe('requests that may still be answered', () => {
     expect([requests.take(version, true), requests.take(version, true)]).toEqual([true, false]);
   });
 
-  it('each late reply is taken for one of them', () => {
+  it('become one fewer with each late reply', () => {
     const { requests, send } = make();
     send({ name: 'GETSWVER' });
     send({ name: 'GETSWVER' });
@@ -115,20 +115,20 @@ describe('requests that may still be answered', () => {
     expect(requests.has(0x6b), 'a doubled one may come yet').toBe(true);
   });
 
-  it('a frame of another letter answers none of them', () => {
+  it('are not answered by a frame of another letter', () => {
     const { requests, send } = make();
     send({ name: 'GETSWVER' });
     expect(requests.take({ code: 0x62, data: bytes() }, true)).toBe(false);
     expect(requests.take(version, true)).toBe(true);
   });
 
-  it('a misprinted letter answers as well: 66 for GETTIMERS', () => {
+  it('are also answered by a misprinted letter: 66 for GETTIMERS', () => {
     const { requests, send } = make();
     send({ name: 'GETTIMERS' });
     expect(requests.take({ code: 0x66, data: bytes() }, true)).toBe(true);
   });
 
-  it('a frame by hand, of a letter that no command has, is answered by the next letter', () => {
+  it('include a frame by hand: one of an unknown letter is answered by the next letter', () => {
     const { clock, requests } = make();
     requests.note(bytes(0, 0, 0, 0, 0, 3, 0x81, 0x81, 0x45), clock.now(), true);
     expect(requests.take({ code: 0x84, data: bytes() }, true)).toBe(false);
@@ -197,7 +197,7 @@ describe('a frame as the reply to a question', () => {
     expect(asReply({ code: 0x76, data: bytes(7) }, question, new Quirks({}), true)).toBeUndefined();
   });
 
-  it('of a value of 0 says nothing of what the timer does with others', () => {
+  it('with a value of 0 says nothing about other values', () => {
     const quirks = new Quirks({});
     asReply({ code: 0x76, data: bytes(0) }, ask({ name: 'GETLOWRPM' }), quirks, false);
     expect(quirks.mayMisprint('GETLOWRPM', 'yes')).toBe(true);
@@ -205,7 +205,7 @@ describe('a frame as the reply to a question', () => {
     expect(quirks.mayMisprint('GETLOWRPM', 'yes')).toBe(false);
   });
 
-  it('with a content that cannot be is a bad one, with the reason', () => {
+  it('with impossible content is a bad one, with the reason', () => {
     expect(asReply({ code: 0x62, data: bytes(1) }, ask({ name: 'GETTIMERS' }), new Quirks({}), false)).toMatchObject({
       kind: 'bad',
       error: { code: 'wrong-length' },

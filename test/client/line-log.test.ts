@@ -16,7 +16,7 @@ async function crowded(): Promise<{ port: Crowd; client: TimerClient; line: Line
   return { port, client, line, clock };
 }
 
-describe('what comes behind a request', () => {
+describe('what comes after a request', () => {
   const request = { name: 'SETSERVO', servo: 0, function: 2, position: 41 } as const;
 
   it.each<[string, Uint8Array, boolean]>([
@@ -34,7 +34,7 @@ describe('what comes behind a request', () => {
   });
 });
 
-describe('the line as it is told', () => {
+describe('the line as it is reported', () => {
   it('has what went out, what came, and what belongs to no frame, with the reason and the time', async () => {
     const { port, client, line, clock } = await crowded();
     await clock.advance(250);
@@ -89,7 +89,7 @@ describe('a port whose streams are missing', () => {
     await expect(clock.run(client.identify())).rejects.toMatchObject({ code: 'port-lost', cause });
   });
 
-  it('is not told as lost when the client was closed', async () => {
+  it('is not reported as lost when the client was closed', async () => {
     const lost: string[] = [];
     const { client, run } = bench({}, { onLost: ({ code }) => lost.push(code) });
     await run(client.identify());

@@ -7,7 +7,7 @@ import { VirtualTimer } from '../../src/simulator/index.js';
 import { contentOf } from './bench.js';
 import { type Direction, type Fault, FieldLine } from './field-line.js';
 
-/** All that may befall a byte. Which bit is flipped goes with its place. */
+/** Everything that may happen to a byte. The place of the byte decides which bit is flipped. */
 export const FAULTS: Readonly<Record<string, (index: number) => Fault>> = {
   lost: () => ({ bytes: () => [] }),
   'one bit flipped': (index) => ({ bytes: (byte) => [byte ^ (1 << (index % 8))] }),
@@ -24,15 +24,15 @@ export const FAULTS: Readonly<Record<string, (index: number) => Fault>> = {
 
 const DANGEROUS = ['UNLOCK', 'JUMP2', 'MOVETOFUNC'] as const;
 
-/** A timer in the field, the line to it, and the page that has it open. */
+/** A timer in the field, the line to it, and the page that has opened the line. */
 export class Field {
   readonly clock = new VirtualClock(1_700_000_000_000);
   readonly timer: VirtualTimer;
   readonly line: FieldLine;
   client: TimerClient;
-  /** Letters of all frames that any page has sent. */
+  /** The letters of all frames that any page has sent. */
   readonly sent: number[] = [];
-  /** What the timer held at first, and what it is to hold. */
+  /** What the timer held at first, and what it shall hold. */
   readonly before: TimerProgram;
   readonly goal: TimerProgram;
 
@@ -76,7 +76,7 @@ export function everyValueChanged(program: TimerProgram): TimerProgram {
 
 /** One thing that a page does with a timer. */
 export interface Act {
-  /** What was done before, undisturbed. */
+  /** What was done before, without faults. */
   readonly prepare: (client: TimerClient) => Promise<unknown>;
   readonly act: (client: TimerClient, field: Field) => Promise<unknown>;
 }
@@ -99,12 +99,12 @@ export interface Case {
   readonly identity: Partial<Identity>;
   readonly act: ActName;
   readonly direction: Direction;
-  /** The byte that is hit, counted from the beginning of the act. */
+  /** The byte with the fault, counted from the beginning of the act. */
   readonly index: number;
   readonly fault: keyof typeof FAULTS;
 }
 
-/** How many bytes an act takes in each direction when nothing befalls them. */
+/** How many bytes an act takes in each direction without faults. */
 export async function bytesOf(identity: Partial<Identity>, name: ActName): Promise<Record<Direction, number>> {
   const field = new Field(identity);
   const { prepare, act } = ACTS[name];
@@ -126,8 +126,8 @@ export async function allCases(identity: Partial<Identity>, act: ActName): Promi
 }
 
 /**
- * Lets a case happen, and the field be as it is afterwards: the timer awake, the line open, on a new page if the old
- * one is gone.
+ * Lets a case happen, then brings the field in order: the timer awake, the line open, with a new page if the old one
+ * has gone.
  */
 async function happen(hit: Case): Promise<{ field: Field; result: unknown }> {
   const { identity, act: name, direction, index, fault } = hit;
@@ -145,7 +145,7 @@ async function happen(hit: Case): Promise<{ field: Field; result: unknown }> {
   return { field, result };
 }
 
-/** Whether the fault leaves no way to go on but the one afterwards. */
+/** Whether only a new start can go on after this fault. */
 function isEnd({ fault, index }: Case): boolean {
   return FAULTS[fault]?.(index).event !== undefined;
 }
@@ -155,8 +155,7 @@ function label({ act, direction, index, fault }: Case): string {
 }
 
 /**
- * What must hold for a read or a write that any one fault befalls: nothing is said that is not so, and the way goes on
- * from there.
+ * What must hold for a read or a write with any one fault: nothing untrue is said, and the work can go on from there.
  * @param aim what is written afterwards: the goal once more, or the backup.
  */
 export async function holds(hit: Case, aim: 'goal' | 'before'): Promise<void> {
@@ -179,7 +178,7 @@ export async function holds(hit: Case, aim: 'goal' | 'before'): Promise<void> {
   expect(report, text).toMatchObject({ result: 'verified', stopped: null });
   expect(contentOf(timer), text).toEqual(wanted);
 
-  // No damaged request passed for another one.
+  // No damaged request was taken for another one.
   const asked = new Set(
     [...changeRequests(before, goal), ...changeRequests(held, wanted)].map((r) => JSON.stringify(r)),
   );
@@ -189,13 +188,10 @@ export async function holds(hit: Case, aim: 'goal' | 'before'): Promise<void> {
   for (const name of DANGEROUS) expect([field.timesSent(name), field.timesAnswered(name)], text).toEqual([0, 0]);
 }
 
-/**
- * What must hold for a dangerous command that any one fault befalls: it went out once, and was carried out once at
- * most.
- */
+/** What must hold for a dangerous command with any one fault: it went out once, and was carried out once at most. */
 export async function wentOutOnce(hit: Case): Promise<void> {
   const { field } = await happen(hit);
-  // Whatever is still to come has come by now, and the page has gone on.
+  // By then everything has come, and the page has gone on.
   await field.clock.advance(10_000);
   await field.run(field.client.readProgram());
   for (const name of DANGEROUS) {

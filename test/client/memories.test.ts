@@ -58,7 +58,7 @@ describe('reading several memories', () => {
     expect(names(timer.core.answered).some(isSelect)).toBe(false);
   });
 
-  it('fits a timer that counts its memories from 1, once that has shown', async () => {
+  it('works with a timer that counts its memories from 1, once that is known', async () => {
     const { client, timer, run } = bench({ quirks: { memoriesFromOne: true } });
     timer.core.memory = 3;
     expect(await run(client.readMemories())).toEqual({ original: 3, programs: memoriesOf(timer) });
@@ -82,7 +82,7 @@ describe('reading several memories', () => {
     ]);
   });
 
-  it('reads again what it had believed on one reading, when damage is first seen on the way', async () => {
+  it('repeats the single readings from before the first damage', async () => {
     const { client, timer, run } = bench({ fromTimer: { fault: (byte, index) => (index === 2 * 150 ? [] : [byte]) } });
     const told: Progress[] = [];
     const { programs } = await run(client.readMemories({ onProgress: (progress) => told.push(progress) }));
@@ -124,7 +124,7 @@ describe('reading several memories', () => {
     });
   });
 
-  it('knows which memory is left when selecting another never went out', async () => {
+  it('knows which memory is current when the selection of another never went out', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETSERVOPOS' && timer.core.memory === 2) timer.core.sleep();
@@ -154,7 +154,7 @@ describe('reading several memories', () => {
     expect(timer.core.memory).toBe(1);
   });
 
-  it('says so, and why, when all was read and only going back has failed', async () => {
+  it('says why when all was read and only the way back failed', async () => {
     const { client, timer, run } = bench();
     let asked = 0;
     timer.core.onAnswer = ({ name }) => {
@@ -170,7 +170,7 @@ describe('reading several memories', () => {
     });
   });
 
-  it('says so when the timer falls asleep, and also when the client is closed on the way', async () => {
+  it('says which memory is current when the timer falls asleep or the client is closed', async () => {
     for (const end of ['sleep', 'close'] as const) {
       const { client, timer, run } = bench();
       timer.core.onAnswer = ({ name }) => {
@@ -199,7 +199,7 @@ describe('writing several memories', () => {
     expect(timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC')).toHaveLength(2);
   });
 
-  it('writes each into its own, hands over what it held before, and goes back', async () => {
+  it('writes each program into its memory, gives the caller what was there before, and goes back', async () => {
     const { client, timer, run } = bench();
     timer.core.memory = 1;
     const before = memoriesOf(timer);
@@ -227,7 +227,7 @@ describe('writing several memories', () => {
     expect(timer.core.memory).toBe(1);
   });
 
-  it('writes nothing into a memory that holds something else than was believed, and gives what it holds', async () => {
+  it('writes nothing into a memory that holds other values than expected, and gives what it holds', async () => {
     const { client, timer, run } = bench();
     const [, first, second] = memoriesOf(timer) as [TimerProgram, TimerProgram, TimerProgram];
     const baselines = [second, first];
@@ -296,7 +296,7 @@ describe('writing several memories', () => {
     expect(timer.core.answered).toEqual([]);
   });
 
-  it('tells what was written when a later goal cannot be, and when it is asked to stop', async () => {
+  it('says what was written when a later goal cannot be written, and when it is asked to stop', async () => {
     const { client, timer, run } = bench();
     const [, first, second] = memoriesOf(timer).map(everyValueChanged) as [TimerProgram, TimerProgram, TimerProgram];
     // Past the last step: only where the timer holds the same.
@@ -370,7 +370,7 @@ describe('writing several memories', () => {
 });
 
 describe('the progress of several memories', () => {
-  it('is that of the whole way: it never falls, comes to its end, and says the memory and the time', async () => {
+  it('covers the whole job: it never falls, comes to its end, and says the memory and the time', async () => {
     const { client, timer, run, clock } = bench();
     const goals = memoriesOf(timer).map((program) => edited(program, [[10, 40000]]));
     const jobs: ((onProgress: (progress: Progress) => void) => Promise<unknown>)[] = [
@@ -391,7 +391,7 @@ describe('the progress of several memories', () => {
     }
   });
 
-  it('ends later by the time that the caller takes for a backup', async () => {
+  it('moves its end by the time that the caller takes for a backup', async () => {
     const { client, timer, run, clock } = bench();
     const told: Progress[] = [];
     await run(

@@ -4,7 +4,7 @@ import { answering, bench, contentOf, edited, memoryOf, names } from './bench.js
 const Q = { identity: { timerClass: 'Q' } };
 
 describe('what a reading is made of', () => {
-  it('a reading is not made once more as a whole when only its end was damaged', async () => {
+  it('a whole reading is not repeated when only its end was damaged', async () => {
     let isDamaged = false;
     const fault = (byte: number): number[] => [isDamaged && byte === 0x45 ? 0x44 : byte];
     const { client, timer, run } = bench({ fromTimer: { fault } });
@@ -17,7 +17,7 @@ describe('what a reading is made of', () => {
     expect(names(timer.core.answered).filter((name) => name === 'GETTIMERS')).toHaveLength(2);
   });
 
-  it('a memory that is no longer told at its end is unknown', async () => {
+  it('the memory is unknown when the timer no longer names it at the end', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? undefined : null));
     expect(await run(client.readProgram())).toEqual({ ...contentOf(timer), memory: null });
@@ -26,19 +26,19 @@ describe('what a reading is made of', () => {
 });
 
 describe('a way through several memories', () => {
-  it('through none reads nothing', async () => {
+  it('through no memories reads nothing', async () => {
     const { client, run } = bench();
     expect(await run(client.readMemories({ memories: [] }))).toEqual({ original: 0, programs: [] });
   });
 
-  it('begins nowhere when the answer shows that the numbers which were named are wrong', async () => {
+  it('does not begin when the answer shows that the given numbers are wrong', async () => {
     const { client, timer, run } = bench({ quirks: { memoriesFromOne: true } });
     timer.core.memory = 3;
     await expect(run(client.readMemories({ memories: [1] }))).rejects.toMatchObject({ code: 'memory-unknown' });
     expect(names(timer.core.answered)).not.toContain('SETMEMORY');
   });
 
-  it('hands out what a memory holds with the idle throttle where the goal has one', async () => {
+  it('gives what a memory holds with the idle throttle where the goal has one', async () => {
     const { client, timer, run } = bench();
     const read: (number | null)[] = [];
     const onMemory = ({ idleThrottle }: { idleThrottle: number | null }): void => void read.push(idleThrottle);
@@ -48,7 +48,7 @@ describe('a way through several memories', () => {
     expect(read).toEqual([30, null]);
   });
 
-  it('writes no memory that holds something else than was believed, and says which', async () => {
+  it('writes into no memory that holds other values than expected, and says which', async () => {
     const { client, timer, run } = bench();
     const held = memoryOf(timer, 1);
     const report = await run(
@@ -69,7 +69,7 @@ describe('a memory that is left', () => {
     return made;
   };
 
-  it('is told without a request when another one than selecting was not answered', async () => {
+  it('names no request when another one than the selection was not answered', async () => {
     const { client, timer, run } = at(1);
     timer.core.onAnswer = ({ name }) => {
       if (name === 'GETTIMERS' && timer.core.memory === 2) timer.core.sleep();
@@ -79,7 +79,7 @@ describe('a memory that is left', () => {
     expect(failure).toHaveProperty('details', { expected: 1, found: 2 });
   });
 
-  it('is told without a request when the answer to selecting was damaged', async () => {
+  it('names no request when the answer to the selection was damaged', async () => {
     let isDamaged = false;
     const fault = (byte: number): number[] => [isDamaged && byte === 0x45 ? 0x44 : byte];
     const { client, timer, run } = at(1, { fromTimer: { fault } });
@@ -94,7 +94,7 @@ describe('a memory that is left', () => {
     expect(failure).toHaveProperty('details', { expected: 1, found: null });
   });
 
-  it('gets nothing more from a timer that is another one', async () => {
+  it('sends nothing more when another timer is there', async () => {
     const { client, timer, run } = at(1);
     timer.core.onAnswer = ({ name }) => {
       if (name !== 'GETTIMERS' || timer.core.memory !== 2) return;
@@ -110,7 +110,7 @@ describe('a memory that is left', () => {
 });
 
 describe('a program for another timer', () => {
-  it('is refused with what the timer says of itself', async () => {
+  it('is refused, and the error says which timer is there', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const other = { ...baseline, identity: { ...baseline.identity, timerClass: 'E' } };

@@ -39,7 +39,7 @@ function snapshot({ timer }: Bench): TimerProgram {
 }
 
 describe('a line that damages 1 % of all bytes', () => {
-  it('reads all, writes all and verifies it, in the time that was told', async () => {
+  it('lets everything be read, written and verified in the time that was predicted', async () => {
     await fc.assert(
       fc.asyncProperty(seed, timerClass, async (of, letter) => {
         const field = noisy(0.01, of, { timerClass: letter });
@@ -64,7 +64,7 @@ describe('a line that damages 1 % of all bytes', () => {
   });
 });
 
-it('a request that damage turned into another one, with a right sum, is put right and verified', async () => {
+it('damage that turns a request into another valid one is corrected and verified', async () => {
   // Seeds at which that happened, and a reply was lost behind it.
   for (const of of [1_670_909]) {
     const field = noisy(0.01, of, { timerClass: 'Q' });
@@ -79,7 +79,7 @@ it('a request that damage turned into another one, with a right sum, is put righ
 });
 
 describe('a line that damages 5 % of all bytes', () => {
-  it('gets it done or says clearly that it did not; once the line is quiet, the goal is reached', async () => {
+  it('lets a job succeed or fail with a clear error; once the line is quiet, the goal is reached', async () => {
     await fc.assert(
       fc.asyncProperty(seed, timerClass, async (of, letter) => {
         const field = noisy(0.05, of, { timerClass: letter });
@@ -114,7 +114,7 @@ describe('a line that damages 5 % of all bytes', () => {
   });
 });
 
-describe('the time that is told', () => {
+describe('the time that a job predicts', () => {
   const jobs = {
     read: (client: TimerClient, _: TimerProgram, onProgress: (progress: Progress) => void) =>
       client.readProgram({ onProgress }),
@@ -128,7 +128,7 @@ describe('the time that is told', () => {
       }),
   };
 
-  it('is never passed, whatever the line does, and does not change on the way', async () => {
+  it('is always enough, whatever the line does, and does not change during the job', async () => {
     const trouble = fc.record({
       of: seed,
       job: fc.constantFrom(...(Object.keys(jobs) as (keyof typeof jobs)[])),

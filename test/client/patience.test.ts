@@ -12,7 +12,7 @@ type Write = (
 ) => Promise<unknown>;
 
 describe('giving up', () => {
-  it('a timer that fell asleep is told of in seconds, and once more at once', async () => {
+  it('a timer that fell asleep is reported within seconds, and the next time at once', async () => {
     const { client, timer, run, clock, line } = bench();
     await run(client.identify());
     timer.core.sleep();
@@ -48,7 +48,7 @@ describe('giving up', () => {
     expect(asked()).toBe(8);
   });
 
-  it('a request that this timer does not answer goes out ten times, each behind a fence', async () => {
+  it('a request that this timer does not answer goes out ten times, each after a fence', async () => {
     const { client, run, timer } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
     timer.core.answered.length = 0;
@@ -72,7 +72,7 @@ describe('giving up', () => {
     ]);
   });
 
-  it('a line on which nothing comes through whole is unstable, not a silent timer', async () => {
+  it('a line on which everything is damaged is unstable, not a silent timer', async () => {
     let broken = false;
     const { client, run, clock } = bench({ fromTimer: { fault: (byte) => [broken && byte === 0x45 ? 0x44 : byte] } });
     await run(client.identify());
@@ -85,7 +85,7 @@ describe('giving up', () => {
     expect(clock.now() - begin).toBeLessThan(20_000);
   });
 
-  it('one kind of reply that never comes through whole is unstable too, after twenty times', async () => {
+  it('one kind of reply that is always damaged makes the line unstable too, after twenty times', async () => {
     let count = 0;
     const fault = (byte: number): number[] => {
       if (byte === 0x68) count++;
@@ -109,7 +109,7 @@ describe('giving up', () => {
     expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('a write whose time is up is read back all the same', async () => {
+  it('a write whose time is up is still read back', async () => {
     let bad = false;
     const { client, run, timer, clock } = bench({ fromTimer: { fault: (byte) => [bad && byte === 0x45 ? 0 : byte] } });
     let sets = 0;
@@ -127,7 +127,7 @@ describe('giving up', () => {
     expect(report.held).toEqual(contentOf(timer));
   });
 
-  it('a write whose time is up before its first value is told of as the damage that it was, and is read back', async () => {
+  it('a write whose time is up before its first value reports the damage, and is read back', async () => {
     let hurt = false;
     const fault = (byte: number): number[] => [hurt && byte === 0x45 ? 0x44 : byte];
     const { client, run, timer, line } = bench({ fromTimer: { fault } });
@@ -149,7 +149,7 @@ describe('giving up', () => {
     expect(line.some(({ frame }) => frame?.code === 0x65)).toBe(false);
   });
 
-  it('a dangerous request does not go out when three fences in a row find nobody', async () => {
+  it('a dangerous request does not go out when three fences in a row get no answer', async () => {
     const { client, run, timer, line } = bench({ identity: { timerClass: 'Q' } });
     await run(client.identify());
     timer.core.sleep();
@@ -164,7 +164,7 @@ describe('the time that a job may take', () => {
   it.each<[string, Write]>([
     ['one memory', (client, goal, baseline, how) => client.writeProgram(goal, { baseline, ...how })],
     ['several', (client, goal, _, how) => client.writeMemories([goal], how)],
-  ])('is longer where the servos are to move: %s', async (_, write) => {
+  ])('is longer when the servos move: %s', async (_, write) => {
     const time = async (moveServos: boolean): Promise<number> => {
       const { client, run, clock } = bench();
       const baseline = await run(client.readProgram());
@@ -180,7 +180,7 @@ describe('the time that a job may take', () => {
 });
 
 describe('the number of repeats', () => {
-  it('is told while they go on, and begins again with each job', async () => {
+  it('is reported while they go on, and begins at zero with each job', async () => {
     let lost = 0;
     const fault = (byte: number): number[] => {
       if (lost === 0 || byte !== 0x61) return [byte];

@@ -34,7 +34,7 @@ describe('the plan of a job on a good line', () => {
       'a write of all into another with the idle throttle',
       (client, timer, told) => client.writeMemories([goal(timer, 2, 77)], told),
     ],
-  ])('has all that is asked, and no more: %s', async (_, job) => {
+  ])('has exactly the requests that are sent: %s', async (_, job) => {
     const own = bench();
     const { first, last, bytes } = await way(own, (told) => job(own.client, own.timer, told));
     expect({ total: first?.total, done: last?.done }).toEqual({ total: bytes, done: bytes });
@@ -46,12 +46,12 @@ describe('the time of a job', () => {
   const slow = () =>
     bench({ fromTimer: { fault: (byte) => [byte === 0x6c || byte === 0x72 ? 1 : byte] } }, { baudRate: 300 });
 
-  it('has room for what it asks, before the timer is known', async () => {
+  it('is enough for its requests before the timer is known', async () => {
     const { client, run } = slow();
     await expect(run(client.identify())).rejects.toMatchObject({ code: 'unstable', details: { sent: 4 } });
   });
 
-  it('has room for what it asks, once it is', async () => {
+  it('is enough for its requests once the timer is known', async () => {
     let isDamaged = false;
     const fault = (byte: number): number[] => [isDamaged && byte === 0x72 ? 1 : byte];
     const { client, run } = bench({ fromTimer: { fault } }, { baudRate: 300 });

@@ -20,7 +20,7 @@ describe('all quirks together', () => {
     'echo',
   ] as const satisfies readonly (keyof TimerQuirks)[];
 
-  it('whatever a timer does differently, verified is never said wrongly; with the right choices the goal is reached, in all 1024 combinations', async () => {
+  it('in all 1024 combinations, verified is never wrong, and with the right choices the goal is reached', async () => {
     for (let bits = 0; bits < 2 ** switches.length; bits++) {
       const quirks: TimerQuirks = Object.fromEntries(switches.map((name, bit) => [name, (bits & (1 << bit)) !== 0]));
       const { client, timer, run } = bench({ identity: { timerClass: 'Q', functions: 4, servos: 3 }, quirks });
@@ -68,7 +68,7 @@ describe('all quirks together', () => {
     }
   });
 
-  it('a damaged line on top of it changes nothing of that', async () => {
+  it('the same holds on a damaged line', async () => {
     const quirks = fc
       .subarray([...switches])
       .map((on): TimerQuirks => Object.fromEntries(on.map((name) => [name, true])));

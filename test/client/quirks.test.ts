@@ -15,7 +15,7 @@ import { answering, bench, contentOf, edited, names } from './bench.js';
 
 const found = (client: { quirksFound: ReadonlyMap<QuirkCode, unknown> }): QuirkCode[] => [...client.quirksFound.keys()];
 
-describe('a timer that departs from the usual reading', () => {
+describe('a timer that differs from the usual one', () => {
   it.each<[string, TimerQuirks, string[]]>([
     ['four zeros', { zeros: 4 }, []],
     ['66 for 62', { timersReplyAs66: true }, ['timers-reply-66']],
@@ -38,14 +38,14 @@ describe('a timer that departs from the usual reading', () => {
     expect([client.damageSeen, client.strays]).toEqual([false, 0]);
   });
 
-  it('a sum that leaves out the data is found with the first reading, which is made twice for it', async () => {
+  it('a checksum without the data is found with the first reading, which is made twice', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, quirks: { bareChecksumReply: true } });
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
     expect(found(client)).toEqual(['bare-checksum']);
     expect(names(timer.core.answered).filter((name) => name === 'GETLOWRPM')).toHaveLength(2);
   });
 
-  it('an idle throttle without a value is believed from two readings, and from one once that is known', async () => {
+  it('an idle throttle without a value is believed after two readings, and after one once it is known', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     answering(timer, 'GETLOWRPM', (count) => (count === 0 ? [] : undefined));
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
@@ -58,7 +58,7 @@ describe('a timer that departs from the usual reading', () => {
     expect(asked()).toBe(3);
   });
 
-  it('no index of the memory: unknown, never memory 0; reading and writing go on', async () => {
+  it('a reply without a memory means unknown, never memory 0; reading and writing go on', async () => {
     const { client, timer, run } = bench({ quirks: { memoryReplyEmpty: true } });
     const baseline = await run(client.readProgram());
     expect(baseline.memory).toBeNull();
@@ -127,7 +127,7 @@ describe('a timer that departs from the usual reading', () => {
     expect(found(client)).not.toContain('timers-reply-66');
   });
 
-  it('times that are rounded: says which, and what became of it', async () => {
+  it('rounded times: the report says which, and to what', async () => {
     const { client, run } = bench({ quirks: { timeStep: 10 } });
     const baseline = await run(client.readProgram());
     const report = await run(client.writeProgram(edited(baseline, [[3, 255]]), { baseline }));
@@ -135,7 +135,7 @@ describe('a timer that departs from the usual reading', () => {
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 3, sent: 255, held: 250 });
   });
 
-  it('idle throttle on B: asked only on request, and its silence is no failure', async () => {
+  it('the idle throttle of B: read only when asked for, and no answer is no failure', async () => {
     const b = bench();
     expect((await b.run(b.client.readProgram({ idleThrottle: true }))).idleThrottle).toBe(30);
     const silent = bench({ quirks: { idleThrottleOnQOnly: true } });
@@ -143,7 +143,7 @@ describe('a timer that departs from the usual reading', () => {
     expect(found(silent.client)).toEqual(['idle-throttle-unanswered']);
   });
 
-  it('bare checksums of requests: sent only when assumed, never found out silently', async () => {
+  it('requests with bare checksums are sent only when the caller assumes them', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' }, quirks: { bareChecksumRequests: true } });
     await run(client.readProgram());
     await expect(run(client.selectMemory(2))).rejects.toMatchObject({
@@ -159,7 +159,7 @@ describe('a timer that departs from the usual reading', () => {
 });
 
 describe('an answer that makes no sense', () => {
-  it('an impossible current memory is not known, and the rest is shown and can be written', async () => {
+  it('an impossible current memory is unknown, and the rest can be read and written', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', () => [200]);
     const baseline = await run(client.readProgram());
@@ -174,7 +174,7 @@ describe('an answer that makes no sense', () => {
   it.each([
     ['none', [], false],
     ['two bytes', [1, 2], true],
-  ])('an idle throttle of %s is not known, and the rest is shown', async (_, data, isDamage) => {
+  ])('an idle throttle of %s is unknown, and the rest can be read', async (_, data, isDamage) => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     answering(timer, 'GETLOWRPM', () => data);
     expect(await run(client.readProgram())).toEqual({ ...contentOf(timer), idleThrottle: null });
@@ -182,7 +182,7 @@ describe('an answer that makes no sense', () => {
     expect(client.damageSeen).toBe(isDamage);
   });
 
-  it('an acknowledgement of SETTIMERS without times is one', async () => {
+  it('SETTIMERS may be acknowledged without times', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'SETTIMERS', () => []);
@@ -191,7 +191,7 @@ describe('an answer that makes no sense', () => {
     expect(client.damageSeen).toBe(false);
   });
 
-  it('an acknowledgement of SETSERVO with data is none, and what the timer holds is read all the same', async () => {
+  it('SETSERVO is not acknowledged by a reply with data, and what the timer holds is still read', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     answering(timer, 'SETSERVO', () => [1, 2, 3]);
@@ -201,14 +201,14 @@ describe('an answer that makes no sense', () => {
     expect(found(client)).toEqual([]);
   });
 
-  it('one reply that says the number of memories does not tell that they count from 1', async () => {
+  it('one reply with the number of memories does not show that they count from 1', async () => {
     const { client, timer, run } = bench();
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [4] : undefined));
     expect((await run(client.readProgram())).memory).toBe(0);
     expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
   });
 
-  it('memories that were taken to count from 1 do so no longer when 0 is current, and one reply is not enough', async () => {
+  it('memories assumed to count from 1 do not when two replies say 0; one reply is not enough', async () => {
     const { client, timer, run } = bench({}, { quirks: { memoriesFromOne: true } });
     timer.core.memory = 2;
     answering(timer, 'GETMEMORY', (count) => (count === 0 ? [0] : undefined));
@@ -247,7 +247,7 @@ describe('times with their high byte first', () => {
     expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('are suspected where two of them are equal, too, and times that tell nothing take nothing back', async () => {
+  it('are also suspected where two of them are equal, and times that prove nothing change nothing', async () => {
     const { client, timer, run } = bench();
     const rising = [0x0200, 0x0101, 0x0101, 0x0202, 0x0303, 0x0404, 0x0505, 0x0606, 0x0707, 0x0808];
     timer.core.content.times = [0, ...rising];
@@ -281,7 +281,7 @@ describe('times with their high byte first', () => {
 });
 
 describe('servo before function', () => {
-  it('is found in the reading back; the other cell is put back, and it is said', async () => {
+  it('is found when reading back; the other cell is put back and reported', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [], [[2, 1, 99]]);
@@ -298,7 +298,7 @@ describe('servo before function', () => {
     expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('is contradicted in the same way: the other cell is put back in the usual order', async () => {
+  it('is disproved in the same way: the other cell is put back in the usual order', async () => {
     const { client, timer, run } = bench({}, { quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [], [[2, 1, 99]]);
@@ -311,7 +311,7 @@ describe('servo before function', () => {
     expect(client.quirksAssumed).toEqual({ servoFirst: true });
   });
 
-  it('is not suspected when a write ends at a function that is no servo for another reason', async () => {
+  it('is not suspected when a write ends for another reason at a function number without a servo', async () => {
     const cases: [string, (timer: VirtualTimer, stop: AbortController) => unknown, CommandName][] = [
       ['aborted', (_, stop) => stop.abort(), 'SETSERVO'],
       ['no-answer', ({ core }) => core.sleep(), 'SETTIMERS'],
@@ -333,7 +333,7 @@ describe('servo before function', () => {
     }
   });
 
-  it('is suspected when a function that is no servo gets no answer, and nothing is said to be written', async () => {
+  it('is suspected when a function number without a servo gets no answer, and nothing is reported as written', async () => {
     const { client, timer, run } = bench({ quirks: { servoFirst: true } });
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [], [[1, 3, 99]]);
@@ -367,7 +367,7 @@ describe('positions that are kept only where the servos stand', () => {
     expect([found(client), client.quirksAssumed]).toEqual([[], {}]);
   });
 
-  it('are nothing that moves servos by being known', async () => {
+  it('do not make servos move just because they are known', async () => {
     const { client, timer, run } = bench({}, { quirks: { positionsNeedMove: true } });
     const baseline = await run(client.readProgram());
     const report = await run(client.writeProgram(edited(baseline, [], [[0, 1, 99]]), { baseline }));
@@ -402,7 +402,7 @@ describe('positions that are kept only where the servos stand', () => {
     },
   );
 
-  it('are written when the pilot agreed that the servos move: once to each function', async () => {
+  it('are written when the pilot has agreed that the servos move once to each function', async () => {
     const { client, timer, run } = bench({ quirks: { servoNeedsMove: true } });
     const baseline = await run(client.readProgram());
     const goal = edited(
@@ -429,7 +429,7 @@ describe('positions that are kept only where the servos stand', () => {
 });
 
 describe('what was found of a timer', () => {
-  it('is kept while a timer of the same kind answers, and not when another one does', async () => {
+  it('is kept while a timer of the same kind answers, and dropped when another kind does', async () => {
     const { client, timer, run } = bench(
       { identity: { timerClass: 'Q' }, quirks: { echo: true } },
       { quirks: { servoFirst: false } },
@@ -448,7 +448,7 @@ describe('what was found of a timer', () => {
     expect(client.quirksAssumed).toEqual({ servoFirst: false });
   });
 
-  it('is forgotten with all that is assumed when the pilot says so', async () => {
+  it('is forgotten with all assumptions when the caller asks for that', async () => {
     const { client, run } = bench({ quirks: { echo: true } }, { quirks: { servoFirst: true } });
     await run(client.identify());
     client.forgetQuirks();

@@ -16,7 +16,7 @@ describe('identify', () => {
     ]);
   });
 
-  it('says that a timer which sleeps did not answer, after three requests, once the latest reply is overdue', async () => {
+  it('says after three requests that a sleeping timer did not answer, when no reply can come any more', async () => {
     const { client, timer, run, clock, line } = bench();
     timer.core.sleep();
     const begin = clock.now();
@@ -27,7 +27,7 @@ describe('identify', () => {
     expect(clock.now() - begin).toBe(3000);
   });
 
-  it('asks no more often than it is told to, and says that it was not answered', async () => {
+  it('asks only as often as it is told to, and says that no answer came', async () => {
     const { client, timer, run } = bench();
     timer.core.sleep();
     await expect(run(client.identify({ tries: 1 }))).rejects.toMatchObject({ code: 'no-answer', details: { sent: 1 } });
@@ -106,7 +106,7 @@ describe('read program', () => {
     expect((await run(client.readProgram())).positions[1]?.[4]).toBe(200);
   });
 
-  it('is refused when asked to stop before, and stops within one reply when asked on the way', async () => {
+  it('is refused when stopped before it begins, and stops within one reply during the reading', async () => {
     const { client, timer, run } = bench({ latency: 50 });
     await run(client.identify());
     const before = AbortSignal.abort();
@@ -121,7 +121,7 @@ describe('read program', () => {
     expect(await run(client.readProgram())).toEqual(contentOf(timer));
   });
 
-  it('says that the port is lost when the cable is pulled, to all who wait', async () => {
+  it('tells everyone who waits that the port is lost when the cable is pulled', async () => {
     const { client, timer, run, clock } = bench({ latency: 20 });
     await run(client.identify());
     timer.core.onAnswer = ({ name }) => name === 'GETTIMERS' && timer.cut();
@@ -131,7 +131,7 @@ describe('read program', () => {
     expect(clock.now() - begin, 'at once').toBeLessThan(100);
   });
 
-  it('lets go of the streams when closed, and settles what waits', async () => {
+  it('releases the streams when closed, and rejects what waits', async () => {
     const { client, timer, run } = bench();
     timer.core.sleep();
     const waiting = client.identify().catch((error: unknown) => error);

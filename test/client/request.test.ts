@@ -14,7 +14,7 @@ describe('one request', () => {
     expect(timer.core.content.positions[0]?.[2]).toBe(41);
   });
 
-  it('is a question of which two answers agree where one cannot be believed', async () => {
+  it('needs two answers that agree where one cannot be believed', async () => {
     let lost = 1;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lost-- > 0 ? [0xff] : [byte]) } });
     await run(client.identify());
@@ -24,7 +24,7 @@ describe('one request', () => {
     expect(names(timer.core.answered)).toEqual(['GETMEMORY', 'GETMEMORY']);
   });
 
-  it('is a question only where it reads: what it stores is sent once, also where one answer is not believed', async () => {
+  it('is sent once when it stores something, also where one answer is not believed', async () => {
     let lost = 1;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lost-- > 0 ? [0xff] : [byte]) } });
     await run(client.identify());
@@ -68,7 +68,7 @@ describe('a port that somebody else holds', () => {
     },
   );
 
-  it('says busy when it is written to in the middle, and sends nothing into that', async () => {
+  it('says busy when somebody else writes in the middle, and sends nothing more', async () => {
     const { client, timer, run } = bench();
     await run(client.identify());
     const other = timer.writable.getWriter();
@@ -90,7 +90,7 @@ describe('the idle throttle', () => {
     expect(names(timer.core.answered)).toEqual([version, 'SETLOWRPM', version, 'GETLOWRPM', 'GETLOWRPM', version]);
   });
 
-  it('is not said to be set when the timer does not say what it holds', async () => {
+  it('is not reported as set when the timer does not say what it holds', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     answering(timer, 'GETLOWRPM', () => []);
     await expect(run(client.setIdleThrottle(44))).rejects.toMatchObject({
@@ -101,7 +101,7 @@ describe('the idle throttle', () => {
 });
 
 describe('what a client hands out', () => {
-  it('cannot be changed: what it knows of the timer stays as it is', async () => {
+  it('cannot be changed, so what it knows of the timer stays as it is', async () => {
     const { client, timer, run } = bench();
     const handed = [await run(client.identify()), client.identity, (await run(client.readProgram())).identity];
     for (const identity of handed) {

@@ -30,7 +30,7 @@ const PARTS: PlannedJob['parts'] = [
 ];
 
 describe('how far a job is', () => {
-  it('is told in bytes, with each stage and each answer', () => {
+  it('is reported in bytes, with each stage and each answer', () => {
     const { schedule, told } = begun(PARTS);
     schedule.enter('read');
     schedule.answered('GETSWVER');
@@ -50,7 +50,7 @@ describe('how far a job is', () => {
     ]);
   });
 
-  it('is moved by nothing that was not planned, and by what is skipped', () => {
+  it('does not move with what was not planned, but moves with what is skipped', () => {
     const { schedule, told } = begun(PARTS);
     schedule.enter('read');
     schedule.answered('GETSWVER');
@@ -74,7 +74,7 @@ describe('how far a job is', () => {
     ]);
   });
 
-  it('counts a stage of each memory for itself, and the parts without one at both ends', () => {
+  it('counts the stages of each memory separately, and the parts without one at both ends', () => {
     const { schedule, told } = begun([
       { names: ['GETSWVER'] },
       { stage: 'read', memory: 0, names: ['GETMEMORY'] },
@@ -100,7 +100,7 @@ describe('how far a job is', () => {
     ]);
   });
 
-  it('begins no later part before the one that it is at is done, nor one of which a stage is told', () => {
+  it('begins no later part before the present one is done or its stage is reported', () => {
     const { schedule, told } = begun([
       { stage: 'read', names: ['GETSWVER', 'GETMEMORY'] },
       { stage: 'verify', names: ['GETSWVER'] },
@@ -140,7 +140,7 @@ describe('how far a job is', () => {
     expect(told.map((text) => text.split('/')[0])).toEqual(['read 0', 'read 19', 'read 38', 'read 65']);
   });
 
-  it('is nothing before the timer is known, and all of it when nothing has to be asked', () => {
+  it('is nothing before the timer is known, and everything when there is nothing to ask', () => {
     for (const [known, text] of [
       [null, 'read 0/0 0.00 Mnull 0'],
       [identity, 'read 0/0 1.00 Mnull 0'],
@@ -171,11 +171,11 @@ describe('the time of a job', () => {
     2 * longestExchanges(exchangesOf(['GETSWVER', 'GETMEMORY', 'SETLOWRPM', 'GETMEMORY'], identity), timing);
   const kept = 2 * longestExchanges(exchangesOf(['GETMEMORY'], identity), timing) + 15_000;
 
-  it('is twice what its exchanges can take, and what damage may cost', () => {
+  it('is twice the longest time of its exchanges, and some more for damage', () => {
     expect(begun(PARTS).schedule.endsBy).toBe(1000 + whole + 45_000);
   });
 
-  it('is enough for what ends with it, and not for more', async () => {
+  it('is enough for what ends in it, and not for more', async () => {
     const { clock, schedule } = begun(PARTS);
     const left = whole + 45_000;
     expect([schedule.hasTimeFor(left), schedule.hasTimeFor(left + 1)]).toEqual([true, false]);
@@ -195,7 +195,7 @@ describe('the time of a job', () => {
     expect(schedule.hasTimeFor(left), 'also when the work failed').toBe(true);
   });
 
-  it('grows by what is waited for beside the line', async () => {
+  it('grows by the time that is spent on other things than the line', async () => {
     const { clock, schedule } = begun(PARTS);
     const before = schedule.endsBy;
     await clock.run(schedule.waitFor(() => new Promise<void>((resolve) => void clock.after(700, resolve))));

@@ -20,7 +20,7 @@ describe('a frame sent by hand', () => {
     expect(clock.now(), 'nothing older is outstanding').toBe(begin);
   });
 
-  it('goes out once, and null says that nobody answered', async () => {
+  it('goes out once, and null means that nobody answered', async () => {
     const { client, run, line, timer, clock } = bench();
     const begin = clock.now();
     expect(await run(client.send(0x79, [1, 2]))).toBeNull();
@@ -44,7 +44,7 @@ describe('a frame sent by hand', () => {
     expect(line.map(({ frame }) => frame?.code)).toEqual([code]);
   });
 
-  it('gets no late answer of an earlier one, nor does a later question get its', async () => {
+  it('does not get the late answer of an earlier frame, and a later question does not get its answer', async () => {
     for (const later of ['by hand', 'asked']) {
       const { timer, clock, run } = bench();
       const line = new FieldLine(timer, clock);
@@ -59,7 +59,7 @@ describe('a frame sent by hand', () => {
     }
   });
 
-  it('is not answered by what an earlier request still gets', async () => {
+  it('is not answered by a late reply to an earlier request', async () => {
     const { timer, clock, run } = bench();
     const line = new FieldLine(timer, clock);
     const client = new TimerClient(line.open(), { clock });
@@ -71,7 +71,7 @@ describe('a frame sent by hand', () => {
     expect(timer.core.slot).toBe(3);
   });
 
-  it('waits for its turn, and goes out although no fence is answered, once nothing older can come', async () => {
+  it('waits for its turn, and goes out without an answered fence once no older reply can come', async () => {
     const { client, run, timer, line, clock } = bench({ latency: 10 });
     const reading = client.readProgram();
     const answer = client.send(0x71);

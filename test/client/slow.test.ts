@@ -18,7 +18,7 @@ describe.each([900, 2000, 2900])('a timer that answers after %i ms', (latency) =
     expect(client.margin).toBe(Math.min(3000, Math.ceil(1.5 * (client.delay as number))));
   });
 
-  it('is asked nothing twice once its delay is known', async () => {
+  it('gets no question twice once its delay is known', async () => {
     const { client, timer, run, clock } = slow();
     await run(client.readProgram());
     const { repeats } = client;
@@ -29,7 +29,7 @@ describe.each([900, 2000, 2900])('a timer that answers after %i ms', (latency) =
     expect(clock.now() - begin).toBeLessThan((latency + 300) * timer.core.answered.length);
   });
 
-  it.each(COMMAND_NAMES)('%s ends well, by the time that was told', async (name) => {
+  it.each(COMMAND_NAMES)('%s ends well, within the predicted time', async (name) => {
     const { client, timer, run, clock } = slow();
     const baseline = await run(client.readProgram());
     let endsBy = 0;
@@ -46,7 +46,7 @@ describe.each([900, 2000, 2900])('a timer that answers after %i ms', (latency) =
     expect(clock.now()).toBeLessThanOrEqual(endsBy);
   });
 
-  it('ends a write in a verdict although it became slow only after it was read', async () => {
+  it('lets a write end in a verdict although it became slow only after the reading', async () => {
     let late = false;
     const { clock, timer, run } = bench();
     const replies = new TransformStream<Uint8Array, Uint8Array>({
@@ -72,7 +72,7 @@ describe.each([900, 2000, 2900])('a timer that answers after %i ms', (latency) =
 });
 
 describe('a timer that is not slow', () => {
-  it('teaches no delay, asleep or on a line that loses bytes', async () => {
+  it('is not taken for slow while it sleeps, or on a line that loses bytes', async () => {
     const fault = (byte: number, index: number): number[] => (index % 97 === 50 ? [] : [byte]);
     const { client, timer, run } = bench({ fromTimer: { fault } });
     await run(client.readProgram());

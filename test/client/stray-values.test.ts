@@ -35,7 +35,7 @@ describe('a position that changed without being asked', () => {
     },
   );
 
-  it('is no exchange where servo and function have one number: it is the cell itself', async () => {
+  it('does not count as exchanged where servo and function have the same number', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [], [[1, 1, 99]]);
@@ -67,7 +67,7 @@ describe('a time that changed without being asked', () => {
   });
 });
 
-describe('an exception that is no error of the line', () => {
+describe('an exception that is not an error of the line', () => {
   it('ends a write as it is, and is not called an answer that did not come', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
@@ -113,7 +113,7 @@ describe('what is counted and noted for each write', () => {
     expect(client.quirksFound.get('times-rounded')).toEqual({ slot: 0, sent: 1005, held: 1000 });
   });
 
-  it('an error that stopped it is one of the client', async () => {
+  it('the error that stopped it is an error of the client', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && timer.core.sleep();

@@ -40,7 +40,7 @@ function said(reply: Reply): Uint8Array {
 const READING: readonly CommandName[] = ['GETSWVER', 'GETMEMORY', 'GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'];
 
 describe('a frame that nobody asked for', () => {
-  it('is counted, and nothing else is: no echo, no reply that waits, no late one', async () => {
+  it('is counted, and an echo, an expected or a late reply is not', async () => {
     const { client, run, port, timer } = setUp();
     await run(client.readProgram());
     expect(client.strays).toBe(0);
@@ -55,7 +55,7 @@ describe('a frame that nobody asked for', () => {
     expect(client.damageSeen).toBe(false);
   });
 
-  it('is no late reply to a request whose time is up, but for one of them', async () => {
+  it('counts as a late reply to a request whose time is up, but only once', async () => {
     const { client, run, port, timer } = setUp();
     await run(client.identify());
     timer.core.sleep();
@@ -118,7 +118,7 @@ describe('a frame that nobody asked for', () => {
     },
   );
 
-  it('in the place of each reply ends in words about a second timer', async () => {
+  it('in place of each reply leads to an error about a second timer', async () => {
     const { client, run, port } = setUp();
     await run(client.identify());
     let count = 0;
@@ -155,7 +155,7 @@ describe('a fence that another timer answers', () => {
     expect(names(timer.core.answered).slice(1)).toEqual(['GETSWVER', 'GETSWVER']);
   });
 
-  it('is asked again before that is believed, and its damage makes each value be read twice', async () => {
+  it('is sent again before that is believed, and damage makes each value be read twice', async () => {
     const { client, run, timer } = setUp();
     await run(client.identify());
     let lost = 1;

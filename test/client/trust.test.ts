@@ -122,7 +122,7 @@ describe('another timer under the infra-red head, from any request of a write on
 describe('another timer under the infra-red head, after silence among the values', () => {
   const sets = [FRESH + 1, FRESH + 2];
 
-  it.each([1, 2, 4])('of other content: it gets none of them, however many requests were lost: %i', async (lost) => {
+  it.each([1, 2, 4])('with other content: it gets none of them, however many requests were lost: %i', async (lost) => {
     for (const swapAt of sets) {
       const { other, before, result } = await swapped('another content', swapAt, lost);
       expect(result, `${swapAt}`).toMatchObject({ result: 'unknown', stopped: { code: 'changed' } });
@@ -201,7 +201,7 @@ describe('an acknowledgement that comes twice', () => {
 });
 
 describe('a second reply to the first reading', () => {
-  it('does not stand for the second reading of what has changed meanwhile', async () => {
+  it('does not count as the second reading of what has changed meanwhile', async () => {
     const { client, timer, run } = bench({ identity: SMALL });
     const baseline = await run(client.readProgram());
     const answer = timer.core.answer.bind(timer.core);

@@ -65,7 +65,7 @@ function setUp(write: () => Promise<void> = async () => {}) {
   };
 }
 
-describe('how long an answer is waited for', () => {
+describe('how long the client waits for an answer', () => {
   // 9 bytes of request, 10 of reply.
   const UNTIL = 9 + 10 + 600;
 
@@ -77,7 +77,7 @@ describe('how long an answer is waited for', () => {
     expect(await timed(wire.send(0x81, [1], identity))).toEqual([{ kind: 'silent' }, 10 + 261 + 600]);
   });
 
-  it('until a silence of 60 ms behind the last byte, where one comes at the end', async () => {
+  it('until a silence of 60 ms after the last byte, if bytes come at the end', async () => {
     const { ask, timed, say, clock } = setUp();
     clock.after(UNTIL - 10, () => say(Uint8Array.of(0)));
     clock.after(UNTIL + 40, () => say(Uint8Array.of(0)));
@@ -86,7 +86,7 @@ describe('how long an answer is waited for', () => {
     expect(await timed(ask())).toEqual([{ kind: 'silent' }, UNTIL]);
   });
 
-  it('one longest frame and a silence more at most', async () => {
+  it('at most the longest frame and a silence more', async () => {
     const { ask, timed, repeat } = setUp();
     repeat(Uint8Array.of(0), 40);
     expect(await timed(ask())).toEqual([{ kind: 'silent' }, UNTIL + 261 + 60]);
@@ -98,7 +98,7 @@ describe('how long an answer is waited for', () => {
     expect(await timed(ask())).toEqual([{ kind: 'silent' }, 9 + 10 + 1500]);
   });
 
-  it('the same when the port does not take it, nor what is asked behind it', async () => {
+  it('the same when the port does not take the request, nor the one after it', async () => {
     const { ask, timed, port, wire } = setUp(() => new Promise(() => {}));
     expect(await timed(ask())).toEqual([{ kind: 'silent' }, UNTIL]);
     expect(await timed(ask())).toEqual([{ kind: 'silent' }, UNTIL]);
@@ -108,7 +108,7 @@ describe('how long an answer is waited for', () => {
   });
 });
 
-describe('what came behind a request', () => {
+describe('what came after a request', () => {
   it.each<[string, Uint8Array[], string, number, number]>([
     ['nothing', [], 'silent', 0, 0],
     ['its echo', [encodeRequest(ASKED)], 'silent', 0, 0],
@@ -146,7 +146,7 @@ describe('what came behind a request', () => {
     expect(await clock.run(again)).toEqual({ kind: 'answer', answer: { code: 0x72, data: Uint8Array.of(2) } });
   });
 
-  it('a letter in place of the sum is damage, but where the idle throttle is asked for', async () => {
+  it('a letter in place of the checksum is damage, except for the idle throttle', async () => {
     const bare = encodeFrame(0x76, [30], { bareChecksum: true });
     const { ask, say, clock } = setUp();
     const asked = ask();
@@ -159,7 +159,7 @@ describe('what came behind a request', () => {
 });
 
 describe('a silence', () => {
-  it('is there 60 ms behind the last byte, at once on a line that has been quiet, or when asked to stop', async () => {
+  it('comes 60 ms after the last byte, at once on a line that has been quiet, or when asked to stop', async () => {
     const { wire, ask, say, timed, clock } = setUp();
     expect((await timed(wire.silence(undefined)))[1]).toBe(0);
     const asked = ask();
@@ -180,7 +180,7 @@ describe('a silence', () => {
     expect((await timed(wire.silence(undefined)))[1]).toBe(1000);
   });
 
-  it('shows what an unfinished frame has hidden, which says nothing of how slow the timer is', async () => {
+  it('releases what an unfinished frame has hidden, and does not count as a slow timer', async () => {
     for (const isHidden of [true, false]) {
       const { wire, ask, say, clock, timing } = setUp();
       await clock.run(ask());
@@ -194,7 +194,7 @@ describe('a silence', () => {
 });
 
 describe('the end of a wait', () => {
-  it('shows what an unfinished frame has hidden, which says nothing of how slow the timer is', async () => {
+  it('releases what an unfinished frame has hidden, and does not count as a slow timer', async () => {
     const { wire, ask, say, clock, timing } = setUp();
     await clock.run(ask());
     const asked = ask({ name: 'GETLOWRPM' });
@@ -205,7 +205,7 @@ describe('the end of a wait', () => {
 });
 
 describe('a pause', () => {
-  it('lasts as long as it was told to, whatever comes', async () => {
+  it('lasts as long as asked for, whatever comes', async () => {
     const { wire, ask, say, timed, clock } = setUp();
     await clock.run(ask());
     clock.after(50, () => say(STRAY));
@@ -222,7 +222,7 @@ describe('a pause', () => {
     expect(await timed(wire.pause(100, undefined, true))).toEqual([true, 50]);
   });
 
-  it('is over when asked to stop, and nobody listens to that any more', async () => {
+  it('ends when asked to stop, and leaves no listener behind', async () => {
     const { wire, timed, clock } = setUp();
     const stop = new AbortController();
     await clock.run(wire.pause(10, stop.signal));
@@ -232,7 +232,7 @@ describe('a pause', () => {
     expect(await timed(wire.pause(100, stop.signal, true))).toEqual([false, 0]);
   });
 
-  it('is over, with the reason, when the port is lost, and there is none afterwards', async () => {
+  it('ends with the reason when the port is lost, and there is no pause afterwards', async () => {
     const { wire, ask, clock, end } = setUp();
     await clock.run(ask());
     const begin = clock.now();
@@ -245,7 +245,7 @@ describe('a pause', () => {
 });
 
 describe('a port that ends', () => {
-  it('is told of once, and whoever waits hears of it at once', async () => {
+  it('is reported once, and everyone who waits knows it at once', async () => {
     const { wire, ask, clock, end, lost } = setUp();
     const begin = clock.now();
     const asked = ask();
@@ -259,7 +259,7 @@ describe('a port that ends', () => {
     expect([lost, clock.now()]).toEqual([['port-lost'], begin]);
   });
 
-  it('is not told of when it is let go of', async () => {
+  it('is not reported when it was released', async () => {
     const { wire, ask, clock, lost, port } = setUp();
     const asked = ask();
     const refused = expect(clock.run(asked)).rejects.toMatchObject({ code: 'closed' });
@@ -269,13 +269,13 @@ describe('a port that ends', () => {
     expect([lost, port.readable.locked, port.writable.locked]).toEqual([[], false, false]);
   });
 
-  it('can be let go of before it was used', async () => {
+  it('can be released before it was used', async () => {
     const { wire, clock, lost } = setUp();
     await clock.run(wire.close());
     expect(lost).toEqual([]);
   });
 
-  it('is let go of although its stream has failed, and the new one is left alone', async () => {
+  it('is released although its stream has failed, and the new one is left alone', async () => {
     const { port, clock } = setUp();
     let fail: (error: unknown) => void = () => {};
     const failing: { -readonly [Side in keyof BytePort]: BytePort[Side] } = {

@@ -35,7 +35,7 @@ const SETLOWRPM = (idleThrottle: number) => ({ name: 'SETLOWRPM', idleThrottle }
 const MOVETOFUNC = (slot: number) => ({ name: 'MOVETOFUNC', function: slot }) as const;
 
 describe('the plan of a write', () => {
-  it('asks for nothing of an idle throttle that the goal does not know', () => {
+  it('leaves out an idle throttle that the goal does not know', () => {
     const { asked, requests } = planWrite(HELD, of({ idleThrottle: null }));
     expect([asked, requests]).toEqual([[], []]);
   });
@@ -45,7 +45,7 @@ describe('the plan of a write', () => {
     [30, null, true, false],
     [null, 30, true, true],
     [null, null, false, false],
-  ])('reads an idle throttle of %s that is to be %s before: %s, and behind: %s', (before, goal, read, readBack) => {
+  ])('reads an idle throttle of %s that is to be %s before: %s, and after: %s', (before, goal, read, readBack) => {
     const known = of({ idleThrottle: before });
     const plan = planWrite(known, of({ idleThrottle: goal }));
     expect(plan.before).toEqual({ strict: true, memory: 1, known, idleThrottle: read });
@@ -85,7 +85,7 @@ describe('the plan of a write', () => {
     ]);
   });
 
-  it('has three parts: it reads once beside what is known, writes, and reads back twice', () => {
+  it('has three parts: a reading beside what is known, the write, and two readings back', () => {
     const content = ['GETTIMERS', 'GETSERVOPOS', 'GETLOWRPM'];
     expect(writeParts(planWrite(HELD, edited(HELD, [[3, 9100]])))).toEqual([
       { stage: 'read', names: ['GETSWVER', 'GETMEMORY', ...content, 'GETMEMORY', 'GETSWVER'] },
@@ -116,7 +116,7 @@ describe('the longest write', () => {
   });
 });
 
-describe('what a request that was taken makes of a program', () => {
+describe('what an accepted request makes of a program', () => {
   it.each([
     ['all times', SETTIMERS([1, 2, 3, 4]), of({ times: [1, 2, 3, 4] })],
     ['one position', SETSERVO(1, 2, 99), edited(HELD, [], [[1, 2, 99]])],
@@ -126,7 +126,7 @@ describe('what a request that was taken makes of a program', () => {
     expect(withRequest(HELD, request, null)).toEqual(after);
   });
 
-  it('the times that the timer said in its acknowledgement, which it may have rounded', () => {
+  it('the times come from the acknowledgement: the timer may have rounded them', () => {
     expect(withRequest(HELD, SETTIMERS([1, 2, 3, 4]), [0, 2, 3, 4]).times).toEqual([0, 2, 3, 4]);
   });
 });
@@ -162,7 +162,7 @@ describe('whether this write explains what the timer holds', () => {
     expect(isExplained(plan, held, false)).toBe(isIt);
   });
 
-  it('takes no rounding for one when no time was sent', () => {
+  it('does not call it rounding when no time was sent', () => {
     expect(isExplained(onlyPositions, edited(HELD, [[1, 1001]]), false)).toBe(false);
   });
 
@@ -205,14 +205,14 @@ describe('whether something else has changed the timer', () => {
     expect([isForeign(plan, held, false), isForeign(plan, held, true)]).toEqual([onGoodLine, onDamagedLine]);
   });
 
-  it('not where the other value is the one with servo and function exchanged', () => {
+  it('no, when the other value is the one with servo and function exchanged', () => {
     // 99 for servo 0, function 1, went to servo 1, function 0.
     const sent = planWrite(HELD, edited(HELD, [], [[0, 1, 99]]));
     expect(isForeign(sent, edited(HELD, [], [[1, 0, 99]]), false)).toBe(false);
     expect(isForeign(sent, edited(HELD, [], [[1, 0, 98]]), false)).toBe(true);
   });
 
-  it('not where one of two other values is exchanged: the two cells changed places', () => {
+  it('no, when the two cells have changed places', () => {
     const sent = planWrite(HELD, edited(HELD, [[1, 1200]], [[0, 1, 99]]));
     const held = edited(
       HELD,
@@ -225,7 +225,7 @@ describe('whether something else has changed the timer', () => {
     expect(isForeign(sent, held, false)).toBe(false);
   });
 
-  it('also where only some of what was asked did not take', () => {
+  it('yes, also when only some of the requests were not stored', () => {
     const two = planWrite(
       HELD,
       edited(
@@ -241,7 +241,7 @@ describe('whether something else has changed the timer', () => {
     expect(isForeign(two, edited(HELD, [], [[0, 2, 99], [0, 3, 98], stray]), false)).toBe(false);
   });
 
-  it('a move of the servos is no request that may disturb a value', () => {
+  it('moving the servos does not count as a request that may disturb a value', () => {
     const moving = planWrite(HELD, goal, true);
     expect(moving.requests).toHaveLength(2);
     expect(isForeign(moving, edited(goal, [], [stray, [1, 2, 2]]), false)).toBe(true);
@@ -266,7 +266,7 @@ describe('what the positions that were read back say of the timer', () => {
     ],
   );
 
-  it('it kept none when each is as it was', () => {
+  it('it kept none when all are as they were', () => {
     const plan = planWrite(HELD, goal);
     expect(isNoPositionKept(plan, edited(HELD, [[1, 1200]]))).toBe(true);
     expect(isNoPositionKept(plan, edited(HELD, [], [[0, 2, 99]]))).toBe(false);
@@ -290,7 +290,7 @@ describe('what the positions that were read back say of the timer', () => {
     expect(isNoPositionKept(planWrite(HELD, edited(HELD, [[1, 1200]])), HELD)).toBe(false);
   });
 
-  it('it keeps them where the servos do not stand only when those of two functions took', () => {
+  it('it keeps them where the servos do not stand only when those of two functions were stored', () => {
     expect(arePositionsKept(planWrite(HELD, apart), apart)).toBe(true);
     expect(arePositionsKept(planWrite(HELD, goal), goal), 'both of one function').toBe(false);
     expect(arePositionsKept(planWrite(HELD, apart), edited(HELD, [[1, 1200]], [[0, 2, 99]])), 'only one took').toBe(
@@ -321,7 +321,7 @@ describe('what the positions that were read back say of the timer', () => {
     expect(exchangedCell(plan, edited(HELD, [], [[0, 0, 99]])), 'another servo').toBeNull();
   });
 
-  it('the first slot whose time it rounds, by its acknowledgement and the reading back', () => {
+  it('the first slot whose time it has rounded is found by the acknowledgement and the reading back', () => {
     const plan = planWrite(
       HELD,
       edited(HELD, [
@@ -353,7 +353,7 @@ describe('what is sent after the reading back', () => {
     expect(repairRequests(plan, held, false, false)).toEqual({ requests, quirks: {} });
   });
 
-  it('what did not take is sent again only where damage was seen', () => {
+  it('what was not stored is sent again only where damage was seen', () => {
     const held = of({ idleThrottle: 31 });
     const asked = planWrite(HELD, { ...goal, idleThrottle: 32 });
     expect(repairRequests(asked, held, false, false).requests).toEqual([]);
@@ -364,7 +364,7 @@ describe('what is sent after the reading back', () => {
     ]);
   });
 
-  it('only what changed without being asked is put back, beside what did not take', () => {
+  it('what changed without being asked is put back alone when something else was not stored', () => {
     const asked = planWrite(HELD, { ...goal, idleThrottle: 32 });
     const held = edited(HELD, [], [[1, 3, 1]]);
     expect(repairRequests(asked, held, false, false).requests).toEqual([SETSERVO(1, 3, 23)]);

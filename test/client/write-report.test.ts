@@ -12,7 +12,7 @@ const GOAL: TimerProgram = {
 };
 const noThrottle = { ...GOAL, idleThrottle: null };
 
-describe('whether a memory holds what was believed of it', () => {
+describe('whether a memory holds what was expected', () => {
   it.each<[string, TimerProgram, TimerProgram, boolean]>([
     ['all of it', GOAL, GOAL, true],
     ['another time', GOAL, edited(GOAL, [[1, 9001]]), false],
@@ -27,12 +27,12 @@ describe('whether a memory holds what was believed of it', () => {
 describe('values that nobody asked to change', () => {
   const asked = differences(GOAL, edited(GOAL, [[1, 8000]]));
 
-  it('are those that are not as wanted, but for the ones that were asked for', () => {
+  it('are those that are not as wanted, except the ones that were asked for', () => {
     const held = edited(GOAL, [[1, 7000]], [[0, 1, 12]]);
     expect(unasked(held, GOAL, asked).map(({ field }) => field)).toEqual([{ kind: 'position', servo: 0, slot: 1 }]);
   });
 
-  it('are none where the goal knows no value', () => {
+  it('do not include what the goal does not know', () => {
     expect(unasked(GOAL, noThrottle, [])).toEqual([]);
   });
 });
@@ -61,11 +61,11 @@ describe('the verdict', () => {
     expect([report.result, report.values.map(({ status }) => status)]).toEqual([result, statuses]);
   });
 
-  it('of a write that had nothing to change needs a reading, too', () => {
+  it('needs a reading even when there was nothing to change', () => {
     expect([verdict(GOAL, [], [], null).result, verdict(GOAL, [], [], GOAL).result]).toEqual(['unknown', 'verified']);
   });
 
-  it('names what was asked for first, then what changed beside it', () => {
+  it('names first what was asked for, then what else has changed', () => {
     expect(verdict(GOAL, asked.slice(0, 1), [throttle], { ...GOAL, idleThrottle: 31 })).toEqual({
       result: 'differs',
       values: [

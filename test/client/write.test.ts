@@ -94,7 +94,7 @@ describe('write program', () => {
     ]);
   });
 
-  it('stops as soon as another memory is current behind what was read of the one', async () => {
+  it('stops as soon as another memory is current after the reading', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.answered.length = 0;
@@ -111,7 +111,7 @@ describe('write program', () => {
     ]);
   });
 
-  it('puts nothing back when the memory was changed on the way', async () => {
+  it('puts nothing back when another memory was selected during the write', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [[10, 30000]]);
@@ -132,7 +132,7 @@ describe('write program', () => {
     await expect(run(client.writeProgram(other, { baseline }))).rejects.toMatchObject({ code: 'other-timer' });
   });
 
-  it('says what differs when the timer rounds, and does not insist', async () => {
+  it('says what differs when the timer rounds, and does not send it again', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     timer.core.onAnswer = ({ name }) => {
@@ -188,7 +188,7 @@ describe('write program', () => {
     ['a time', ({ content }) => void content.times.splice(10, 1, 20000)],
     ['a position', ({ content }) => void content.positions[2]?.splice(4, 1, 1)],
     ['the idle throttle', (core) => void Object.assign(core, { idleThrottle: 31 })],
-  ])('writes nothing when %s is not as it was read, and gives what the timer holds', async (_, change) => {
+  ])('writes nothing when %s has changed since the reading, and gives what the timer holds', async (_, change) => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     const baseline = await run(client.readProgram());
     change(timer.core);
@@ -221,7 +221,7 @@ describe('write program', () => {
     expect(names(sets(timer.core.answered))).toEqual(['SETTIMERS']);
   });
 
-  it('does not know what a timer holds that fell asleep on the way, and finishes when it is awake again', async () => {
+  it('does not claim what a timer holds that fell asleep, and finishes when it is awake again', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const goal = edited(
@@ -245,7 +245,7 @@ describe('write program', () => {
     expect(contentOf(timer)).toEqual(goal);
   });
 
-  it('stops, and sends nothing again, when after silence something changed that the write cannot have changed', async () => {
+  it('stops after silence when something has changed that this write cannot have changed', async () => {
     let lose = false;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
     const baseline = await run(client.readProgram());
@@ -268,7 +268,7 @@ describe('write program', () => {
     expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
   });
 
-  it('takes nothing for its own doing that it has not sent yet', async () => {
+  it('does not take a change for its own before it has sent that value', async () => {
     let lose = false;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
     const baseline = await run(client.readProgram());
@@ -297,7 +297,7 @@ describe('write program', () => {
     }
   });
 
-  it('says verified, and nothing of a reply that did not come, when the timer holds all that was wanted', async () => {
+  it('says verified when the timer holds all that was wanted, although a reply was missing', async () => {
     // All replies to SETSERVO are lost; the timer has carried it out.
     let lose = false;
     const { client, timer, run } = bench({ fromTimer: { fault: (byte) => (lose ? [] : [byte]) } });
@@ -311,7 +311,7 @@ describe('write program', () => {
     expect(client.quirksFound.size, 'function 1 is a servo too').toBe(0);
   });
 
-  it('stops when asked, within one reply, and says what is not known', async () => {
+  it('stops within one reply when asked to, and says what is not known', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const goal = edited(baseline, [[10, 30000]], [[0, 3, 70]]);
@@ -325,7 +325,7 @@ describe('write program', () => {
     expect((await run(client.writeProgram(goal, { baseline: held }))).result).toBe('verified');
   });
 
-  it('is refused when asked to stop before the first value went out', async () => {
+  it('is refused when stopped before the first value went out', async () => {
     const { client, timer, run } = bench();
     const baseline = await run(client.readProgram());
     const stop = new AbortController();
@@ -344,7 +344,7 @@ describe('write program', () => {
     expect(report.values.map(({ status }) => status)).toEqual(['unknown']);
   });
 
-  it('reports its progress as one whole, from nothing to all', async () => {
+  it('reports its progress from nothing to all over the whole job', async () => {
     const { client, run } = bench();
     const baseline = await run(client.readProgram());
     const seen: string[] = [];
@@ -375,7 +375,7 @@ describe('write program', () => {
     ]);
   });
 
-  it.each([false, true])('needs just what was planned on a good line, servos moved: %s', async (moveServos) => {
+  it.each([false, true])('sends exactly what was planned on a good line, servos moved: %s', async (moveServos) => {
     const { client, run } = bench({ identity: { timerClass: 'Q' } });
     const baseline = await run(client.readProgram());
     const seen: number[] = [];
@@ -409,7 +409,7 @@ describe('write program', () => {
 });
 
 describe('other actions', () => {
-  it('selects a memory and makes sure of it', async () => {
+  it('select a memory and check it', async () => {
     const { client, timer, run } = bench();
     await run(client.selectMemory(3));
     expect(timer.core.memory).toBe(3);
@@ -423,7 +423,7 @@ describe('other actions', () => {
     });
   });
 
-  it('moves the servos, frees the motor, sets the idle throttle', async () => {
+  it('move the servos, unlock the motor, set the idle throttle', async () => {
     const { client, timer, run } = bench({ identity: { timerClass: 'Q' } });
     await run(client.moveToFunction(0));
     expect(timer.core.servos).toEqual([15, 15, 15]);
@@ -433,7 +433,7 @@ describe('other actions', () => {
     expect(await run(client.setIdleThrottle(44))).toBe(44);
   });
 
-  it('takes its turn: jobs started together run one after another', async () => {
+  it('wait their turn: jobs started together run one after another', async () => {
     const { client, timer, run } = bench({ latency: 10 });
     await run(client.identify());
     const [a, b] = await run(Promise.all([client.readProgram(), client.readProgram()]));

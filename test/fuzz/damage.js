@@ -1,8 +1,8 @@
-// What happens to files and links on their way, and what a joker makes of them.
+// What happens to files and links on their way, and what a joker does to them.
 
 import fc from 'fast-check';
 
-/** What stands in texts that want to do harm, or are of another kind. */
+/** Parts of texts that want to do harm, or are something else. */
 const HOSTILE = [
   ...['{', '}', '[', ']', '"', ',', ':', '\\', '\\u', '\\ud800', '\u0000', '\ufeff', '\u2028', '/*', '//', "'", '`'],
   ...['null', 'true', 'NaN', 'Infinity', '-0', '1e999', '-1', '0.1', '1E-7', '00', '65536', '9007199254740993', '"M0"'],
@@ -73,7 +73,7 @@ const change = fc.record({
   value: odd,
 });
 
-/** One to three changes of what a JSON text says: it stays JSON. @returns {(value: unknown) => unknown} */
+/** One to three changes of the values in a JSON text, which stays JSON. @returns {(value: unknown) => unknown} */
 export const valueDamage = fc.array(change, { minLength: 1, maxLength: 3 }).map((changes) => {
   const damage = (/** @type {any} */ value) => {
     const copy = structuredClone(value);
@@ -104,7 +104,7 @@ function alter(root, { kind, at, to, value }) {
   else if (kind === 'swap') {
     const theirs = structuredClone(other[otherName]);
     put(holder, name, theirs);
-    // What was in the other place may be gone with what has just been replaced: it is then changed where nobody looks.
+    // The other place may have gone with what has just been replaced; then the change has no effect.
     put(other, otherName, own);
   } else {
     if (Array.isArray(holder)) holder.splice(name, 1);

@@ -89,7 +89,7 @@ class Lender extends FrameDecoder {
   }
 }
 
-describe('each law sees what breaks it', () => {
+describe('each law notices what breaks it', () => {
   const faults: [law: string, broken: Partial<Protocol>][] = [
     ['round trip: a frame', { encodeFrame: (code, data) => protocol.encodeFrame(code, data, { bareChecksum: true }) }],
     ['round trip: a message', { encodeRequest: (request) => protocol.encodeRequest(request) }],

@@ -18,7 +18,7 @@ describe('files and links', () => {
 
 const { parseLibraryFile, formatLibraryFile, decodeLink, encodeLink } = program;
 
-describe('each law sees what breaks it', () => {
+describe('each law notices what breaks it', () => {
   const faults: [law: string, broken: Partial<Keeping>][] = [
     ['file: a library', { formatLibraryFile: (of, head) => formatLibraryFile(of, { ...head, facts: new Map() }) }],
     [

@@ -60,7 +60,7 @@ describe('device', () => {
     expect(await port.device.read()).toEqual(Uint8Array.of(2));
   });
 
-  test('works on the clock on the wall', async () => {
+  test('works on the real clock', async () => {
     const { port, device } = await openPort({}, { clock: realClock, latency: 1 });
     device.write([1]);
     expect((await reading(port).read()).value).toEqual(Uint8Array.of(1));
@@ -84,7 +84,7 @@ describe('timing', () => {
     expect(clock.now()).toBeCloseTo(100);
   });
 
-  test('the clock of the MockSerial will do', async () => {
+  test('the clock of the MockSerial is the default', async () => {
     const clock = new VirtualClock();
     const port = new MockSerial({ clock }).plug({}, { timing: true });
     await port.open({ baudRate: 9600 });
@@ -181,7 +181,7 @@ describe('timing', () => {
     expect(clock.now()).toBe(0);
   });
 
-  test('an error comes behind the bytes written before it, on the clock too', async () => {
+  test('an error comes after the bytes written before it, also with timing', async () => {
     const { clock, port, device } = await timed({ latency: 3, chunks: [5] });
     const reader = reading(port);
     device.write(counted(96));
@@ -192,7 +192,7 @@ describe('timing', () => {
     expect(clock.now()).toBeCloseTo(103);
   });
 
-  test('an error waits neither for bytes that are lost on the way nor for fewer than come', async () => {
+  test('an error does not wait for bytes that are lost on the way', async () => {
     const toPage = (byte: number) => (byte < 10 ? [] : [byte, byte]);
     const { clock, port, device } = await timed({ fault: { toPage }, chunks: [4] });
     const reader = reading(port);
@@ -202,7 +202,7 @@ describe('timing', () => {
     expect(await clock.run(failure(reader.read()))).toBe('ParityError');
   });
 
-  test('an error that was under way when the plug was pulled does not come, one after it is back does', async () => {
+  test('an error on its way when the plug is pulled does not arrive, a later one does', async () => {
     const { clock, serial, port, device } = await timed();
     device.write(counted(48));
     await clock.advance(50);
@@ -220,7 +220,7 @@ describe('timing', () => {
     expect(await clock.run(failure(reader.read()))).toBe('FramingError');
   });
 
-  test('what is under way when the plug is pulled does not arrive, nor after it is back', async () => {
+  test('bytes on their way when the plug is pulled do not arrive, also not after it is back', async () => {
     const { clock, serial, port, device } = await timed();
     device.write(counted(96));
     void writing(port).write(counted(96));
@@ -269,7 +269,7 @@ describe('fault', () => {
 });
 
 describe('echo', () => {
-  test('lets the page hear itself, and the device hear the page', async () => {
+  test('returns the page’s bytes to the page, and the device gets them too', async () => {
     const { port, device } = await openPort({}, { echo: true });
     const reader = reading(port);
     await writing(port).write(Uint8Array.of(1, 2));

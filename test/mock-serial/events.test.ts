@@ -109,7 +109,7 @@ describe('onconnect and ondisconnect attributes', () => {
     ]);
   });
 
-  test('give back what was set, are replaced and taken away', async () => {
+  test('return what was set, and can be replaced and removed', async () => {
     const { serial, port } = plugged();
     const first = vi.fn();
     const second = vi.fn();
@@ -157,7 +157,7 @@ describe('the event path from SerialPort to Serial', () => {
     expect(heard).toEqual(['capturing serial', 'capturing port', 'bubbling port', 'bubbling serial']);
   });
 
-  test('goes not up for an event that does not bubble', () => {
+  test('does not go up for an event that does not bubble', () => {
     const { port, heard } = listening();
     port.dispatchEvent(new Event('foo'));
     expect(heard).toEqual(['capturing serial', 'capturing port', 'bubbling port']);
@@ -276,7 +276,7 @@ describe('EventTarget of the DOM standard', () => {
     expect(added).not.toHaveBeenCalled();
   });
 
-  test('the error of a listener is reported and hinders nobody', async () => {
+  test('the error of a listener is reported and does not disturb the others', async () => {
     const { port } = plugged();
     const reported: unknown[] = [];
     vi.spyOn(globalThis, 'queueMicrotask').mockImplementation((callback) => {

@@ -40,12 +40,12 @@ export function writing(port: MockSerialPort): WritableStreamDefaultWriter<Uint8
   return port.writable.getWriter();
 }
 
-/** As many bytes, the first 256 of them counting from 0, and no two stretches alike. */
+/** So many bytes, the first 256 counting from 0. No two stretches are alike. */
 export function counted(length: number): Uint8Array {
   return Uint8Array.from({ length }, (_, index) => index + 31 * (index >> 8));
 }
 
-/** At least `length` bytes, in as many reads as they take. */
+/** Reads at least `length` bytes, in as many reads as that takes. */
 export async function collect(read: () => Promise<Uint8Array | undefined>, length: number): Promise<number[]> {
   const bytes: number[] = [];
   while (bytes.length < length) {

@@ -82,12 +82,12 @@ describe('a chunk', () => {
     ['a list', [1]],
     ['shared memory', new Uint8Array(new SharedArrayBuffer(2))],
     ['what only says that it is a buffer', { [Symbol.toStringTag]: 'ArrayBuffer', byteLength: 2 }],
-  ])('that is none is refused: %s', async (_, chunk) => {
+  ])('that is not one is refused: %s', async (_, chunk) => {
     const { port } = await openPort();
     expect(await failure(writing(port).write(chunk as Uint8Array))).toBe('TypeError');
   });
 
-  test('that was refused keeps the port from closing, for ever', async () => {
+  test('that was refused prevents the port from closing, for ever', async () => {
     const { port, device } = await openPort();
     const writer = writing(port);
     await failure(writer.write('ab' as unknown as Uint8Array));
@@ -163,7 +163,7 @@ describe('what the device has written', () => {
     await expect(third).rejects.toMatchObject({ name: 'NetworkError' });
   });
 
-  test('does no harm where nobody asks', async () => {
+  test('does no harm when nobody reads the promise', async () => {
     const { serial, port, device } = await openPort();
     serial.unplug(port);
     void device.write([1]);
@@ -202,7 +202,7 @@ describe('as Web IDL has it', () => {
     ]);
   });
 
-  test('a BigInt is no number', async () => {
+  test('a BigInt is not a number', async () => {
     const port = new MockSerial().plug();
     expect(await failure(port.open({ baudRate: 9600n as unknown as number }))).toBe('TypeError');
   });
@@ -226,12 +226,15 @@ describe('as Web IDL has it', () => {
     expect(await failure(filter(1027n))).toBe('TypeError');
   });
 
-  test.each([5, 'ab', {}, [5], ['ab']])('filters that are no list of filters are a TypeError: %j', async (filters) => {
-    const serial = new MockSerial();
-    expect(await failure(serial.requestPort({ filters: filters as unknown as [] }))).toBe('TypeError');
-  });
+  test.each([5, 'ab', {}, [5], ['ab']])(
+    'filters that are not a list of filters are a TypeError: %j',
+    async (filters) => {
+      const serial = new MockSerial();
+      expect(await failure(serial.requestPort({ filters: filters as unknown as [] }))).toBe('TypeError');
+    },
+  );
 
-  test('a listener may be none, and its options may be null', () => {
+  test('a listener may be missing, and its options may be null', () => {
     const serial = new MockSerial();
     const heard = vi.fn();
     serial.addEventListener('connect', heard, null as unknown as undefined);
@@ -297,7 +300,7 @@ describe('the ways of Chromium, where a test asks for them', () => {
     expect(heard).toHaveBeenCalledOnce();
   });
 
-  test('each can be had alone', async () => {
+  test('each can be switched on alone', async () => {
     const serial = new MockSerial({ chromium: { bufferNeverOverruns: true } });
     const port = serial.plug({}, { granted: true });
     await port.open({ baudRate: 9600 });

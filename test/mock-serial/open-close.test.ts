@@ -82,7 +82,7 @@ describe('open() method', () => {
     });
   });
 
-  test('step 8: NetworkError when another program holds the port; it can be opened once that lets go', async () => {
+  test('step 8: NetworkError when another program holds the port; it can be opened once that releases it', async () => {
     const port = new MockSerial().plug({}, { busy: true });
     expect(await failure(port.open({ baudRate: 9600 }))).toBe('NetworkError');
     expect(port.readable).toBeNull();

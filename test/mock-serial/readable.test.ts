@@ -171,7 +171,7 @@ describe('readable attribute: errors', () => {
     expect(await read).toBe('BreakError');
   });
 
-  test('each of several errors ends a stream of its own', async () => {
+  test('each of several errors ends its own stream', async () => {
     const { port, device } = await openPort();
     device.error('break');
     device.error('framing');
@@ -218,7 +218,7 @@ describe('readable attribute: errors', () => {
     expect(await failure(reader.read())).toBe('NetworkError');
   });
 
-  test('an error while the port is closed is nobody’s', async () => {
+  test('an error while the port is closed is dropped', async () => {
     const { port, device } = await openPort();
     await port.close();
     device.error('break');
@@ -268,7 +268,7 @@ describe('readable attribute: bufferSize', () => {
     expect(device.lost).toBe(0);
   });
 
-  test('an error keeps its place behind bytes that wait for room', async () => {
+  test('an error keeps its place after bytes that wait for room', async () => {
     const { port, device } = await openPort({ bufferSize: 4 }, { backpressure: true });
     device.write(counted(10));
     device.error('parity');

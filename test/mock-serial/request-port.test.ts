@@ -47,7 +47,7 @@ describe('requestPort() method', () => {
     expect(await serial.getPorts()).toEqual([]);
   });
 
-  test('TypeError when an allowed service class is none', async () => {
+  test('TypeError when an allowed service class is not valid', async () => {
     const { serial } = clicked();
     expect(await failure(serial.requestPort({ allowedBluetoothServiceClassIds: ['x'] }))).toBe('TypeError');
   });
@@ -203,7 +203,7 @@ describe('forget() method', () => {
     expect(port.device.signals.dataTerminalReady).toBe(false);
   });
 
-  test('notes at readable and writable: what is under way fails as if the device were lost', async () => {
+  test('notes at readable and writable: running operations fail as if the device were lost', async () => {
     const { port } = clicked();
     await port.open({ baudRate: 9600, bufferSize: 1 });
     const read = port.readable?.getReader().read() as Promise<unknown>;

@@ -9,7 +9,7 @@ describe('the types of the standard', () => {
     expect(serial).toBeInstanceOf(EventTarget);
   });
 
-  test('what a page passes in the standard’s types is taken, and what it gets fits them', async () => {
+  test('a page can pass values of the standard’s types, and gets such values', async () => {
     const serial = new MockSerial({ userActivation: true });
     serial.choose(serial.plug({ usbVendorId: 1, usbProductId: 2 }));
     const request: SerialPortRequestOptions = { filters: [{ usbVendorId: 1 }], allowedBluetoothServiceClassIds: [1] };

@@ -28,7 +28,7 @@ describe('a text as bytes', () => {
     ['f0 90 80 80', '\u{10000}'],
     ['f4 8f bf bf', '\u{10ffff}'],
     ['ed a0 80', '\ud800'],
-  ])('%s is one character, both ways', (hex, character) => {
+  ])('%s is one character, in both directions', (hex, character) => {
     const length = hex.split(' ').length.toString(16).padStart(2, '0');
     expect(written((to) => to.text(character))).toBe(`${length} ${hex}`);
     expect(readAs(`${length} ${hex}`, (from) => from.text())).toBe(character);
@@ -43,7 +43,7 @@ describe('a text as bytes', () => {
     ['02 bf bf', 'the rest of one, at its most'],
     ['04 f8 80 80 80', 'the beginning of five bytes'],
     ['04 ff bf bf bf', 'no beginning at all'],
-  ])('%s is none: %s', (hex) => {
+  ])('%s is not valid: %s', (hex) => {
     expect(readAs(hex, (from) => from.text())).toBe('refused: a character has no such form');
   });
 
@@ -68,7 +68,7 @@ describe('numbers as bytes', () => {
     ['80 00', 'a number is longer than it has to be'],
     ['ff ff ff ff ff ff ff 10', 'a number is too large'],
     ['80', 'it ends too early'],
-  ])('%s is none: %s', (hex, message) => {
+  ])('%s is not valid: %s', (hex, message) => {
     expect(readAs(hex, (from) => from.number())).toBe(`refused: ${message}`);
   });
 
@@ -78,7 +78,7 @@ describe('numbers as bytes', () => {
     expect(readAs('34', (from) => from.pair())).toBe('refused: it ends too early');
   });
 
-  it('are counted: so many are left', () => {
+  it('say how many are left', () => {
     expect(
       readAs('01 02 03', (from) => [from.left, [...from.take(2)], from.left, [...from.take(1)], from.left]),
     ).toEqual([3, [1, 2], 1, [3], 0]);
@@ -93,7 +93,7 @@ describe('bytes in the characters of an address', () => {
     ['66 6f 6f', 'Zm9v'],
     ['66 6f 6f 62', 'Zm9vYg'],
     ['fb ff fe', '-__-'],
-  ])('%s is %s, both ways', (hex, text) => {
+  ])('%s is %s, in both directions', (hex, text) => {
     const bytes = hex === '' ? new Uint8Array() : fromHex(hex);
     expect(base64url(bytes)).toBe(text);
     expect(fromBase64url(text)).toEqual(bytes);
@@ -106,11 +106,11 @@ describe('bytes in the characters of an address', () => {
     ['Zm+v', '“+” stands in no such text'],
     ['Zh', 'the last character has bits that belong to nothing'],
     ['Zm9', 'the last character has bits that belong to nothing'],
-  ])('%s is none: %s', (text, message) => {
+  ])('%s is not valid: %s', (text, message) => {
     expect(() => fromBase64url(text)).toThrow(new BytesError(message));
   });
 
-  it('have the sum that zip and png have', () => {
+  it('have the same checksum as in zip and png', () => {
     expect(crc32(new TextEncoder().encode('123456789'))).toBe(0xcbf4_3926);
   });
 });

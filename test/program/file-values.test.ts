@@ -22,7 +22,7 @@ const slots = (at: number, other: object): object => ({
 });
 
 describe('a program in a file', () => {
-  it('comes back as it was, its first time by the name that it has on this class', () => {
+  it('comes back as it was, its first time under the name of its class', () => {
     for (const [timerClass, name] of [
       ['Q', 'motorStop'],
       ['B', 'reserved'],
@@ -34,7 +34,7 @@ describe('a program in a file', () => {
     }
   });
 
-  it('may name no memory, or none at all', () => {
+  it('may have an unknown memory, or none', () => {
     const { memory: _, ...without } = file();
     expect(programToFile({ ...PROGRAM, memory: null })).toMatchObject({ memory: null });
     expect([programFromFile(file({ memory: null }), 'p').memory, programFromFile(without, 'p').memory]).toEqual([
@@ -44,7 +44,7 @@ describe('a program in a file', () => {
     expect(programFromFile(file({ memory: 'M4' }), 'p').memory).toBe(3);
   });
 
-  it('may hold the latest time that a timer can', () => {
+  it('may hold the longest time of a timer', () => {
     expect(programFromFile(file(slots(2, { time: '655.35' })), 'p').times[2]).toBe(65_535);
     expect(programFromFile(file(slots(2, { time: '0.00' })), 'p').times[2]).toBe(0);
   });
@@ -122,7 +122,7 @@ describe('a program in a file', () => {
         { value: 256, min: 0, max: 255 },
       ],
     ],
-  ])('is refused with the place and the figures: %s', (_, other, refusal) => {
+  ])('is refused with its place and its limits: %s', (_, other, refusal) => {
     expect(refusalOf(() => programFromFile(file(other), 'p'))).toEqual(refusal);
   });
 });
@@ -147,7 +147,7 @@ describe('a date in a file', () => {
     expect(refusalOf(() => dateFromFile(value, 'at'))).toEqual(['wrong-type', 'at', `at must be ${whole}`, { value }]);
   });
 
-  it('is none before 1970', () => {
+  it('cannot be before 1970', () => {
     expect(refusalOf(() => dateFromFile('1969-12-31T23:59:59.999Z', 'at'))).toEqual([
       'out-of-range',
       'at',

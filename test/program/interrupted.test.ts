@@ -37,7 +37,7 @@ describe('an interrupted write', () => {
     expect(told(held)).toEqual(expected);
   });
 
-  it('does not mind an idle throttle that was not read, on either side', () => {
+  it('may lack the idle throttle on either side', () => {
     expect(told({ ...GOAL, idleThrottle: null })).toMatchObject({ 0: 'all' });
     expect(told(GOAL, { ...GOAL, idleThrottle: null })).toMatchObject({ 0: 'all' });
     expect(partWritten({ ...BEFORE, idleThrottle: null }, GOAL, { ...GOAL, idleThrottle: 31 }).foreign).toEqual([]);

@@ -37,7 +37,7 @@ describe('a text of JSON', () => {
     expect(refusalOf(() => readJson(text))).toEqual(['bad-file', 'end', message, { line: 1, column }]);
   });
 
-  it('says where a name stands twice, and which', () => {
+  it('is refused when a name stands twice, with the name and its place', () => {
     expect(refusalOf(() => readJson('{"a": {"b": 1,\n "b": 2}}'))).toEqual([
       'duplicate',
       'a.b',
@@ -46,7 +46,7 @@ describe('a text of JSON', () => {
     ]);
   });
 
-  it('is nested 32 deep at most', () => {
+  it('may be nested at most 32 deep', () => {
     expect(readJson(`${'['.repeat(32)}1${']'.repeat(32)}`)).toHaveLength(1);
     expect(refusalOf(() => readJson(`${'['.repeat(33)}1${']'.repeat(33)}`))).toEqual([
       'too-large',
@@ -78,7 +78,7 @@ describe('where a value stands in a text', () => {
 });
 
 describe('where a text begins', () => {
-  it('is behind the blanks before it', () => {
+  it('is after the blanks before it', () => {
     expect(placeInText(' \n  {"a": 1}', 'missing')).toEqual({ line: 2, column: 3 });
   });
 });
@@ -94,7 +94,7 @@ describe('JSON that a person can read', () => {
     expect(writeJson(value)).toBe(text);
   });
 
-  it('has a line for each value where it does not fit in 110 characters, with what may stand around it', () => {
+  it('has a line for each value when it does not fit in 110 characters with its surroundings', () => {
     const fits = { a: 'x'.repeat(97) };
     const more = { a: 'x'.repeat(98) };
     expect(writeJson(fits)).toBe(`{ "a": "${fits.a}" }`);

@@ -59,7 +59,7 @@ describe('a library file', () => {
     expect(TEXT.endsWith('}\n')).toBe(true);
   });
 
-  it('reads as the example of docs/file-format.md shows, and is written as it', () => {
+  it('is read and written as the example in docs/file-format.md shows', () => {
     const page = readFileSync(new URL('../../docs/file-format.md', import.meta.url), 'utf8');
     const [, example = ''] = /```json library\n(.*?)```/s.exec(page) ?? [];
     const file = parseLibraryFile(example);
@@ -73,7 +73,7 @@ describe('a library file', () => {
     expect(breach(schema, JSON.parse(example))).toBeUndefined();
   });
 
-  it('names what it passes over', () => {
+  it('lists what the reading leaves out', () => {
     const text = changed('"slot": "1"', '"slot": "1", "comment": "x"')
       .replace('"version": 1,', '"version": 1, "$schema": "library.schema.json", "season": 2026,')
       .replace('"duty": "other"', '"duty": "other", "__proto__": { "polluted": true }');
@@ -197,11 +197,11 @@ describe('a library file', () => {
       `a file has at most ${MAX_FILE} characters, not ${MAX_FILE + 1}`,
       { value: MAX_FILE + 1, max: MAX_FILE },
     ],
-  ])('says what is wrong with %s, with the figures', (_, text, message, details) => {
+  ])('says what is wrong with %s, with its limits', (_, text, message, details) => {
     expect(() => parseLibraryFile(text)).toThrowError(expect.objectContaining({ message, details }));
   });
 
-  it('may have the marks of other encodings in a name', () => {
+  it('may have byte order marks of other encodings in a name', () => {
     const name = 'ÿþ \uFEFF 07';
     const models = [{ ...MODEL, name }];
     expect(parseLibraryFile(`\uFEFF${formatLibraryFile({ ...LIBRARY, models }, HEAD)}`).library.models[0]?.name).toBe(
@@ -210,7 +210,7 @@ describe('a library file', () => {
     expect(parseLibraryFile(formatLibraryFile({ ...LIBRARY, models }, HEAD)).library.models[0]?.name).toBe(name);
   });
 
-  it('has no id twice', () => {
+  it('must not have an id twice', () => {
     const twice = { ...LIBRARY, settings: [SETTING, { ...SETTING, name: 'the same' }] };
     expect(() => formatLibraryFile(twice, HEAD)).toThrowError(
       expect.objectContaining({ code: 'duplicate', field: 'settings[1].id' }),
@@ -245,7 +245,7 @@ describe('a library file', () => {
     expect(parseLibraryFile(JSON.stringify(JSON.parse(TEXT))).library).toEqual(LIBRARY);
   });
 
-  it('carries what is known beside it', () => {
+  it('carries what is known about the timers', () => {
     const { program } = SETTING;
     const facts: FactsOf = new Map<Model | Flight, EntryFacts>([
       [
@@ -279,7 +279,7 @@ describe('a library file', () => {
       (text) => text.replace('"changedAt": "', '"changedAt": "on '),
       'wrong-type models[0].changedAt',
     ],
-  ])('has to say what is known beside it as %s', (_, change, expected) => {
+  ])('must say what is known about the timers as %s', (_, change, expected) => {
     const facts: FactsOf = new Map([
       [MODEL, { changedAt: 5, verified: [{ program: SETTING.program, at: 8, simulated: true }] }],
     ]);
@@ -288,7 +288,7 @@ describe('a library file', () => {
     expect(refused(change(text)).replace(/ \d+:\d+$/, '')).toBe(expected);
   });
 
-  it('names what it passes over inside a program, by its place', () => {
+  it('lists what the reading leaves out inside a program, by its place', () => {
     const text = changed('"identity": {', '"identity": { "serial": 7,').replace(
       '"slot": "start",',
       '"slot": "start", "time": "0.00",',
@@ -302,11 +302,11 @@ describe('a library file', () => {
   it.each([
     [{ ...HEAD, writtenAt: Number.NaN }, 'not-an-integer', 'writtenAt'],
     [{ ...HEAD, writtenBy: 'x'.repeat(201) }, 'out-of-range', 'writtenBy'],
-  ])('is not written with a head that could not be read again (%#)', (head, code, field) => {
+  ])('is not written with a head that cannot be read again (%#)', (head, code, field) => {
     expect(() => formatLibraryFile(LIBRARY, head)).toThrowError(expect.objectContaining({ code, field }));
   });
 
-  it('is as its schema says, and the schema says nothing that is not tested', () => {
+  it('fits its schema, and every rule of the schema is tested', () => {
     expect(breach(schema, JSON.parse(TEXT))).toBeUndefined();
     expect(breach(schema, { ...JSON.parse(TEXT), version: 2 })).toBe('version: const');
     expect(() => breach({ multipleOf: 2 }, 3)).toThrow('multipleOf is not known');

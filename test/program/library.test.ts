@@ -27,12 +27,12 @@ const KINDS = [
 ] as const;
 
 describe.each(KINDS)('a %s', (kind, example, require) => {
-  test('is taken as it is, without what does not belong to it', () => {
+  test('is accepted as it is, without fields that do not belong to it', () => {
     expect(require(structuredClone(example))).toEqual(example);
     expect(require({ ...example, more: 1 })).toEqual(example);
   });
 
-  test.each(Object.keys(example))('wants %s to be of its kind', (name) => {
+  test.each(Object.keys(example))('refuses another type for %s', (name) => {
     for (const wrong of [Symbol('x'), () => 0, { x: 1 }, [[]], Number.NaN]) {
       expect(codeOf(() => require({ ...example, [name]: wrong }))).toMatch(
         new RegExp(`^(?!taken).* ${kind}\\.${name}`),
@@ -40,7 +40,7 @@ describe.each(KINDS)('a %s', (kind, example, require) => {
     }
   });
 
-  test('is never taken for anything else, and what is taken is what was checked', () => {
+  test('is never taken for another kind, and what is accepted is what was checked', () => {
     fc.assert(
       fc.property(fc.anything({ withNullPrototype: true, maxDepth: 3 }), (value) => {
         expect(codeOf(() => require(value))).toMatch(/^[a-z-]+ /);
@@ -80,7 +80,7 @@ describe.each([
   });
 });
 
-test('what is empty may be missing', () => {
+test('an empty field may be missing', () => {
   const { photo, timerClass, ...model } = MODEL;
   expect(requireModel(model)).toEqual({ ...MODEL, photo: null, timerClass: null });
   const { wind, temperature, result, ...flight } = FLIGHT;
@@ -104,7 +104,7 @@ test.each([
   expect(codeOf(() => requireLibrary(library))).toBe(refused);
 });
 
-test('a picture says what it must be', () => {
+test('a refused picture says what it must be', () => {
   const photo = 'a picture';
   expect(refusalOf(() => requireModel({ ...MODEL, photo }))).toEqual([
     'wrong-type',

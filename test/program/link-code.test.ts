@@ -60,7 +60,7 @@ describe('a link', () => {
     expect(decodeLink(encodeLink(small))).toEqual(small);
   });
 
-  it('sums as the world does', () => {
+  it('has the usual checksum', () => {
     expect(crc32(Buffer.from('123456789'))).toBe(0xcbf4_3926);
   });
 
@@ -93,14 +93,14 @@ describe('a link', () => {
     expect(decodeLink(`${LINK_MARK}${encodeLink(SHARED)}`)).toEqual(SHARED);
   });
 
-  it('is found in what mail makes of it', () => {
+  it('is found in text that a mail program has changed', () => {
     const code = encodeLink(SHARED);
     expect(decodeLink(` https://example.org/\n ${LINK_MARK}${code.replaceAll(/.{20}/g, '$&\r\n ')} \n`)).toEqual(
       SHARED,
     );
   });
 
-  it('that was cut anywhere, or has another character anywhere, says so', () => {
+  it('is refused when it was cut or changed anywhere', () => {
     const code = encodeLink(SHARED);
     for (let cut = 0; cut < code.length; cut++) {
       expect(refusal(code.slice(0, cut))).toBe('bad-link link');
@@ -128,7 +128,7 @@ describe('a link', () => {
     expect(refusal(summed(body))).toBe(expected);
   });
 
-  it('whose texts are no UTF-8, or not in their shortest form, is refused', () => {
+  it('is refused when its texts are not UTF-8, or not in the shortest form', () => {
     const end = bodyOf({ ...SHARED, name: 'ab', modelName: '', note: '', tags: [] });
     const before = end.slice(0, -6);
     expect(end.slice(-6)).toEqual([2, 0x61, 0x62, 0, 0, 0]);
@@ -151,17 +151,17 @@ describe('a link', () => {
     [summed([2, 1]), 'version 2 is newer than 1', { value: 2, max: 1 }],
     [summed([0, 1]), 'no whole link: there is no version 0', {}],
     ['A', 'no whole link: no bytes have this length', {}],
-  ])('says with the figures what is wrong (%#)', (link, message, details) => {
+  ])('says what is wrong, with the limits (%#)', (link, message, details) => {
     expect(() => decodeLink(link)).toThrowError(expect.objectContaining({ message, details }));
   });
 
-  it('that is far too long is not looked at', () => {
+  it('is refused unread when it is far too long', () => {
     expect(refusal('A'.repeat(60_000)), 'one that is not is').toBe('bad-link link');
     expect(refusal('A'.repeat(60_001))).toBe('too-large link');
     expect(refusal(`${' '.repeat(1_000_000)}${encodeLink(SHARED)}`)).toBe('too-large link');
   });
 
-  it('carries no more of a note than it has room for, and says so', () => {
+  it('carries only as much of a note as it has room for, and says so', () => {
     const long = { ...SHARED, note: '🛩️ '.repeat(1600) };
     const whole = encodeLink(long);
     expect(decodeLink(whole)).toEqual(long);
@@ -183,20 +183,20 @@ describe('a link', () => {
     expect(encodeLink(long, { longest: cut.length }), 'what just fits').toBe(cut);
   });
 
-  it('ends what it carries of a note behind a word, however long the gap is', () => {
+  it('cuts a note after a word, however long the gap is', () => {
     const noted = (note: string) => ({ ...SHARED, note });
     const gap = noted(`  ab${' '.repeat(400)}${'x'.repeat(400)}`);
     const longest = encodeLink(noted('x'.repeat(300))).length;
     expect(decodeLink(encodeLink(gap, { longest })).note).toBe('  ab …');
   });
 
-  it('carries of a short note what there is room for', () => {
+  it('carries as much of a short note as there is room for', () => {
     const note = '🛩'.repeat(3);
     const longest = encodeLink({ ...SHARED, note }).length - 1;
     expect(decodeLink(encodeLink({ ...SHARED, note }, { longest })).note).toBe('🛩 …');
   });
 
-  it('is not made of what is no setting', () => {
+  it('is made only of a setting', () => {
     expect(() => encodeLink({ ...SHARED, modelName: 'x'.repeat(61) })).toThrowError(
       expect.objectContaining({ code: 'out-of-range', field: 'setting.modelName' }),
     );

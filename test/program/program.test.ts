@@ -68,7 +68,7 @@ describe('the fields of a program', () => {
 });
 
 describe('the requests that turn one program into another', () => {
-  it('are none when nothing differs, whatever memory they come from', () => {
+  it('are none when nothing differs, whichever memory the programs come from', () => {
     expect(changeRequests(usual('B'), { ...usual('B'), memory: 3 })).toEqual([]);
   });
 
@@ -92,7 +92,7 @@ describe('the requests that turn one program into another', () => {
     ]);
   });
 
-  it('leave an idle throttle alone that is not known', () => {
+  it('do not touch an unknown idle throttle', () => {
     expect(changeRequests(usual('Q'), { ...usual('Q'), idleThrottle: null })).toEqual([]);
   });
 
@@ -186,7 +186,7 @@ describe('the check', () => {
     it(name, () => expect(found(edited(usual(timerClass), times))).toEqual(expected));
   }
 
-  it('says when equal times hold the same positions, so that nothing is passed over', () => {
+  it('says when equal times have the same positions, so that no position is lost', () => {
     const program = edited(
       usual('B'),
       [[5, 350]],
@@ -199,7 +199,7 @@ describe('the check', () => {
     expect(found(program)).toEqual(['warning time-repeats time:5']);
   });
 
-  it('says that positions are never reached where equal times differ in one servo alone', () => {
+  it('says that positions are never reached when equal times differ in only one servo', () => {
     const program = edited(
       usual('B'),
       [[5, 350]],
@@ -250,23 +250,23 @@ describe('the check', () => {
     [edited(usual('B'), [[10, 5900]]), { limit: 6000 }],
     [{ ...usual('Q'), idleThrottle: 101 }, { limit: 100 }],
     [usual('X'), { timerClass: 'X' }],
-  ])('gives the figures that go with what it finds (%#)', (program, params) => {
+  ])('gives the limits with each finding (%#)', (program, params) => {
     expect(checkProgram(program)[0]?.params).toEqual(params);
   });
 
-  it('gives the figures of a position that was read', () => {
+  it('gives the value and the limit for a position that was read', () => {
     const read = edited(usual('B'), [], [[1, 4, 200]]);
     expect(checkProgram(read, { baseline: read })[0]?.params).toEqual({ value: 200, max: 130 });
   });
 
-  it('warns of a DT at which no servo moves, however many are elsewhere', () => {
+  it('warns of a DT at which no servo moves, however many move at other times', () => {
     const still = CAPTURED_POSITIONS.with(10, CAPTURED_POSITIONS[9] as number);
     const positioned = (...positions: (readonly number[])[]) => found({ ...usual('Q'), positions });
     expect(positioned(still, still, still)).toEqual(['warning dt-moves-nothing time:10']);
     expect(positioned(still, CAPTURED_POSITIONS, still)).toEqual([]);
   });
 
-  it('weighs the idle throttle', () => {
+  it('checks the idle throttle', () => {
     expect(found({ ...usual('Q'), idleThrottle: 100 })).toEqual([]);
     expect(found({ ...usual('Q'), idleThrottle: 255 })).toEqual(['warning throttle-unusual idleThrottle']);
     expect(found({ ...usual('Q'), idleThrottle: 101 })).toEqual(['warning throttle-unusual idleThrottle']);
@@ -290,7 +290,7 @@ describe('the check', () => {
     expect(manualRange({ ...B536, timerClass: 'E' }, 3)).toBeNull();
   });
 
-  it('calls an error exactly what cannot be encoded', () => {
+  it('calls only that an error which cannot be encoded', () => {
     const value = fc.oneof(
       fc.integer({ min: -300, max: 70000 }),
       fc.constantFrom(0, 130, 131, 255, 65535, 0.5, Number.NaN),

@@ -1,6 +1,6 @@
 import { CodecError } from '../../src/protocol/index.js';
 
-/** What a call gives back; where it is refused, with which code, place, words and figures. */
+/** What a call gives; when it is refused: the code, place, words and figures of its error. */
 export function refusalOf(work: () => unknown): unknown {
   try {
     return work();

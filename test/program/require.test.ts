@@ -14,7 +14,7 @@ const program = (other: Partial<TimerProgram>): TimerProgram => ({
   ...other,
 });
 
-describe('a value from outside is refused with its place, what it must be, and the figures', () => {
+describe('a value from outside is refused with its place, what it must be, and its limits', () => {
   it.each<[string, () => unknown, unknown[]]>([
     ['no object', () => record(5, 'p'), ['wrong-type', 'p', 'p must be an object', { value: 5 }]],
     ['null', () => record(null, 'p'), ['wrong-type', 'p', 'p must be an object', { value: null }]],
@@ -89,7 +89,7 @@ describe('a value from outside is refused with its place, what it must be, and t
     expect(refusalOf(work)).toEqual(refusal);
   });
 
-  it('takes what is at a limit', () => {
+  it('accepts a value at a limit', () => {
     expect([text('😀😀😀', 'p', 3), text('a', 'p', 3, 1), list([1], 'p', 1)]).toEqual(['😀😀😀', 'a', [1]]);
     expect([whole(0, 'p', 0, 3), whole(3, 'p', 0, 3), measured(null, 'p', 0, 3)]).toEqual([0, 3, null]);
     expect(Object.is(measured(-0, 'p', 0, 3), 0), 'a negative zero does not come back from a file').toBe(true);
@@ -98,8 +98,8 @@ describe('a value from outside is refused with its place, what it must be, and t
   });
 });
 
-describe('a refusal inside of something', () => {
-  it('has the place of both', () => {
+describe('a refusal inside a list or an object', () => {
+  it('names both places', () => {
     const inner = () => whole(5, 'firmware', 0, 3);
     expect(refusalOf(() => within('p', () => void inner()))).toEqual([
       'out-of-range',
@@ -109,7 +109,7 @@ describe('a refusal inside of something', () => {
     ]);
   });
 
-  it('is handed on as it is when it is none', () => {
+  it('lets any other error pass as it is', () => {
     const fault = new RangeError('something else');
     expect(() =>
       within('p', () => {

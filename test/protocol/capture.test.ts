@@ -104,12 +104,12 @@ describe('what cannot be a capture', () => {
     expect(() => formatCapture(entries)).toThrow(expect.objectContaining({ code: 'bad-capture', field }));
   });
 
-  it('is not the longest time that has nine digits of seconds', () => {
+  it('does not include the longest time, which has nine digits of seconds', () => {
     const longest = [{ ...entry, time: 999_999_999_999 }];
     expect(parseCapture(formatCapture(longest))).toEqual(longest);
   });
 
-  it('becomes one: entries of a line with the time of day, errors of the line and a clock that was put back', () => {
+  it('can be converted: entries with the time of day, errors of the line, and a clock that was put back', () => {
     const begin = Date.UTC(2026, 0);
     const entries: CaptureEntry[] = [
       { time: begin - 5, direction: 'in', bytes: new Uint8Array() },

@@ -78,7 +78,7 @@ describe('the cost of a byte', () => {
     expect(cost(bytes, 1).perByte).toBeLessThanOrEqual(2.9); // 2.76
   });
 
-  it('is bounded for any stream in any pieces, told of or not', () => {
+  it('is bounded for any stream in any pieces, with and without callbacks', () => {
     fc.assert(
       fc.property(stream, piecesAndSilence, fc.boolean(), ({ bytes }, cut, tell) => {
         const ears = { onFrame: () => {}, onRejected: () => {} };

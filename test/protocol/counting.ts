@@ -6,8 +6,8 @@ export interface Counter {
 }
 
 /**
- * An array of bytes that counts what is read of it: each byte by index, and all bytes of a copy. What it does not know
- * it refuses, so that no reading goes uncounted.
+ * An array of bytes that counts what is read from it: each byte by index, and all bytes of a copy. It refuses methods
+ * that it does not know, so that no reading goes uncounted.
  */
 function counting(bytes: Uint8Array, counter: Counter): Uint8Array {
   const range = (from = 0, to = bytes.length): number => Math.max(0, to - from);
@@ -55,13 +55,13 @@ function counting(bytes: Uint8Array, counter: Counter): Uint8Array {
   return proxy;
 }
 
-/** A decoder of which it is counted how many bytes it reads, in the chunks it is given and in what it holds. */
+/** A decoder that counts the bytes it reads, in its chunks and in what it holds. */
 export class CountedDecoder {
   readonly counter: Counter = { visited: 0 };
   readonly #decoder: FrameDecoder;
 
   constructor(options?: FrameDecoderOptions) {
-    // What the decoder holds is its own: it counts, too, because it is made here.
+    // The decoder makes its own array here, so that one counts, too.
     const { Uint8Array: plain } = globalThis;
     const { counter } = this;
     globalThis.Uint8Array = new Proxy(plain, {

@@ -28,7 +28,7 @@ describe('frames that are whole', () => {
     expect(frames[6]?.[0]?.data).toHaveLength(33);
   });
 
-  it('need four zeros, and may have any number more', () => {
+  it('need four zeros, and may have more', () => {
     const rest = fromHex('03 6b 6b 45');
     for (const zeros of [0, 1, 2, 3]) expect(decode([concat(new Uint8Array(zeros), rest)])).toEqual([]);
     for (const zeros of [4, 5, 6, 1000]) expect(decode([concat(new Uint8Array(zeros), rest)])).toHaveLength(1);
@@ -45,7 +45,7 @@ describe('frames that are whole', () => {
     expect(frame?.data).toEqual(Uint8Array.of(3));
   });
 
-  it('are found behind the rest of one that was held, however much comes with it', () => {
+  it('are found after the rest of a held frame, however much comes with it', () => {
     const long = encodeFrame(0x62, new Uint8Array(252).fill(7));
     const short = encodeFrame(0x6b);
     const decoder = new FrameDecoder();
@@ -74,7 +74,7 @@ describe('frames that are whole', () => {
 });
 
 describe('frames that are not whole', () => {
-  it('wait, and are given up when the line falls silent', () => {
+  it('wait, and are dropped when the line falls silent', () => {
     const rejected: Rejection[] = [];
     const decoder = new FrameDecoder({ onRejected: (rejection) => rejected.push(rejection) });
     expect(decoder.push(fromHex('00 00 00 00 00 24 68 0f'))).toEqual([]);
@@ -85,14 +85,14 @@ describe('frames that are not whole', () => {
     expect(rejected).toEqual([{ reason: 'silence', bytes: fromHex('00 00 00 00 00 24 68 0f') }]);
   });
 
-  it('may hide a real one, which comes out when the line falls silent', () => {
+  it('may hide a real one, which is found when the line falls silent', () => {
     const decoder = new FrameDecoder();
     const hidden = encodeFrame(0x6c, fromHex('42 35 33 36 20 0a 04 03 20'));
     expect(decoder.push(concat(fromHex('00 00 00 00 24 68'), hidden))).toEqual([]);
     expect(shown(decoder.idle())).toEqual(['6c 42 35 33 36 20 0a 04 03 20']);
   });
 
-  it('are not looked into before that: times can spell a frame', () => {
+  it('are not searched before that, because times can look like a frame', () => {
     const inner = encodeFrame(0x6b);
     const outer = encodeFrame(0x62, concat(Uint8Array.of(1), inner));
     const decoder = new FrameDecoder();
@@ -103,8 +103,8 @@ describe('frames that are not whole', () => {
   });
 });
 
-describe('headers that stand inside what is held', () => {
-  it('find their frame although there is no room left for it where they stand', () => {
+describe('headers inside held bytes', () => {
+  it('find their frame although there is no room left for it', () => {
     const frame = encodeFrame(0x62, new Uint8Array(252).fill(7)).subarray(1);
     // Each false header asks for 255 bytes, the last of which is the header of the next one.
     const header = fromHex('00 00 00 00 ff');
@@ -118,7 +118,7 @@ describe('headers that stand inside what is held', () => {
     }
   });
 
-  it('get no zeros but those that came', () => {
+  it('get only the zeros that came', () => {
     const decoder = new FrameDecoder();
     const found = ['00 00 00 00 05', '01 01 00 00 00', '03 6b 6b 45'].map((piece) => decoder.push(fromHex(piece)));
     expect(found).toEqual([[], [], []]);
@@ -126,7 +126,7 @@ describe('headers that stand inside what is held', () => {
     expect(decode(['01 00 00 00', '00 03 6b 6b 45'].map(fromHex))).toHaveLength(1);
   });
 
-  it('are not waited for when they ask for less than a frame has', () => {
+  it('are dropped when their length is less than that of a frame', () => {
     const decoder = new FrameDecoder();
     for (const length of ['01', '02']) {
       decoder.push(fromHex(`00 00 00 00 ${length}`));
@@ -178,7 +178,7 @@ describe('bytes that belong to no frame', () => {
 describe('a bare checksum', () => {
   const bare = fromHex('00 00 00 00 00 04 76 1e 76 45');
   it('is refused unless asked for', () => expect(decode([bare])).toEqual([]));
-  it('is taken for 76 when asked for, and said', () => {
+  it('is accepted for 76 when asked for, and marked', () => {
     const told: boolean[] = [];
     const decoder = new FrameDecoder({ quirks: { bareChecksum: true }, onFrame: (_, __, isBare) => told.push(isBare) });
     expect(shown(decode([bare, encodeFrame(0x76, [0x1e])], decoder))).toEqual(['76 1e', '76 1e']);

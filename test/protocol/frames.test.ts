@@ -9,7 +9,7 @@ async function all(chunks: AsyncIterable<Uint8Array> | Iterable<Uint8Array>): Pr
   return found;
 }
 
-it('come out of a stream, however it is cut, the unfinished rest looked into at its end', async () => {
+it('are found in a stream, however it is cut, and in the unfinished rest at its end', async () => {
   const sent = [encodeFrame(0x6b), encodeFrame(0x62, [1, 2, 0x45]), encodeFrame(0x76, [9])];
   // A false header that asks for more than comes hides the last frame until the end.
   const bytes = [...sent.slice(0, 2).flatMap((each) => [...each]), 0, 0, 0, 0, 0x30, ...(sent[2] as Uint8Array)];
@@ -28,7 +28,7 @@ it('come out of a stream, however it is cut, the unfinished rest looked into at 
   );
 });
 
-it('end with what the stream fails with, and let go of it when they are left', async () => {
+it('end with the error of the stream, and release it when the reader stops', async () => {
   let isCancelled = false;
   const stream = new ReadableStream<Uint8Array>({
     pull: (controller) => controller.enqueue(encodeFrame(0x6b)),

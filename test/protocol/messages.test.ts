@@ -38,7 +38,7 @@ function refusal(action: () => unknown): [CodecErrorCode, string] {
 }
 
 describe('the table of commands', () => {
-  it('has 24 letters: requests odd, replies the next', () => {
+  it('has 24 letters: odd ones for requests, the next ones for their replies', () => {
     const letters = COMMAND_NAMES.flatMap((name) => [COMMANDS[name].request, COMMANDS[name].reply]);
     expect(letters.sort((a, b) => a - b)).toEqual(Array.from({ length: 24 }, (_, i) => 0x61 + i));
     for (const name of COMMAND_NAMES) expect(COMMANDS[name].reply).toBe(COMMANDS[name].request + 1);
@@ -87,7 +87,7 @@ describe('replies', () => {
   }
 });
 
-describe('values that no frame may carry', () => {
+describe('values that no frame can carry', () => {
   it.each(table.badValues)('$direction: $name', (row) => {
     const encode = row.direction === 'request' ? encodeRequest : encodeReply;
     expect(refusal(() => encode(row.message, optionsOf(row)))).toEqual([row.code, row.field]);
@@ -108,7 +108,7 @@ describe('values that no frame may carry', () => {
   });
 });
 
-describe('frames that no request and no reply can be', () => {
+describe('frames that can be neither request nor reply', () => {
   it.each(table.badHex)('$direction: $name', (row) => {
     const { direction, hex, pending, code, field } = row;
     const decode = () =>
@@ -125,7 +125,7 @@ describe('frames that no request and no reply can be', () => {
 });
 
 describe('where the source contradicts itself', () => {
-  it('takes 66 for 62 and 6A for 6E, each only for the request that waits', () => {
+  it('accepts 66 for 62 and 6A for 6E, each only as the reply to its own request', () => {
     expect(answers(0x62, 'GETTIMERS')).toBe('exact');
     expect(answers(0x66, 'GETTIMERS')).toBe('misprint');
     expect(answers(0x6e, 'UNLOCK')).toBe('exact');
@@ -171,7 +171,7 @@ describe('the size of an exchange', () => {
   it.each(ofB536(table.replies))('reply to $name', ({ hex, message }) => {
     expect(exchangeSize(message.name, B536).reply).toBe(fromHex(hex).length);
   });
-  it('counts what may be missing, and what the timer says of itself', () => {
+  it('counts what may be missing, and uses the identity of the timer', () => {
     expect([exchangeSize('GETSWVER', B536), exchangeSize('GETLOWRPM', B536)]).toEqual([
       { request: 9, reply: 18 },
       { request: 9, reply: 10 },

@@ -24,7 +24,7 @@ const bytes = (...data: number[]) => Uint8Array.from(data);
 type Refusal = [code: CodecError['code'], field: string, message: string, details: CodecErrorDetails];
 
 /** What is refused is named with its place and its figures, so that a program can say it in its own words. */
-describe('a refusal names the place and the figures', () => {
+describe('a refusal names the place and the limits', () => {
   it.each<[string, () => unknown, Refusal]>([
     [
       'a position beyond the last step',
@@ -127,7 +127,7 @@ describe('a refusal names the place and the figures', () => {
   });
 });
 
-describe('an identity that cannot be', () => {
+describe('an impossible identity', () => {
   it.each<[string, object, string, string]>([
     ['a class of two letters', { timerClass: 'BQ' }, 'timerClass', 'the class must be one printable character'],
     ['a class that is a number', { timerClass: 7 }, 'timerClass', 'the class must be one printable character'],
@@ -144,7 +144,7 @@ describe('an identity that cannot be', () => {
     expect(refusalOf(() => requireIdentity(of({ memories: 255 })))).toBeUndefined();
   });
 
-  it.each<unknown>([undefined, null, 'Q536', 5])('%s is no identity', (value) => {
+  it.each<unknown>([undefined, null, 'Q536', 5])('%s is not an identity', (value) => {
     const message = 'an identity must be an object';
     expect(refusalOf(() => requireIdentity(value as Identity))).toEqual(['wrong-type', 'identity', message, { value }]);
   });

@@ -9,7 +9,7 @@ import type {
   Request,
 } from '../../src/protocol/index.js';
 
-/** How a row departs from the usual reading. */
+/** How a row differs from the usual reading. */
 interface RowQuirks extends LayoutQuirks {
   readonly bareChecksum?: boolean;
 }
@@ -32,7 +32,7 @@ interface Refusal extends Conditions {
   readonly field: string;
 }
 
-/** One step of a stream: bytes come, or the line falls silent, and these frames are delivered. */
+/** One step of a stream: bytes come, or the line falls silent; then these frames are delivered. */
 export interface Step {
   readonly push?: string;
   readonly idle?: true;
@@ -57,7 +57,7 @@ export interface Table {
 
 export const table = JSON.parse(readFileSync(new URL('../vectors.json', import.meta.url), 'utf8')) as Table;
 
-/** A row's conditions as the codec takes them. */
+/** The conditions of a row, as options of the codec. */
 export function optionsOf({ identity, quirks }: Conditions): CodecOptions {
   return { identity, ...(quirks && { quirks, bareChecksum: quirks.bareChecksum ?? false }) };
 }

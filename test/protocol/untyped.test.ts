@@ -16,7 +16,7 @@ import {
 const identity: Identity = { timerClass: 'Q', firmware: '536', functions: 4, memories: 4, servos: 2 };
 const loose = (work: (...values: never[]) => unknown) => work as (...values: unknown[]) => unknown;
 
-describe('a program without types', () => {
+describe('a caller without types', () => {
   const anything = fc.anything({ maxDepth: 2, withSparseArray: true, withNullPrototype: true, withBigInt: true });
   const message = fc.oneof(
     anything,
@@ -55,7 +55,7 @@ describe('a program without types', () => {
     ['null', null],
     ['a name of nothing', { name: 'toString' }],
     ['a symbol', { name: Symbol('GETSWVER') }],
-  ])('is told that %s is no request', (_, request) => {
+  ])('is told that %s is not a request', (_, request) => {
     expect(() => loose(encodeRequest)(request)).toThrow(expect.objectContaining({ code: 'unknown-command' }));
   });
 
@@ -66,7 +66,7 @@ describe('a program without types', () => {
     ['a text', 'ab', 'not-an-integer'],
     ['a list with a hole', Array(2), 'not-an-integer'],
     ['what is no text', [Object.create(null)], 'not-an-integer'],
-  ])('is told that %s is no data', (_, data, code) => {
+  ])('is told that %s is not data', (_, data, code) => {
     expect(() => loose(encodeFrame)(1, data)).toThrow(expect.objectContaining({ name: 'CodecError', code }));
   });
 
@@ -79,7 +79,7 @@ describe('a program without types', () => {
   });
 });
 
-describe('what everybody shares', () => {
+describe('shared data', () => {
   it('cannot be changed: the table of commands, down to its rows and lists', () => {
     const change = (object: object, name: string): void => {
       expect(Reflect.set(object, name, 0), name).toBe(false);
@@ -93,7 +93,7 @@ describe('what everybody shares', () => {
     expect(() => (COMMAND_NAMES as string[]).push('X')).toThrow(TypeError);
   });
 
-  it('is little: the data of a frame keeps no large chunk alive', () => {
+  it('is small: the data of a frame does not keep a large chunk in memory', () => {
     const frame = encodeFrame(0x76, [7]);
     const chunk = new Uint8Array(1 << 20).fill(0x55);
     chunk.set(frame, 1000);
@@ -105,7 +105,7 @@ describe('what everybody shares', () => {
     }
   });
 
-  it('holds each frame of a chunk that is longer than what they share', () => {
+  it('is large enough for each frame of a chunk that is longer than the shared memory', () => {
     const sent = Array.from({ length: 400 }, (_, at) =>
       encodeFrame(0x62, [at & 0xff, at >> 8, ...Array(at % 60).fill(at & 0x7f)]),
     );
@@ -119,7 +119,7 @@ describe('what everybody shares', () => {
 describe('the type of a reply', () => {
   const frame = { code: COMMANDS.GETLOWRPM.reply, data: Uint8Array.of(12) };
 
-  it('is that of the request that waits', () => {
+  it('is that of the request that it answers', () => {
     const byName = decodeReply(frame, { pending: 'GETLOWRPM' });
     const byRequest = decodeReply(frame, { pending: { name: 'GETLOWRPM' } });
     expectTypeOf(byName).toEqualTypeOf<ReplyOf<'GETLOWRPM'>>();

@@ -7,15 +7,13 @@ export interface TimerOptions extends Omit<VirtualTimerOptions, 'clock'> {
   readonly info?: PortInfo;
   readonly plug?: PlugOptions;
   readonly clock?: Clock;
-  /** The one rate at which timer and page understand each other. Default: every rate. */
+  /** The only rate at which timer and page understand each other. Default: every rate. */
   readonly answersAt?: number;
-  /**
-   * At any other rate something comes back for each byte that the page sends, as where both ends take noise for bytes.
-   */
+  /** At any other rate something comes back for each byte of the page, because both ends take noise for bytes. */
   readonly noise?: boolean;
 }
 
-/** An adapter at a port of the mock, with a virtual timer in front of its infra-red head. */
+/** An adapter on a mock port, with a virtual timer in front of its infra-red head. */
 export class Adapter {
   readonly timer: VirtualTimer;
   answersAt: number | undefined;
@@ -25,7 +23,7 @@ export class Adapter {
   readonly #noise: boolean;
   #port: MockSerialPort;
   readonly #toTimer: WritableStreamDefaultWriter<Uint8Array>;
-  /** What is to happen once the timer has sent so many more bytes. */
+  /** After how many more bytes of the timer something is to happen. */
   #left = Number.POSITIVE_INFINITY;
   #then: () => void = () => {};
 
@@ -51,25 +49,25 @@ export class Adapter {
     this.#serial.unplug(this.port);
   }
 
-  /** Pulls the plug behind so many more bytes of the timer. */
+  /** Pulls the plug after so many more bytes of the timer. */
   unplugAfter(bytes: number): void {
-    // On a line that takes no time, what was written arrives when this turn is over.
+    // On a line that takes no time, written bytes arrive at the end of this turn.
     this.after(bytes, () => queueMicrotask(() => this.unplug()));
   }
 
-  /** Lets something happen behind so many more bytes of the timer. */
+  /** Acts after so many more bytes of the timer. */
   after(bytes: number, then: () => void): void {
     this.#left = bytes;
     this.#then = then;
   }
 
-  /** The browser recognises it: a wired one comes back as another port, one of Bluetooth as the same. */
+  /** The browser recognises it: a wired adapter comes back as another port, a Bluetooth adapter as the same one. */
   replug(options: { readonly samePort?: boolean } = {}): void {
     this.#port = this.#serial.replug(this.port, options);
     void this.#hear();
   }
 
-  /** Plugged in again where the browser does not recognise it: at another port. */
+  /** Plugs it in again without the browser recognising it: at another port. */
   returnAsNew(options: PlugOptions = {}): void {
     this.#port = this.#serial.plug(this.#info, { ...this.#plug, ...options });
     void this.#hear();
@@ -98,7 +96,7 @@ export class Adapter {
   }
 }
 
-/** A browser's serial ports, one adapter and a timer, all on one clock that is turned by hand. */
+/** A browser's serial ports, one adapter and a timer, all on one clock that the test turns. */
 export function serialBench(options: TimerOptions = {}) {
   const clock = new VirtualClock(1_700_000_000_000);
   const serial = new MockSerial({ clock, userActivation: true });
@@ -114,7 +112,7 @@ export function failure(promise: Promise<unknown>): Promise<unknown> {
   );
 }
 
-/** Whether the port can be opened: it is closed, and plugged in. */
+/** Whether the port can be opened: it is closed and plugged in. */
 export async function canBeOpened(port: SerialPortLike): Promise<boolean> {
   try {
     await port.open({ baudRate: 9600 });
@@ -125,7 +123,7 @@ export async function canBeOpened(port: SerialPortLike): Promise<boolean> {
   }
 }
 
-/** Lets all that answers on a port say what no timer can be: a version with a right checksum and no functions. */
+/** Makes everything on a port answer what no timer can be: a version with a right checksum and no functions. */
 export async function answerNonsense({ device }: MockSerialPort): Promise<void> {
   const impossible = [0, 0, 0, 0, 0, 0x0c, 0x6c, 0x42, 0x35, 0x33, 0x36, 0x20, 0, 4, 3, 0x20, 0x93, 0x45];
   while ((await device.read()).length > 0) device.write(impossible);

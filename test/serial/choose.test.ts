@@ -46,7 +46,7 @@ describe('choosing a port', () => {
     expect(error).toMatchObject({ code: 'nothing-chosen', cause: { name: 'NotFoundError' } });
   });
 
-  it('says that it is not allowed without a click', async () => {
+  it('says that the browser wants a click', async () => {
     await expect(choosePort(new MockSerial())).rejects.toMatchObject({
       code: 'not-allowed',
       cause: { name: 'SecurityError' },

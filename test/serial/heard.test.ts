@@ -25,12 +25,12 @@ async function hears(talk: (port: MockSerialPort, baudRate: number) => void): Pr
   return link.state.heard;
 }
 
-describe('what is no timer', () => {
-  it('is nothing on a silent line', async () => {
+describe('bytes that are not from a timer', () => {
+  it('are none on a silent line', async () => {
     expect(await hears(() => {})).toBeNull();
   });
 
-  it.each([9600, 115200])('is text at %i baud, in words of its own', async (rate) => {
+  it.each([9600, 115200])('are text at %i baud, and the text is shown', async (rate) => {
     const heard = await hears((port, baudRate) => {
       port.device.write(baudRate === rate ? bytes('$GPGGA,092750,5321.68,N*76\r\n') : [0xf3, 0x81, 0x9c, 0xfe, 0x8d]);
     });
@@ -39,31 +39,31 @@ describe('what is no timer', () => {
     expect(heard?.sample.length).toBeLessThanOrEqual(64);
   });
 
-  it('is noise when it cannot be read at any rate', async () => {
+  it('are noise when they cannot be read at any rate', async () => {
     const heard = await hears((port) => port.device.write([0xf3, 0x81, 0x9c, 0xfe, 0x8d, 0x02]));
     expect(heard).toMatchObject({ kind: 'noise' });
   });
 
-  it('is noise when the port tells of errors of the line alone', async () => {
+  it('are noise when the port reports only errors of the line', async () => {
     const heard = await hears((port) => {
       for (let i = 0; i < 4; i++) port.device.error('framing');
     });
     expect(heard).toMatchObject({ kind: 'noise' });
   });
 
-  it('is nothing to speak of when a few bytes come as a plug is pushed in', async () => {
+  it('do not count when only a few come as a plug is pushed in', async () => {
     let count = 0;
     expect(await hears((port) => void (count++ === 0 && port.device.write([0xff, 0x3c])))).toBeNull();
   });
 
-  it('is an echo when only the question comes back', async () => {
+  it('are an echo when only the question comes back', async () => {
     const { timer, connect, link } = linkBench({ quirks: { echo: true } });
     timer.core.sleep();
     await connect();
     expect(link.state).toMatchObject({ status: 'waiting', heard: { kind: 'echo', sample: new Uint8Array(0) } });
   });
 
-  it('is forgotten when it has not been heard for a while, and when a timer was found', async () => {
+  it('are forgotten when none came for a while, and when a timer was found', async () => {
     const { timer, port, connect, link, clock } = linkBench();
     timer.core.sleep();
     await connect();
@@ -95,7 +95,7 @@ describe('a timer that is slow', () => {
     expect(client.strays).toBe(0);
   });
 
-  it('is known to be slow when it is asked again on the same way', async () => {
+  it('is known to be slow when it is asked again over the same link', async () => {
     const { connect, link, clock } = linkBench({ latency: 900 });
     await connect();
     await clock.run(connectionOf(link).client.readProgram());

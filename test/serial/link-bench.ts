@@ -11,14 +11,14 @@ import {
 } from '../../src/serial/index.js';
 import { serialBench, type TimerOptions } from './bench.js';
 
-/** Never sent but by a person's own act. */
+/** Sent only by a person's own act. */
 const DANGEROUS: readonly CommandName[] = ['UNLOCK', 'JUMP2', 'MOVETOFUNC'];
 
 export interface LinkBenchOptions extends TimerOptions {
   readonly link?: Omit<TimerLinkOptions, 'clock' | 'onLine' | 'onState'>;
 }
 
-/** A link to an adapter and its timer, on a clock that is turned by hand, and all that it told and sent. */
+/** A link to an adapter and its timer, on a clock that the test turns, with everything that it reported and sent. */
 export function linkBench({ link: linkOptions, ...options }: LinkBenchOptions = {}) {
   const bench = serialBench({ info: { usbVendorId: 0x0403, usbProductId: 0x6001 }, ...options });
   const { clock, serial, port } = bench;
@@ -45,7 +45,7 @@ export function linkBench({ link: linkOptions, ...options }: LinkBenchOptions = 
 
 export type LinkBench = ReturnType<typeof linkBench>;
 
-/** A link that is on; what it tells is counted from here. */
+/** A link that is on; its reports are counted from here. */
 export async function on(options: LinkBenchOptions = {}): Promise<LinkBench> {
   const bench = linkBench(options);
   await bench.connect();
@@ -61,7 +61,7 @@ export function sent(line: readonly LineEntry[]): (CommandName | undefined)[] {
   return out.map(({ frame }) => frame && commandOf(frame.code)?.name) as (CommandName | undefined)[];
 }
 
-/** The way that a link took, a word for each state; several of one status in a row are one word. */
+/** The way of a link, a word for each state. Several states of one status in a row give one word. */
 export function way(states: readonly LinkState[]): string {
   const words = states.map((state) =>
     state.status === 'off' && state.error ? `off (${state.error.code})` : state.status,
@@ -69,7 +69,7 @@ export function way(states: readonly LinkState[]): string {
   return words.filter((word, i) => word !== words[i - 1]).join(' > ');
 }
 
-/** The very port that a link is at, or has lost. Two ports of one kind are equal by value. */
+/** The exact port at which a link is, or that it has lost. Two ports of one kind are equal by value. */
 export function portOf({ state }: TimerLink): SerialPortLike | null {
   return 'port' in state ? state.port : null;
 }

@@ -39,7 +39,7 @@ describe('finding the rate', () => {
     expect(new Set(sent(line))).toEqual(new Set(['GETSWVER']));
   });
 
-  it('is not held up by noise at the other rates', async () => {
+  it('is not delayed by noise at the other rates', async () => {
     const { connect, link, clock } = linkBench({ answersAt: 4800, noise: true, plug: { timing: true } });
     const begin = clock.now();
     await connect();
@@ -63,7 +63,7 @@ describe('finding the rate', () => {
     expect(rates).toEqual([57600]);
   });
 
-  it('takes rate and settings from what is remembered of the port, also of one that was chosen', async () => {
+  it('uses the remembered rate and settings of the port, also of one that was chosen', async () => {
     const keys: string[] = [];
     const settings = { ...DEFAULT_SETTINGS, stopBits: 2 } as const;
     const remembered = (key: string) => {
@@ -87,7 +87,7 @@ describe('finding the rate', () => {
     expect(rates).toEqual([19200]);
   });
 
-  it('tries only one rate over Bluetooth, where it has no meaning', async () => {
+  it('tries only one rate over Bluetooth, where the rate has no meaning', async () => {
     const { clock, connect, link, port } = linkBench({ info: { bluetoothServiceClassId: 0x1101 }, answersAt: 1 });
     const rates = ratesOpened(port);
     await connect();
@@ -99,7 +99,7 @@ describe('finding the rate', () => {
   it.each([
     ['as the standard has it', () => new TypeError('No such rate.')],
     ['as browsers do', () => new DOMException('Failed to open serial port.', 'NetworkError')],
-  ])('passes over a rate that the adapter does not know, %s', async (_, refusal) => {
+  ])('skips a rate that the adapter does not know, %s', async (_, refusal) => {
     const { connect, link, port, clock, timer, states } = linkBench({ answersAt: 38400 });
     const open = port.open.bind(port);
     port.open = async (options) => {
@@ -133,14 +133,14 @@ describe('the settings', () => {
     expect(port.device.signals).toMatchObject({ dataTerminalReady: false, requestToSend: true });
   });
 
-  it('leave DTR and RTS as the browser has them', async () => {
+  it('leave DTR and RTS as the browser sets them', async () => {
     const { connect, port } = linkBench();
     port.device.failSignals = true;
     await connect();
     expect(port.device.signals).toMatchObject({ dataTerminalReady: true, requestToSend: false });
   });
 
-  it('are said to be bad when DTR cannot be set, and the port is closed', async () => {
+  it('are reported as bad when DTR cannot be set, and the port is closed', async () => {
     const { connect, port, states } = linkBench();
     port.device.failSignals = true;
     await connect(port, { ...DEFAULT_SETTINGS, dtr: true });
@@ -148,7 +148,7 @@ describe('the settings', () => {
     expect(await canBeOpened(port)).toBe(true);
   });
 
-  it('are not blamed when the port is pulled while DTR is set', async () => {
+  it('are not reported as bad when the port is unplugged while DTR is set', async () => {
     const { connect, port, adapter, states } = linkBench();
     port.setSignals = async () => {
       adapter.unplug();
@@ -158,7 +158,7 @@ describe('the settings', () => {
     expect(way(states)).toBe('opening > off (unplugged)');
   });
 
-  it('are said to be bad when the port has no signals', async () => {
+  it('are reported as bad when the port has no signals', async () => {
     const { connect, port, states } = linkBench();
     Object.assign(port, { setSignals: undefined });
     await connect(port, { ...DEFAULT_SETTINGS, rts: false });
@@ -167,7 +167,7 @@ describe('the settings', () => {
 });
 
 describe('waiting for a timer', () => {
-  it('asks what is there, about once a second, and nothing else', async () => {
+  it('asks about once a second what is there, and nothing else', async () => {
     const { line, clock, link } = await waiting({ plug: { timing: true, latency: 20 } });
     line.length = 0;
     await clock.advance(60_000);
@@ -219,7 +219,7 @@ describe('waiting for a timer', () => {
 });
 
 describe('a port that is busy', () => {
-  it('is tried every second, and its refusals are told at once', async () => {
+  it('is tried every second, and each refusal is reported at once', async () => {
     const { clock, link, port, states } = linkBench({ plug: { busy: true } });
     const begin = clock.now();
     void link.connect(port);
@@ -253,7 +253,7 @@ describe('a port that is busy', () => {
     expect(way(states)).toBe('opening > searching > opening > searching > on');
   });
 
-  it('between two quiet questions is told of, and opened when it is free', async () => {
+  it('between two quiet questions is reported, and opened when it is free', async () => {
     const { clock, link, port, timer } = await waiting();
     // The next time that the port is closed is for the third of the rates.
     await clock.advance(5000);
@@ -278,7 +278,7 @@ describe('a port that is busy', () => {
 });
 
 describe('a connection', () => {
-  it('says all of the port and the timer', async () => {
+  it('tells everything about the port and the timer', async () => {
     const { connect, link, port } = linkBench();
     await connect();
     expect(portOf(link)).toBe(port);

@@ -41,7 +41,7 @@ const action = fc.oneof(
   { weight: 3, arbitrary: fc.oneof(fc.nat(700), fc.nat(20_000)).map((ms) => ({ ms })) },
 );
 
-it('whatever happens, one port is open at most, and a timer is found when all is well again', async () => {
+it('whatever happens, at most one port is open, and the timer is found when nothing disturbs any more', async () => {
   await fc.assert(
     fc.asyncProperty(fc.array(action, { maxLength: 40 }), fc.boolean(), async (actions, timing) => {
       const bench = linkBench({ plug: { timing } });

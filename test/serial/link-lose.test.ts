@@ -12,7 +12,7 @@ describe('a loss', () => {
     ['the site gives up its permission', ({ port }) => void port.forget(), false],
   ];
 
-  it.each(ways)('is told once when %s', async (_, lose, unplugged) => {
+  it.each(ways)('is reported once when %s', async (_, lose, unplugged) => {
     const bench = await on();
     lose(bench);
     await bench.clock.advance(100);
@@ -28,7 +28,7 @@ describe('a loss', () => {
     expect(bench.port.device.opened, 'the port is closed').toBeNull();
   });
 
-  it.each(ways)('is told before the request under way fails when %s', async (_, lose) => {
+  it.each(ways)('is reported before the running request fails when %s', async (_, lose) => {
     const bench = await on({ plug: { timing: true } });
     const { link, clock } = bench;
     const told = failure(connectionOf(link).client.readProgram()).then((error) => ({ error, at: link.state.status }));
@@ -49,7 +49,7 @@ describe('a loss', () => {
   );
 
   it.each(['says', 'does not say'])(
-    'is told as an unplugged port once that is known, in a browser that %s whether a port is connected',
+    'is reported as unplugged once that is known, in a browser that %s whether a port is connected',
     async (says) => {
       const { clock, adapter, port, states } = await on();
       if (says !== 'says') Object.defineProperty(port, 'connected', { value: undefined });
@@ -62,7 +62,7 @@ describe('a loss', () => {
     },
   );
 
-  it('in the very moment in which the timer answers is noticed, and made good', async () => {
+  it('at the moment in which the timer answers is noticed, and the link connects again', async () => {
     let lose = (): void => {};
     const { adapter, clock, connect, port, states } = linkBench({ link: { assumed: () => void lose() } });
     lose = () => {
@@ -78,7 +78,7 @@ describe('a loss', () => {
     expect(way(states)).toBe('opening > searching > away > opening > searching > on');
   });
 
-  it('in the middle of a job is not told again when the job fails', async () => {
+  it('during a job is not reported again when the job fails', async () => {
     const { link, clock, adapter, states } = await on();
     adapter.unplugAfter(20);
     await clock.run(failure(connectionOf(link).client.readProgram()));
@@ -89,7 +89,7 @@ describe('a loss', () => {
 });
 
 describe('a port that returns', () => {
-  it('is on again in less than a second, at the rate that worked, with a connection of its own', async () => {
+  it('is connected again in less than a second, at the rate that worked, with a new connection', async () => {
     const { link, clock, adapter, states, port } = await on({ answersAt: 38400, plug: { timing: true, latency: 20 } });
     const before = connectionOf(link);
     adapter.unplug();
@@ -105,7 +105,7 @@ describe('a port that returns', () => {
     expect(port.device.opened).not.toBeNull();
   });
 
-  it('is on again as a new object of the same kind', async () => {
+  it('is connected again as a new object of the same kind', async () => {
     const { link, clock, adapter } = await on();
     adapter.unplug();
     await clock.advance(1000);
@@ -114,7 +114,7 @@ describe('a port that returns', () => {
     expect(portOf(link)).toBe(adapter.port);
   });
 
-  it.each(['the same', 'a new'])('is noticed when it is out for no time, as %s object', async (as) => {
+  it.each(['the same', 'a new'])('is noticed when it was unplugged for no time, as %s object', async (as) => {
     const { link, clock, adapter, states } = await on();
     adapter.unplug();
     if (as === 'a new') adapter.returnAsNew();
@@ -124,7 +124,7 @@ describe('a port that returns', () => {
     expect(portOf(link)).toBe(adapter.port);
   });
 
-  it.each(['the same', 'a new'])('comes back at once however often that happens in a row, as %s object', async (as) => {
+  it.each(['the same', 'a new'])('comes back at once, however often in a row, as %s object', async (as) => {
     const { link, clock, adapter } = await on();
     for (let i = 0; i < 20; i++) {
       adapter.unplug();
@@ -135,7 +135,7 @@ describe('a port that returns', () => {
     }
   });
 
-  it('comes back at once when its stream fails before the browser tells that it is out', async () => {
+  it('comes back at once when its stream fails before the browser reports the unplugging', async () => {
     const { link, clock, adapter, port } = await on();
     for (let i = 0; i < 20; i++) {
       port.device.error('lost');
@@ -147,7 +147,7 @@ describe('a port that returns', () => {
     }
   });
 
-  it('comes back at once when the browser tells that it is out while it is asked whether it is there', async () => {
+  it('comes back at once when the browser reports the unplugging during the search for it', async () => {
     const { link, clock, adapter, port, serial } = await on();
     // A browser that says of no port whether it is connected, and takes its time to list them.
     Object.defineProperty(port, 'connected', { value: undefined });
@@ -195,7 +195,7 @@ describe('a port that returns', () => {
     expect(portOf(link), 'that one was plugged in again').toBe(again);
   });
 
-  it('is noticed where there is no browser but only a port', async () => {
+  it('is noticed where there is only a port and no browser', async () => {
     const { link, clock, adapter } = await on({ link: { serial: undefined } });
     adapter.unplug();
     await clock.advance(3100);
@@ -204,7 +204,7 @@ describe('a port that returns', () => {
     expect(link.state.status).toBe('on');
   });
 
-  it('is not opened when it is gone again by then', async () => {
+  it('is not opened when it is already gone again', async () => {
     const { link, clock, adapter, states } = await on();
     adapter.unplug();
     adapter.replug();
@@ -216,7 +216,7 @@ describe('a port that returns', () => {
     expect(link.state.status).toBe('on');
   });
 
-  it('is waited for again when it goes without a word while it is opened', async () => {
+  it('is waited for again when it goes without an event while it is opened', async () => {
     const { clock, adapter, port, states } = await on();
     adapter.unplug();
     await clock.advance(1000);
@@ -246,7 +246,7 @@ describe('a port that returns', () => {
     await bench.clock.run(link.stop());
   });
 
-  it('is found where there are no events and an adapter of the same kind was there all the time', async () => {
+  it('is found without events, although an adapter of the same kind was there all the time', async () => {
     const { clock, adapter, serial } = linkBench();
     const twin = serial.plug(adapter.port.getInfo(), { granted: true });
     const gone = serial.plug(adapter.port.getInfo(), { granted: true });
@@ -281,7 +281,7 @@ describe('a port that returns', () => {
     expect(link.state.status).toBe('on');
   });
 
-  it('is opened as soon as another program lets go of it', async () => {
+  it('is opened as soon as another program releases it', async () => {
     const { link, clock, adapter, port, states } = await on();
     adapter.unplug();
     await clock.advance(1000);
@@ -294,7 +294,7 @@ describe('a port that returns', () => {
     expect(way(states)).toBe('away > opening > searching > on');
   });
 
-  it('asks which timer it is once more, and gives another one as another', async () => {
+  it('identifies the timer again, and reports another one as another', async () => {
     const { link, clock, adapter, timer } = await on();
     adapter.unplug();
     Object.assign(timer.core.identity, { firmware: '600' });
@@ -335,7 +335,7 @@ describe('a stream that fails with its plug in', () => {
     expect(link.state).toMatchObject({ status: 'off', error: { code: 'lost' } });
   });
 
-  it('is opened as soon as the first time when its plug was out meanwhile', async () => {
+  it('is opened as quickly as the first time when it was unplugged meanwhile', async () => {
     const { clock, link, port, adapter } = await on();
     for (let i = 0; i < 3; i++) {
       port.device.error('lost');
@@ -381,7 +381,7 @@ describe('a line that is disturbed', () => {
     });
   });
 
-  it('reads to the end when bytes are lost, changed or doubled', async () => {
+  it('can be read to the end when bytes are lost, changed or doubled', async () => {
     for (const damage of [[], [0x55], [0x45, 0x45]]) {
       const toPage = (byte: number, index: number) => (index === 70 ? damage : [byte]);
       const { clock, link } = await on({ plug: { timing: true, fault: { toPage } } });

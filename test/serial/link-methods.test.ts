@@ -22,7 +22,7 @@ describe('wait()', () => {
     expect(await failure(before.client.identify())).toMatchObject({ code: 'closed' });
   });
 
-  it('does nothing where no connection is on', async () => {
+  it('does nothing without a connection', async () => {
     const { clock, link, adapter, states } = await on();
     adapter.unplug();
     await clock.advance(100);
@@ -35,7 +35,7 @@ describe('wait()', () => {
 });
 
 describe('recheck()', () => {
-  it('tells nothing when the timer is there', async () => {
+  it('reports nothing when the timer is there', async () => {
     const { clock, link, states, line } = await on();
     const before = connectionOf(link);
     await clock.run(link.recheck());
@@ -44,7 +44,7 @@ describe('recheck()', () => {
     expect(sent(line)).toEqual(['GETSWVER']);
   });
 
-  it('waits for the job under way', async () => {
+  it('waits for the running job', async () => {
     const { clock, link, states, line } = await on({ plug: { timing: true } });
     const reading = connectionOf(link).client.readProgram();
     await clock.advance(5);
@@ -63,7 +63,7 @@ describe('recheck()', () => {
     expect(way(states)).toBe('waiting > on');
   });
 
-  it('stays on behind a line that damages everything: somebody is there', async () => {
+  it('keeps the connection when everything is damaged, because somebody is there', async () => {
     let damage = 0;
     const toPage = (byte: number) => [byte ^ damage];
     const { clock, link, states } = await on({ plug: { fault: { toPage } } });
@@ -72,7 +72,7 @@ describe('recheck()', () => {
     expect(states).toEqual([]);
   });
 
-  it('gives another timer a connection of its own', async () => {
+  it('gives another timer a new connection', async () => {
     const { clock, link, timer, states } = await on();
     const before = connectionOf(link);
     Object.assign(timer.core.identity, { firmware: '600' });
@@ -91,7 +91,7 @@ describe('recheck()', () => {
     expect(way(states)).toBe('away > opening > searching > on');
   });
 
-  it('looks at once for a port that is away', async () => {
+  it('looks at once for an unplugged port', async () => {
     const { clock, link, adapter } = await on();
     adapter.unplug();
     await clock.advance(3500);
@@ -113,7 +113,7 @@ describe('recheck()', () => {
 });
 
 describe('stop()', () => {
-  it('lets the request under way end, and leaves a port that can be opened at once', async () => {
+  it('lets the running request end, and the port can be opened at once', async () => {
     const { clock, link, port, timer } = await on({ plug: { timing: true } });
     const reading = failure(connectionOf(link).client.readProgram());
     await clock.advance(5);
@@ -140,7 +140,7 @@ describe('stop()', () => {
     expect(port.device.opened).toBeNull();
   });
 
-  it('takes no time while the port is away', async () => {
+  it('takes no time while the port is unplugged', async () => {
     const { clock, link, adapter } = await on();
     adapter.unplug();
     await clock.advance(1000);
@@ -149,7 +149,7 @@ describe('stop()', () => {
     expect(clock.now()).toBe(begin);
   });
 
-  it('leaves nothing behind: no appointment, no listener', async () => {
+  it('leaves no timer of the clock and no listener behind', async () => {
     const { clock, link, adapter, serial, port } = linkBench();
     const added = [serial, port].map((target) => vi.spyOn(target, 'addEventListener'));
     const removed = [serial, port].map((target) => vi.spyOn(target, 'removeEventListener'));
@@ -168,7 +168,7 @@ describe('stop()', () => {
     expect(clock.now()).toBe(end);
   });
 
-  it('gives way to a wish that comes later', async () => {
+  it('gives way to a later call', async () => {
     const { clock, link, port, states } = await on();
     const stopping = link.stop();
     await clock.run(link.connect(port));
@@ -176,7 +176,7 @@ describe('stop()', () => {
     expect(way(states)).toBe('closing > opening > searching > on');
   });
 
-  it('settles although a port never closes', async () => {
+  it('ends although a port never closes', async () => {
     const { clock, link, port } = await on();
     port.close = () => new Promise(() => {});
     const begin = clock.now();
@@ -201,7 +201,7 @@ describe('stop()', () => {
     expect(port.device.opened).toBeNull();
   });
 
-  it('may be called from within the telling of any state', async () => {
+  it('may be called while any state is reported', async () => {
     for (const at of ['opening', 'searching', 'waiting', 'on', 'away'] as const) {
       const { clock, port, adapter, timer } = linkBench();
       if (at === 'waiting') timer.core.sleep();
@@ -225,7 +225,7 @@ describe('stop()', () => {
 });
 
 describe('connect()', () => {
-  it('follows the last of several wishes', async () => {
+  it('follows the last of several calls', async () => {
     const { clock, link, port, serial, states } = linkBench();
     const other = serial.plug({}, { granted: true });
     await clock.run(Promise.all([link.connect(other), link.connect(other), link.connect(port)]));
@@ -247,7 +247,7 @@ describe('connect()', () => {
 });
 
 describe('choose()', () => {
-  it('leaves what is on when nothing is chosen', async () => {
+  it('keeps the connection when nothing is chosen', async () => {
     const { serial, link, states } = await on();
     serial.choose(null);
     await link.choose();
@@ -276,7 +276,7 @@ describe('choose()', () => {
     expect(way(states)).toBe('choosing > opening > searching > on');
   });
 
-  it('forgets the chooser when the link is stopped or connected otherwise', async () => {
+  it('ignores the chooser when the link is stopped or connects in another way', async () => {
     for (const wish of ['stop', 'connect'] as const) {
       const chooser = slowChooser();
       const { link, clock, port, states } = linkBench({ link: { serial: chooser } });
@@ -289,7 +289,7 @@ describe('choose()', () => {
     }
   });
 
-  it('while the link is closing waits for neither', async () => {
+  it('does not wait while the link is closing', async () => {
     const chooser = slowChooser();
     const { link, clock, port, states } = await on({ link: { serial: chooser } });
     const stopping = link.stop();
@@ -325,7 +325,7 @@ describe('the ports', () => {
     expect(ports[0]?.port).toBe(port);
   });
 
-  it('are refused where the policy forbids them', async () => {
+  it('are refused where a policy forbids them', async () => {
     const serial: SerialLike = {
       getPorts: () => Promise.reject(new DOMException('Blocked.', 'SecurityError')),
       requestPort: () => Promise.reject(new DOMException('Blocked.', 'SecurityError')),
@@ -355,8 +355,8 @@ describe('the ports', () => {
   });
 });
 
-describe('a function of the consumer that throws', () => {
-  it('is reported, and takes nothing from the link', async () => {
+describe('a callback that throws', () => {
+  it('is reported, and does not disturb the link', async () => {
     const reported = vi.fn();
     vi.stubGlobal('reportError', reported);
     onTestFinished(() => void vi.unstubAllGlobals());

@@ -33,7 +33,7 @@ describe('the rates to try', () => {
     expect(rates).toEqual(expected);
   });
 
-  it('are mostly the likeliest when asked quietly, and each of them within 24 questions', () => {
+  it('are mostly the likeliest one in quiet questions, and all of them within 24 questions', () => {
     const rates = ratesToTry(DEFAULT_SETTINGS, false, 31250);
     for (let begin = 0; begin < 100; begin++) {
       const asked = Array.from({ length: 24 }, (__, i) => quietRate(rates, begin + i));
@@ -42,7 +42,7 @@ describe('the rates to try', () => {
     }
   });
 
-  it('is the only one when asked quietly where there is no other', () => {
+  it('are the only one in quiet questions where there is no other', () => {
     for (let asked = 0; asked < 10; asked++) expect(quietRate([9600], asked)).toBe(9600);
   });
 });
