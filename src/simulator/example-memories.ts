@@ -1,19 +1,19 @@
 import type { MemoryContent } from './memory.js';
 
-/** One setting of a model, as a pilot notes it: the functions from launch to DT, in columns. */
+/** One setting of a model, as a pilot notes it: columns from launch to DT. */
 interface ExampleSetting {
-  /** Hundredths of a second from launch: functions 1 to 9, then DT. */
+  /** Times of functions 1 to 9, then DT, in hundredths of a second from launch. */
   readonly times: readonly number[];
-  /** Class Q, hundredths of a second. */
+  /** Motor stop in hundredths of a second. Class Q only. */
   readonly motorStop?: number;
-  /** Steps: start, functions 1 to 9, DT. */
+  /** Steps at start, functions 1 to 9, DT. */
   readonly rudder: readonly number[];
-  /** More is up: the climb, the bunt after it, the glide, and at DT all the way up. */
+  /** More steps turn the tailplane up: the climb, the bunt after it, the glide, and fully up at DT. */
   readonly tailplane: readonly number[];
   readonly wing: readonly number[];
 }
 
-/** An F1Q: climb, short trims before and behind motor stop, a bunt into the glide. */
+/** An F1Q: climb, small corrections before and after motor stop, a bunt into the glide. */
 const Q_CALM: ExampleSetting = {
   motorStop: 1000,
   times: [30, 120, 400, 980, 1010, 1060, 1120, 1250, 2000, 18000],
@@ -22,7 +22,7 @@ const Q_CALM: ExampleSetting = {
   wing: [70, 70, 72, 76, 78, 78, 82, 86, 88, 88, 88],
 };
 
-/** In wind it climbs a little shorter and circles tighter. */
+/** For wind: a slightly shorter climb and tighter circles. */
 const Q_WIND: ExampleSetting = {
   ...Q_CALM,
   motorStop: 950,
@@ -31,14 +31,14 @@ const Q_WIND: ExampleSetting = {
   tailplane: [46, 42, 44, 48, 50, 28, 22, 38, 52, 53, 95],
 };
 
-/** A few seconds of motor and an early DT, to look at the transition near the ground. */
+/** A few seconds of motor and an early DT, to watch the transition near the ground. */
 const Q_TEST: ExampleSetting = {
   ...Q_CALM,
   motorStop: 400,
   times: [30, 120, 250, 380, 410, 460, 520, 650, 1000, 2000],
 };
 
-/** The long flight that decides, with less energy for the climb. */
+/** The long flight that decides a contest, with less energy for the climb. */
 const Q_FLY_OFF: ExampleSetting = {
   ...Q_CALM,
   motorStop: 800,
@@ -62,7 +62,7 @@ const B_WIND: ExampleSetting = {
   tailplane: [40, 36, 41, 44, 46, 48, 50, 53, 54, 54, 100],
 };
 
-/** Flown with few turns. */
+/** For a flight with few turns on the rubber motor. */
 const B_TEST: ExampleSetting = {
   ...B_CALM,
   times: [12, 65, 150, 300, 500, 700, 900, 1100, 1400, 2000],
@@ -76,8 +76,8 @@ const B_FLY_OFF: ExampleSetting = {
 };
 
 /**
- * An F1E: a magnet steers it along the slope; the timer frees it, lets it circle, and brings it down. Functions that
- * are not needed repeat the one before, and nothing is at S3.
+ * An F1E: a magnet steers it along the slope. The timer frees it, lets it circle, and brings it down. Functions that
+ * are not needed repeat the one before, and there is no servo at S3.
  */
 const E_CALM: ExampleSetting = {
   times: [300, 6000, 6500, 7000, 7500, 8000, 8500, 9000, 9500, 24000],
@@ -86,7 +86,7 @@ const E_CALM: ExampleSetting = {
   wing: Array.from({ length: 11 }, () => 65),
 };
 
-/** In wind it flies straight out for longer, and faster. */
+/** For wind: it flies straight out for longer, and faster. */
 const E_WIND: ExampleSetting = {
   ...E_CALM,
   times: [300, 9000, 9500, 10000, 10500, 11000, 11500, 12000, 12500, 18000],
@@ -111,11 +111,11 @@ const SETTINGS = {
 } as const;
 
 /**
- * What the four memories of a flown timer may hold: a model trimmed for calm air, for wind, for a test flight with a DT
- * of 20 s, and for a fly-off. For the usual layout of 10 functions and 3 servos: S1 rudder, S2 tailplane, S3 wing. They
- * are made up after the manuals and what pilots tell, and are those of no real model.
+ * Four memories as a timer in use may hold them: trimmed for calm air, for wind, for a test flight with a DT of 20 s,
+ * and for a fly-off. For the usual layout of 10 functions and 3 servos: S1 rudder, S2 tailplane, S3 wing. The values
+ * are invented, after the manuals and what pilots tell. They belong to no real model.
  *
- *     new VirtualTimer({ identity: { timerClass: 'Q' }, memories: exampleMemories('Q') });
+ * new VirtualTimer({ identity: { timerClass: 'Q' }, memories: exampleMemories('Q') });
  */
 export function exampleMemories(timerClass: 'Q' | 'B' | 'E'): MemoryContent[] {
   return SETTINGS[timerClass].map(({ motorStop = 0, times, rudder, tailplane, wing }) => ({

@@ -1,5 +1,5 @@
 /**
- * The other end of the wire: a virtual timer with quirks, and a timer that answers as one that was recorded.
+ * The other end of the wire: a virtual timer with quirks, and a timer that replays a recording.
  * @module
  */
 

@@ -6,19 +6,19 @@ export interface MemoryContent {
   positions: number[][];
 }
 
-/** The positions of the one reply that is known from a real timer: 15, 25 ... 115, and on in the same steps. */
+/** The positions in the one reply that is known from a real timer: 15, 25 ... 115, continued in the same steps. */
 const FIRST_POSITION = 15;
 const POSITION_STEP = 10;
 const POSITIONS_KNOWN = 11;
 
-/** Times of a usual flight, in hundredths of a second: a function every half a second, DT last. */
+/** Times of an ordinary flight, in hundredths of a second: one function every half second, DT last. */
 const FUNCTION_STEP = 50;
 const DT = 18000;
 const MOTOR_STOP = 1000;
 
 /**
- * What a memory holds when the timer is new: the captured positions for each servo, rising times, and a DT of 3 minutes
- * that is 30 s longer in each further memory, so that memories can be told apart.
+ * What a memory of a new timer holds: the captured positions for each servo, rising times, and a DT of 3 minutes. In
+ * each further memory the DT is 30 s longer, so that the memories differ.
  */
 export function firstContent(identity: Identity, memory: number): MemoryContent {
   const slots = slotCount(identity);
@@ -34,7 +34,7 @@ export function firstContent(identity: Identity, memory: number): MemoryContent 
 }
 
 /**
- * Makes sure that a timer of this layout can hold it.
+ * Makes sure that the lists of a memory fit a timer of this layout.
  * @throws CodecError `wrong-count`.
  */
 export function requireLayout({ times, positions }: MemoryContent, identity: Identity): void {

@@ -1,8 +1,8 @@
 import type { LayoutQuirks } from '../protocol/index.js';
 
 /**
- * How a timer may differ from the usual reading of the protocol. Each is a contradiction in the source that nobody has
- * settled with a real timer yet. All are off by default.
+ * How a timer may differ from the usual reading of the protocol. Each switch stands for a contradiction in the source
+ * that no real timer has settled yet. All are off by default.
  */
 export interface TimerQuirks extends LayoutQuirks {
   /** Zeros before each reply: the source's examples print four, a real timer sent five. Default 5. */
@@ -13,19 +13,19 @@ export interface TimerQuirks extends LayoutQuirks {
   readonly unlockReplyAs6A?: boolean;
   /** The reply to GETMEMORY carries no index. */
   readonly memoryReplyEmpty?: boolean;
-  /** The reply to GETLOWRPM carries the bare command byte where its checksum belongs. */
+  /** The reply to GETLOWRPM carries the bare command byte in place of its checksum. */
   readonly bareChecksumReply?: boolean;
-  /** SETMEMORY and SETLOWRPM are taken only with the bare command byte where their checksum belongs. */
+  /** SETMEMORY and SETLOWRPM are accepted only with the bare command byte in place of their checksum. */
   readonly bareChecksumRequests?: boolean;
-  /** Times are kept in steps of so many hundredths of a second, rounded down. Default 1. */
+  /** The timer rounds times down to multiples of this many hundredths of a second. Default 1. */
   readonly timeStep?: number;
-  /** GETLOWRPM is answered on class Q only. */
+  /** Only class Q answers GETLOWRPM. */
   readonly idleThrottleOnQOnly?: boolean;
-  /** SETSERVO is answered, but kept only for the function the servos were last moved to. */
+  /** SETSERVO is acknowledged, but kept only for the function to which the servos were last moved. */
   readonly servoNeedsMove?: boolean;
   /**
-   * Whether SETSERVO alone moves the servo (rows 15 and 17 of the protocol page leave it open): never, when the servos
-   * stand at that function, or whatever function they stand at. Default `there`.
+   * Whether SETSERVO alone moves the servo (rows 15 and 17 of docs/protocol.md leave it open): never; `there`: only
+   * while the servos stand at that function; always. Default `there`.
    */
   readonly setMoves?: 'never' | 'there' | 'always';
   /** The adapter returns every byte that is sent to the timer. */

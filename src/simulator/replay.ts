@@ -1,37 +1,39 @@
 import { type Clock, realClock } from '../line/index.js';
 import { type CaptureEntry, FrameDecoder } from '../protocol/index.js';
+import { FarEnd } from './far-end.js';
+import { RequestReader, SILENCE } from './request-reader.js';
 
 export interface ReplayTimerOptions {
   /** Default: the real clock. */
   readonly clock?: Clock;
 }
 
-/** Bytes that a recorded timer sent together, and how many milliseconds after the request, or after the beginning. */
+/**
+ * Bytes that a recorded timer sent together. `after`: how many milliseconds after the request, or after the beginning.
+ */
 interface Piece {
   readonly after: number;
   readonly bytes: Uint8Array;
 }
 
 interface Exchange {
-  /** The request from its length byte on: how many zeros came before it makes no difference. */
+  /** The request from its length byte on. How many zeros came before it makes no difference. */
   readonly request: string;
   readonly pieces: Piece[];
   /**
-   * When the last frame among them is whole, as {@link Piece.after}; what comes later is noise, which holds up nothing.
+   * When the last frame of the answer is whole, counted like {@link Piece.after}.
+   * Anything later is noise and delays nothing.
    */
   answered: number;
 }
 
-/** Milliseconds of silence after which a request that is not whole is given up. */
-const SILENCE = 100;
-
 /**
- * A timer that answers as another one did while its line was recorded, at the far end of a pair of byte streams.
+ * A timer that gives the answers of a recording, at the far end of a pair of byte streams.
  *
- * A request is looked for in the recording, from the last match on and then from the beginning. The answer is what
- * followed it there, up to the next request: in the same pieces, as long after the request, damage and all. A request
- * that got no reply in the recording gets none, nor does one that the recording does not know. What was recorded before
- * the first request comes by itself.
+ * It looks for each request in the recording, first after the last match, then from the beginning. It answers with the
+ * bytes that followed there, up to the next request: in the same pieces, after the same time, with the same damage. A
+ * request without a reply in the recording gets none, and neither does one that the recording does not hold. Bytes from
+ * before the first request are sent without a request.
  *
  * @example
  * ```ts
@@ -51,62 +53,40 @@ const SILENCE = 100;
 export class ReplayTimer {
   readonly readable: ReadableStream<Uint8Array>;
   readonly writable: WritableStream<Uint8Array>;
-  /** The requests that the recording does not know, as they came but with five zeros at most, oldest first. */
+  /** The requests that the recording does not hold, oldest first, as they came but with at most five zeros. */
   readonly unknown: Uint8Array[] = [];
   readonly #clock: Clock;
   readonly #exchanges: readonly Exchange[];
-  readonly #decoder: FrameDecoder;
-  /** The recorded request to be looked at first. */
+  readonly #end: FarEnd;
+  readonly #reader: RequestReader;
+  /** The recorded request to try first. */
   #next = 0;
-  /** When the reply under way will have been sent: a timer answers one request after the other. */
+  /** When the current reply will be complete: a timer answers one request after the other. */
   #busyUntil = Number.NEGATIVE_INFINITY;
   readonly #due = new Set<() => void>();
-  #cancelSilence: () => void = () => {};
-  #controller: ReadableStreamDefaultController<Uint8Array> | undefined;
-  #cut = false;
 
   /**
-   * @param entries as `parseCapture` gives them; they are copied.
-   * @param options the clock by which it answers.
+   * @param entries as `parseCapture` gives them. They are copied.
+   * @param options the clock that times the answers.
    */
   constructor(entries: readonly CaptureEntry[], { clock = realClock }: ReplayTimerOptions = {}) {
     this.#clock = clock;
     const { unasked, exchanges } = sorted(entries);
     this.#exchanges = exchanges;
-    this.#decoder = requestDecoder((request, wire) => this.#answer(request, wire));
-    this.readable = new ReadableStream<Uint8Array>({
-      start: (controller) => {
-        this.#controller = controller;
-      },
-      cancel: () => {
-        this.#controller = undefined;
-      },
-    });
-    this.writable = new WritableStream<Uint8Array>({
-      write: (bytes) => {
-        if (this.#cut) throw new Error('The line to the recorded timer is cut.');
-        this.#receive(bytes);
-      },
-    });
+    const decoder = requestDecoder((request, wire) => this.#answer(request, wire));
+    this.#reader = new RequestReader(decoder, clock);
+    this.#end = new FarEnd('recorded timer', (bytes) => this.#reader.push(bytes));
+    this.readable = this.#end.readable;
+    this.writable = this.#end.writable;
     this.#send(unasked, clock.now());
   }
 
-  /**
-   * Cuts the line as a pulled cable does: reading and writing fail from now on, and nothing that is under way arrives.
-   */
+  /** Cuts the line, like a pulled cable: reading and writing fail from now on, and bytes on their way never arrive. */
   cut(reason: unknown = new Error('The line to the recorded timer is cut.')): void {
-    this.#cut = true;
-    this.#cancelSilence();
+    this.#reader.stop();
     for (const cancel of this.#due) cancel();
     this.#due.clear();
-    this.#controller?.error(reason);
-    this.#controller = undefined;
-  }
-
-  #receive(bytes: Uint8Array): void {
-    this.#decoder.push(bytes);
-    this.#cancelSilence();
-    if (this.#decoder.waiting) this.#cancelSilence = this.#clock.after(SILENCE, () => void this.#decoder.idle());
+    this.#end.cut(reason);
   }
 
   #answer(request: string, wire: Uint8Array): void {
@@ -128,14 +108,14 @@ export class ReplayTimer {
     for (const { after, bytes } of pieces) {
       const cancel = this.#clock.after(begin + after - this.#clock.now(), () => {
         this.#due.delete(cancel);
-        this.#controller?.enqueue(bytes.slice());
+        this.#end.send(bytes.slice());
       });
       this.#due.add(cancel);
     }
   }
 }
 
-/** Finds requests, those with a bare checksum too, each from its length byte on. */
+/** Finds requests, also those with a bare checksum, and reports each from its length byte on. */
 function requestDecoder(tell: (request: string, wire: Uint8Array) => void): FrameDecoder {
   const everyLetter = Array.from({ length: 256 }, (_, letter) => letter);
   return new FrameDecoder({
@@ -144,7 +124,7 @@ function requestDecoder(tell: (request: string, wire: Uint8Array) => void): Fram
   });
 }
 
-/** The recording as requests, each with what came after it. */
+/** The recording as a list of requests, each with the bytes that followed it. */
 function sorted(entries: readonly CaptureEntry[]): { unasked: Piece[]; exchanges: Exchange[] } {
   const unasked: Piece[] = [];
   const exchanges: Exchange[] = [];

@@ -15,7 +15,7 @@ import {
 import { firstContent, type MemoryContent, requireLayout } from './memory.js';
 import type { TimerQuirks } from './quirks.js';
 
-/** Where a timer stands between battery and landing. It answers in every phase but `asleep`. */
+/** The phase of a timer, from connecting the battery to landing. It answers in every phase but `asleep`. */
 export type TimerPhase = 'discharged' | 'armed' | 'running' | 'finished' | 'asleep';
 
 export interface TimerCoreOptions {
@@ -27,26 +27,26 @@ export interface TimerCoreOptions {
 }
 
 /**
- * What is behind the line: memories, servos, motor lock, phase, and an answer to each request. A bad frame or a value
- * out of range gets no answer, since the protocol has no letter for one.
+ * The timer itself, without the line: memories, servos, motor lock, phase, and the answer to each request. A bad frame
+ * or a value out of range gets no answer, because the protocol has none for it.
  */
 export class TimerCore {
   readonly identity: Identity;
   readonly memories: MemoryContent[];
-  /** The memory that requests act on and that flies next, counted from 0. */
+  /** The current memory, counted from 0: requests act on it, and it flies next. */
   memory = 0;
-  /** Idle throttle, unit unknown. Whether it belongs to a memory is not known either: here it belongs to the timer. */
+  /** Idle throttle, unit unknown. Nobody knows whether it belongs to a memory; here it belongs to the timer. */
   idleThrottle = 30;
   /** Class Q: locked after a flight, by rule and for safety. */
   motorLocked: boolean;
   phase: TimerPhase = 'discharged';
-  /** Where each servo stands, in steps. Connecting the battery moves them to DT. */
+  /** Where each servo stands, in steps. Connecting the battery moves them to their DT positions. */
   servos: number[];
-  /** The slot that the servos were last moved to. */
+  /** The slot to which the servos were last moved. */
   slot: number;
-  /** Every request that was answered, oldest first. */
+  /** All requests that it has answered, oldest first. */
   readonly answered: Request[] = [];
-  /** Told of every request that was answered. */
+  /** Called with every request that it answers. */
   onAnswer: ((request: Request) => void) | undefined;
   readonly #quirks: TimerQuirks;
   readonly #clock: Clock;
@@ -54,7 +54,7 @@ export class TimerCore {
   #awakeSince: number;
   #phaseBeforeSleep: TimerPhase = 'discharged';
 
-  /** @param options what it is, how it departs from the usual reading, and what it holds. */
+  /** @param options its identity, its quirks, and what it holds. */
   constructor({ identity, quirks, clock, memories = [], sleepAfter = Number.POSITIVE_INFINITY }: TimerCoreOptions) {
     this.identity = identity;
     this.#quirks = quirks;
@@ -76,22 +76,22 @@ export class TimerCore {
     return this.memories[this.memory] as MemoryContent;
   }
 
-  /** Puts it to sleep at once. Nothing is lost. */
+  /** Puts it to sleep at once. It keeps everything. */
   sleep(): void {
     if (this.phase === 'asleep') return;
     this.#phaseBeforeSleep = this.phase;
     this.phase = 'asleep';
   }
 
-  /** A short press of the start switch: wakes it. */
+  /** Presses the start switch briefly, which wakes it. */
   press(): void {
     if (this.phase === 'asleep') this.phase = this.#phaseBeforeSleep;
     this.#awakeSince = this.#clock.now();
   }
 
   /**
-   * The reply to a frame as bytes for the line; undefined when it keeps silent.
-   * @param bare whether the frame carried its command byte where its checksum belongs.
+   * The reply to a frame, as bytes for the line; undefined when it keeps silent.
+   * @param bare whether the frame carried its command byte in place of its checksum.
    */
   answer(frame: Frame, bare = false): Uint8Array | undefined {
     if (this.#clock.now() - this.#awakeSince > this.#sleepAfter) this.sleep();
@@ -118,7 +118,7 @@ export class TimerCore {
     const { bareChecksumRequests, idleThrottleOnQOnly } = this.#quirks;
     if (request.name === 'GETLOWRPM') return !idleThrottleOnQOnly || this.identity.timerClass === 'Q';
     if (request.name !== 'SETMEMORY' && request.name !== 'SETLOWRPM') return true;
-    // With a data byte of 0 the bare checksum is the correct one.
+    // With a data byte of 0 the bare checksum is the right one.
     return !bareChecksumRequests || bare || checksum(code, data) === code;
   }
 
@@ -180,7 +180,7 @@ export class TimerCore {
     return frame.subarray(5 - (quirks.zeros ?? 5));
   }
 
-  /** The letter that this timer puts in place of the right one. */
+  /** The letter that this timer uses in place of the right one. */
   #misprint(name: CommandName): number | undefined {
     if (name === 'GETTIMERS' && this.#quirks.timersReplyAs66) return COMMANDS.GETTIMERS.misprint;
     if (name === 'UNLOCK' && this.#quirks.unlockReplyAs6A) return COMMANDS.UNLOCK.misprint;

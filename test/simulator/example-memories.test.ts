@@ -14,13 +14,13 @@ const programsOf = (timerClass: 'Q' | 'B' | 'E'): TimerProgram[] => {
 describe.each(CLASSES)('the memories of a flown F1%s', (timerClass) => {
   const programs = programsOf(timerClass);
 
-  it('keep to the rules of the class: nothing unusual, but the short DT of the test flight', () => {
+  it('keep to the rules of the class: only the DT of the test flight is unusual', () => {
     expect(programs.map((program) => checkProgram(program).map(({ code }) => code))).toEqual(
       programs.map((_, memory) => (memory === TEST_FLIGHT ? ['dt-short'] : [])),
     );
   });
 
-  it('rise strictly from launch to DT, also where the manuals leave it open', () => {
+  it('have times that rise strictly from launch to DT, also where the manuals are unclear', () => {
     for (const { times } of programs) {
       const rising = times.slice(1);
       expect(rising).toEqual([...new Set(rising)].sort((a, b) => a - b));
@@ -36,7 +36,7 @@ describe.each(CLASSES)('the memories of a flown F1%s', (timerClass) => {
     expect(Math.max(...programs.map(({ times }) => times[10] as number))).toBe(flyOff);
   });
 
-  it('bring the model down: at DT the tailplane goes where it is at no other time', () => {
+  it('bring the model down: only at DT the tailplane goes to that place', () => {
     for (const { positions } of programs) {
       const tailplane = positions[1] as readonly number[];
       const inFlight = Math.max(...tailplane.slice(0, -1));
@@ -46,7 +46,7 @@ describe.each(CLASSES)('the memories of a flown F1%s', (timerClass) => {
 });
 
 describe('the memories of a flown timer', () => {
-  it('stop the motor of an F1Q between two functions, later in calm than in a test; there is none elsewhere', () => {
+  it('stop the motor of an F1Q between two functions, later in calm than in a test; the other classes have none', () => {
     expect(exampleMemories('Q').map(({ times }) => times[0])).toEqual([1000, 950, 400, 800]);
     for (const { times } of exampleMemories('Q')) {
       const stop = times[0] as number;
@@ -58,7 +58,7 @@ describe('the memories of a flown timer', () => {
     }
   });
 
-  it('belong to the timer that has them: it changes its own', () => {
+  it('are copies: each timer changes only its own', () => {
     const memories = exampleMemories('Q');
     const { core } = new VirtualTimer({ identity: { timerClass: 'Q' }, memories });
     (core.memories[0]?.positions[0] as number[])[0] = 1;

@@ -87,7 +87,7 @@ async function session(client: TimerClient, clock: VirtualClock) {
 }
 
 describe('a recorded timer', () => {
-  it('is read by a client, with the one reply of a real timer in its seven pieces', async () => {
+  it('can be read by a client, with the one known reply of a real timer in its seven pieces', async () => {
     const clock = new VirtualClock();
     const client = new TimerClient(new ReplayTimer(parseCapture(recording), { clock }), { clock });
     const program = await clock.run(client.readProgram());
@@ -122,7 +122,7 @@ describe('a recorded timer', () => {
     expect(timer.unknown).toEqual([]);
   });
 
-  it('answers the same request as it was answered each time, and then from the beginning', async () => {
+  it('answers a repeated request with its recorded replies in turn, then from the beginning', async () => {
     const { ask } = replay([
       out(0, { name: 'GETMEMORY' }),
       incoming(10, MEMORY_0),
@@ -138,7 +138,7 @@ describe('a recorded timer', () => {
     expect(await ask({ name: 'GETMEMORY' })).toEqual([[30, MEMORY_3]]);
   });
 
-  it('keeps silent where it did, and to what the recording does not know, which it keeps', async () => {
+  it('is silent where it was, and to an unknown request, which it notes', async () => {
     const { ask, timer } = replay([
       out(0, { name: 'GETMEMORY' }),
       out(700, { name: 'GETMEMORY' }),
@@ -151,7 +151,7 @@ describe('a recorded timer', () => {
     expect(timer.unknown.map(toHex)).toEqual(['00 00 00 00 00 04 73 03 76 45', '00 00 00 00 00 03 6d 6d 45']);
   });
 
-  it('tells a bare checksum from a true one, and four zeros from none', async () => {
+  it('tells a bare checksum from a correct one, and four zeros from none', async () => {
     const bare = '00 00 00 00 04 73 03 73 45';
     const { ask, send } = replay([
       { time: 0, direction: 'out', bytes: fromHex(bare) },
@@ -162,7 +162,7 @@ describe('a recorded timer', () => {
     expect(await send(fromHex(`00 ${bare}`))).toHaveLength(1);
   });
 
-  it('says by itself what it said before it was asked', async () => {
+  it('sends by itself what it sent before any request', async () => {
     const { received, clock, ask } = replay([
       incoming(50, 'ff fe'),
       incoming(70, 'fd'),
@@ -176,7 +176,7 @@ describe('a recorded timer', () => {
     expect(await ask({ name: 'GETSWVER' })).toEqual([[60, VERSION]]);
   });
 
-  it('answers what it is asked in one go one after the other', async () => {
+  it('answers several requests in one chunk one after the other', async () => {
     const { send } = replay(parseCapture(recording));
     const both = concat(encodeRequest({ name: 'GETSWVER' }), encodeRequest({ name: 'GETMEMORY' }));
     expect(await send(both)).toEqual([
@@ -185,7 +185,7 @@ describe('a recorded timer', () => {
     ]);
   });
 
-  it('is not held up by noise that was recorded long after a reply', async () => {
+  it('is not delayed by noise that was recorded long after a reply', async () => {
     const { ask } = replay([
       out(0, { name: 'GETSWVER' }),
       incoming(60, VERSION),
@@ -210,7 +210,7 @@ describe('a recorded timer', () => {
     expect(await send(request.subarray(8))).toEqual([[10, '00 00 00 00 00 03 74 74 45']]);
   });
 
-  it('gives up a request that is never finished, recorded or sent, before the next', async () => {
+  it('drops an unfinished request, recorded or sent, before the next one', async () => {
     // Its length asks for more than all that comes behind it.
     const begun = encodeRequest({ name: 'SETTIMERS', times: Array<number>(11).fill(1) }).subarray(0, 8);
     const { send, ask } = replay([
@@ -223,7 +223,7 @@ describe('a recorded timer', () => {
     expect(await ask({ name: 'GETMEMORY' })).toEqual([[10, MEMORY_3]]);
   });
 
-  it('fails reading and writing once its line is cut, and leaves nothing on the clock', async () => {
+  it('fails reading and writing once its line is cut, and leaves no timer of the clock behind', async () => {
     const { timer, ask, received, clock } = replay(parseCapture(recording));
     await ask({ name: 'GETSWVER' }, 10);
     timer.cut();
@@ -233,7 +233,7 @@ describe('a recorded timer', () => {
     await expect(ask({ name: 'GETSWVER' })).rejects.toThrow('cut');
   });
 
-  it('says nothing to a reader that has gone while an answer is under way', async () => {
+  it('sends nothing to a reader that has gone before the answer is complete', async () => {
     const clock = new VirtualClock();
     const { readable, writable } = new ReplayTimer(parseCapture(recording), { clock });
     await writable.getWriter().write(encodeRequest({ name: 'GETSWVER' }));
@@ -241,7 +241,7 @@ describe('a recorded timer', () => {
     await clock.advance(1000);
   });
 
-  it('needs nothing recorded to keep silent', async () => {
+  it('is silent when nothing was recorded', async () => {
     const { ask } = replay([]);
     expect(await ask({ name: 'GETSWVER' })).toEqual([]);
   });

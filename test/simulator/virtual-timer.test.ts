@@ -37,7 +37,7 @@ describe('the virtual timer', () => {
     ]);
   });
 
-  it('holds the captured positions at first, and sends them as the real timer did', async () => {
+  it('holds the captured positions at the beginning, and sends them as the real timer did', async () => {
     const { ask, timer } = timerOnLine();
     expect(timer.core.content.positions).toEqual([CAPTURED_POSITIONS, CAPTURED_POSITIONS, CAPTURED_POSITIONS]);
     expect(await ask({ name: 'GETSERVOPOS' })).toEqual([CAPTURE]);
@@ -88,7 +88,7 @@ describe('the virtual timer', () => {
     expect([timer.core.content.positions[0]?.[2], timer.core.content.positions[1]?.[5]]).toEqual([40, 50]);
   });
 
-  it('keeps silent on damage, on values out of range and on what is no request', async () => {
+  it('does not answer damage, values out of range, or bytes that are not a request', async () => {
     const { send, timer } = timerOnLine();
     for (const hex of [
       '00 00 00 00 00 03 6b 6c 45',
@@ -102,7 +102,7 @@ describe('the virtual timer', () => {
     expect(timer.core.answered).toEqual([]);
   });
 
-  it('is not deaf after a damaged length: it gives up when the line falls silent', async () => {
+  it('answers again after a damaged length as soon as the line falls silent', async () => {
     const { send, ask } = timerOnLine();
     expect(await send(fromHex('00 00 00 00 00 ff 6b 6b 45'))).toEqual([]);
     expect(await ask({ name: 'GETSWVER' })).toHaveLength(1);
@@ -113,7 +113,7 @@ describe('the virtual timer', () => {
     expect(await send(request.subarray(7))).toHaveLength(1);
   });
 
-  it('sleeps after a while, loses nothing, and wakes by a press of its switch', async () => {
+  it('falls asleep after a while, loses nothing, and wakes when its switch is pressed', async () => {
     const { clock, ask, timer } = timerOnLine({ sleepAfter: 60_000 });
     await ask({ name: 'SETMEMORY', memory: 2 });
     await clock.advance(50_000);
@@ -151,7 +151,7 @@ describe('the virtual timer', () => {
     await expect(send(Uint8Array.of(1))).rejects.toThrow('cut');
   });
 
-  it('says nothing to a reader that has gone while an answer is under way', async () => {
+  it('sends nothing to a reader that has gone before the answer is complete', async () => {
     const clock = new VirtualClock();
     const { readable, writable } = new VirtualTimer({ clock, latency: 40 });
     await writable.getWriter().write(encodeRequest({ name: 'GETSWVER' }));
@@ -159,19 +159,19 @@ describe('the virtual timer', () => {
     await clock.advance(1000);
   });
 
-  it('cannot be a timer that no version reply can describe', () => {
+  it('refuses an identity that no version reply can describe', () => {
     expect(() => new VirtualTimer({ identity: { servos: 0 } })).toThrowError(
       expect.objectContaining({ code: 'bad-identity' }),
     );
   });
 
-  it('answers what it is asked in one go, in order', async () => {
+  it('answers several requests in one chunk in order', async () => {
     const { send } = timerOnLine();
     const both = concat(encodeRequest({ name: 'GETMEMORY' }), encodeRequest({ name: 'GETSWVER' }));
     expect((await send(both)).join(' ')).toMatch(/^00 00 00 00 00 04 72 .* 6c 42 /);
   });
 
-  it('has a core that works without any line', () => {
+  it('has a core that works without a line', () => {
     const core = new TimerCore({ identity: B536, quirks: {}, clock: new VirtualClock() });
     expect(toHex(core.answer({ code: 0x6b, data: new Uint8Array(0) }) ?? new Uint8Array(0))).toContain(
       '6c 42 35 33 36',
