@@ -9,7 +9,7 @@ import { newsOf } from './test/tools/news.js';
 
 const root = import.meta.dirname;
 
-/** Where the built page lies: in dist/site, but where `--outDir` says otherwise. */
+/** The folder of the built page: dist/site, unless `--outDir` names another. */
 let site = '';
 
 const whereBuilt: Plugin = {
@@ -19,7 +19,10 @@ const whereBuilt: Plugin = {
   },
 };
 
-/** All that the built page may do: run its own scripts, styles and pictures. It can reach no address on any network. */
+/**
+ * Everything that the built page may do: run its own scripts, and use its own styles and pictures. It can reach no
+ * address on any network.
+ */
 const contentSecurityPolicy = [
   "default-src 'none'",
   "script-src 'self'",
@@ -47,13 +50,13 @@ const securityPolicy: Plugin = {
 };
 
 /**
- * The start stands in the page as it comes, and is drawn before any script. It is written down from the page itself:
- * test/app/first-picture.test.tsx.
+ * The start stands in index.html and is drawn before any script runs. test/app/first-picture.test.tsx writes it from
+ * the page itself.
  */
 const firstPicture: Plugin = {
   name: 'first-picture',
   transformIndexHtml: {
-    // As it is: its addresses are those of the built page.
+    // Inserted unchanged: its addresses are those of the built page.
     order: 'post',
     handler: (html) =>
       html.replace(
@@ -63,7 +66,7 @@ const firstPicture: Plugin = {
   },
 };
 
-/** The letters that every screen needs come with the page; those of other languages when one is written. */
+/** The letters that every view needs are loaded with the page; those of other languages when they are first used. */
 const font: Plugin = {
   name: 'font',
   apply: 'build',
@@ -82,26 +85,26 @@ const font: Plugin = {
 
 const LATIN = /inter-latin-wght-normal-[\w-]+\.woff2$/;
 
-/** What the bytes of a built file must be, as a browser checks it. */
+/** The checksum of a built file, in the form that browsers check. */
 function integrityOf(url: string): string {
   const bytes = readFileSync(resolve(site, url));
   return `sha256-${createHash('sha256').update(bytes).digest('base64')}`;
 }
 
 const offline = VitePWA({
-  // A new version waits until the pilot takes it: src/app/browser/offline.ts.
+  // A new version waits until the pilot accepts it: src/app/browser/offline.ts.
   registerType: 'prompt',
   injectRegister: false,
-  // It lies in public/: made here, it would be kept twice, once without its integrity.
+  // It is in public/. Made here, it would be kept twice, once without its checksum.
   manifest: false,
-  // The worker is our own, src/app/sw.ts: it must not be able to keep the page from loading.
+  // We have our own worker, src/app/sw.ts: it must never be able to stop the page from loading.
   strategies: 'injectManifest',
   srcDir: '.',
   filename: 'sw.ts',
   injectManifest: {
     buildPlugins: { vite: [ownWorkOnly(root)] },
     globPatterns: ['**/*'],
-    // The way out for whoever publishes the page, and what the page itself never asks for.
+    // The emergency worker for the publisher, and files that the page itself never asks for.
     globIgnores: ['kill-sw.js', 'library.schema.json', LICENCES_FILE, '*.png', 'screenshots/*'],
     manifestTransforms: [
       async (entries) => ({
@@ -119,7 +122,7 @@ const offline = VitePWA({
 
 const textOf = (file: string): string => readFileSync(new URL(file, import.meta.url), 'utf8');
 
-/** Which version the page says it is, and what is new in it. */
+/** The version that the page shows, and what is new in it. */
 const { version } = JSON.parse(textOf('package.json')) as { version: string };
 const news = newsOf(textOf('CHANGELOG.md'), version);
 
@@ -138,7 +141,7 @@ export default defineConfig({
     outDir: '../../dist/site',
     emptyOutDir: true,
     target: 'es2022',
-    // A picture inside a style would be a data: address, which the policy above shuts out.
+    // A picture inside a style would be a data: address, which the policy above forbids.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
   },

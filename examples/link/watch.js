@@ -9,7 +9,7 @@ import { TimerLink } from 'sidus-timer/serial';
  * @returns {TimerLink} call `choose()` on a click, `stop()` to end
  */
 export function watch(serial, show) {
-  /** The rate at which a timer answered, by port: it is tried first. @type {Map<string, number>} */
+  /** The rate at which a timer last answered, by port. It is tried first. @type {Map<string, number>} */
   const rates = new Map();
   const link = new TimerLink({
     serial,
@@ -29,7 +29,7 @@ export function watch(serial, show) {
       const name = memory === null ? 'A memory' : `M${memory + 1}`;
       if (link.state === state) show(`${name}: DT ${((times.at(-1) ?? 0) / 100).toFixed(2)} s`);
     } catch (error) {
-      // Whatever is no longer so was told by a state of its own. Else the timer has fallen silent: it is asked on.
+      // If the state has changed, it was shown already. Otherwise the timer has fallen silent: keep asking.
       if (link.state !== state) return;
       show(`Not read: ${error instanceof Error ? error.message : error}`);
       link.wait();

@@ -1,10 +1,10 @@
 import process from 'node:process';
 import { defineConfig } from '@playwright/test';
 
-/** A Chrome or Chromium of one's own, where Playwright has not installed one. */
+/** Your own Chrome or Chromium, where Playwright has not installed one. */
 const executablePath = process.env.CHROME_PATH;
 
-/** Where Vite serves the page meanwhile. */
+/** The port at which Vite serves the page during the tests. */
 const port = process.env.PORT ?? '5199';
 
 // biome-ignore lint/style/noDefaultExport: Playwright asks for one.

@@ -1,4 +1,4 @@
-/** What is tested: asks for a port, sends `T?` and reads a line. */
+/** The code under test: asks for a port, sends `T?` and reads a line. */
 export async function temperature(serial) {
   const port = await serial.requestPort({ filters: [{ usbVendorId: 0x0403 }] });
   await port.open({ baudRate: 9600 });

@@ -6,11 +6,10 @@
 //     node timer.js PORT backup FILE [--all]   writes FILE, which must not be there yet
 //     node timer.js PORT restore FILE          writes the memories of FILE back, reads them back and compares
 //
-// The file is one that the page opens, too. With --all, and to restore other memories than the current one, it makes
-// them current one after the other, and at the end the first one again. Ctrl+C stops behind the request under way.
+// The page opens this file, too. With --all, and to restore other memories than the current one, it makes them current
+// one after the other, and at the end the first one again. Ctrl+C stops after the request in progress.
 //
-// It ends with 0 when all was done, 1 after an error, 2 when it was called wrongly, 3 when the timer does not hold what
-// was wanted, 130 when it was stopped.
+// Exit codes: 0 all was done, 1 an error, 2 wrong arguments, 3 the timer does not hold what was wanted, 130 stopped.
 
 import { readFile, writeFile } from 'node:fs/promises';
 import process, { stderr, stdout } from 'node:process';
@@ -35,7 +34,7 @@ const STOPPED = 130;
 const say = (text) => void stdout.write(`${text}\n`);
 
 /**
- * A bar on a terminal; nothing where the output goes into a file.
+ * Draws a progress bar on a terminal; nothing when the output goes to a file.
  * @param {Progress} progress
  */
 function onProgress({ stage, fraction, memory }) {
@@ -63,7 +62,7 @@ function tableOf({ identity, memory, times, positions, idleThrottle }) {
 }
 
 /**
- * Says what became of a write.
+ * Prints the result of a write.
  * @param {WriteReport} report
  */
 function tell({ result, values, stopped }) {
@@ -126,7 +125,7 @@ async function restore(timer, options, file) {
 }
 
 /**
- * Waits for what `serialport` says by a callback.
+ * Turns a callback of `serialport` into a promise.
  * @param {(callback: (error: Error | null) => void) => void} action
  * @returns {Promise<void>}
  */
@@ -135,7 +134,7 @@ function settled(action) {
 }
 
 /**
- * Opens the port for as long as the work lasts.
+ * Opens the port for the time of the work.
  * @param {string} path
  * @param {(timer: TimerClient, options: JobOptions) => Promise<number>} work
  */
@@ -155,7 +154,7 @@ async function withTimer(path, work) {
   }
 }
 
-/** What it was called with; null, and said, when that cannot be. */
+/** Reads the arguments. Prints the usage and gives null when they make no sense. */
 function understood() {
   try {
     return parseArgs({ allowPositionals: true, options: { all: { type: 'boolean' } } });

@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, sep } from 'node:path';
 import { createContext, Script } from 'node:vm';
-import { build, parseAst, type Rolldown } from 'vite';
+import { parseAst } from 'vite';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { MockSerial } from '../../src/mock-serial/index.js';
 import { Consumer, packed } from '../tools/pack.js';
@@ -97,15 +97,11 @@ const web = () => ({
 describe('where there is nothing but the web', () => {
   it('a client reads, writes and verifies', async () => {
     const consumer = await Consumer.create();
-    consumer.write('main.js', `export * from 'sidus-timer/client'; export * from 'sidus-timer/simulator';`);
-    const [built] = (await build({
-      configFile: false,
-      root: consumer.folder,
-      logLevel: 'error',
-      build: { write: false, target: 'es2022', lib: { entry: 'main.js', formats: ['iife'], name: 'sidus' } },
-    })) as Rolldown.RolldownOutput[];
+    const script = await consumer.classicScript(
+      `export * from 'sidus-timer/client'; export * from 'sidus-timer/simulator';`,
+    );
     const world = createContext(web());
-    new Script(built?.output[0].code ?? '').runInContext(world);
+    new Script(script).runInContext(world);
     const result = new Script(`(async () => {
       const timer = new sidus.TimerClient(new sidus.VirtualTimer());
       const program = await timer.readProgram();

@@ -113,7 +113,7 @@ describe('servos that follow', () => {
     expect(sent(rig, 'MOVETOFUNC'), 'a write moves nothing').toBe(asked);
   });
 
-  test('a movement without an answer ends it, is said, and goes out no second time', async () => {
+  test('a movement without an answer ends following, is reported, and is not sent again', async () => {
     const { rig, pilot } = await atTheBench({ asks: ['MOVETOFUNC'] });
     await pilot.button('Function 2').click();
     await pilot.sees(en.bench.at('function 2'));
@@ -157,7 +157,7 @@ describe('hold to unlock', () => {
     await page.waitForFunction((until) => performance.now() > until, began + 2 * HOLD);
   };
 
-  test('it goes out once for each hold, however long that is', async () => {
+  test('UNLOCK goes out once for each hold, however long that is', async () => {
     const { rig, pilot } = await atTheBench({ asks: ['UNLOCK'] });
     for (const holds of [1, 2]) {
       rig.timer.core.motorLocked = true;
@@ -170,7 +170,7 @@ describe('hold to unlock', () => {
     }
   });
 
-  test('by a key that repeats itself while it is held, too', async () => {
+  test('UNLOCK goes out once also with a key that repeats while it is held', async () => {
     const { rig, pilot } = await atTheBench({ asks: ['UNLOCK'] });
     const { keyboard } = pilot.page;
     await pilot.button(en.bench.unlock).focus();
@@ -185,7 +185,7 @@ describe('hold to unlock', () => {
     expect(sent(rig, 'UNLOCK')).toBe(1);
   });
 
-  test('let go early, nothing goes out', async () => {
+  test('nothing goes out when it is released early', async () => {
     const { rig, pilot } = await atTheBench();
     await press(pilot);
     await release(pilot);
@@ -195,7 +195,7 @@ describe('hold to unlock', () => {
     expect(rig.timer.core.motorLocked).toBe(true);
   });
 
-  test('the reply is lost: it is said that the motor may be unlocked, and it goes out no second time', async () => {
+  test('when the reply is lost, the page says that the motor may be unlocked, and does not send it again', async () => {
     const { rig, pilot } = await atTheBench({ asks: ['UNLOCK'] });
     const covered = rig.coverAfter(encodeFrame(COMMANDS.UNLOCK.request).length, 'fromPage');
     await press(pilot);

@@ -3,7 +3,7 @@ import { en } from '../../src/app/messages/en.js';
 import { Pilot } from './pilot.js';
 import { Rig } from './rig.js';
 
-test('nothing chosen is said; the port that is chosen is connected, and needs no choice the next time', async () => {
+test('choosing nothing is reported; a chosen port is connected, and needs no choice the next time', async () => {
   const rig = await Rig.start({ chooser: true });
   const pilot = new Pilot(await rig.open());
 

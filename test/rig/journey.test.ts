@@ -72,7 +72,7 @@ test('a time and two positions are written with one SETTIMERS and two SETSERVO, 
   await expect.poll(() => rig.sessions, { timeout: 60_000 }).toEqual({ opened: 1, closed: 1 });
 });
 
-test('a port that another program has open is said to be in use, and is connected by itself when it is free', async () => {
+test('a port that another program uses is reported as in use, and is connected when it is free', async () => {
   const rig = await Rig.start({ timer: { identity } });
   const pilot = new Pilot(await rig.open());
   await rig.whileHeld(async () => {

@@ -181,7 +181,7 @@ test.for(['crashes', 'is closed'])('the page %s in the middle of a write: a new 
   expect(await bringToEnd(rig, next, 1)).toBe('offered');
 });
 
-test('a port that fails without an event is said to be gone, and goes on by itself when it works again', async () => {
+test('a port that fails without an event is reported as lost, and is connected again when it works', async () => {
   const { rig, pilot } = await connected();
   await pilot.type(values(1));
   await rig.breakAdapter();
@@ -195,7 +195,7 @@ test('a port that fails without an event is said to be gone, and goes on by itse
   expect(held(rig)).toEqual(wanted(1));
 });
 
-test('a timer that answers at 19200 baud only is found, and the next time asked there first', async () => {
+test('a timer that answers only at 19200 baud is found, and the next time that rate is tried first', async () => {
   const { rig, pilot } = await connected({ rate: 19200 });
   await pilot.sees('firmware 536');
   expect(rig.settings?.baudRate).toBe(19200);

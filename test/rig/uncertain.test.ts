@@ -13,7 +13,7 @@ async function connected(): Promise<{ rig: Rig; pilot: Pilot }> {
   return { rig, pilot };
 }
 
-test('unplugged behind the last byte of a write: not known through all that follows, until the timer is read', async () => {
+test('unplugged after the last byte of a write: the memory stays uncertain until the timer is read', async () => {
   const { rig, pilot } = await connected();
   const { page } = pilot;
   const band = page.getByRole('region', { name: en.knowledge.title });

@@ -74,7 +74,7 @@ test.for(whileWriting)(
   },
 );
 
-test('an adapter that fails without being unplugged is said to have broken off, then to be out', async () => {
+test('an adapter that fails while it is plugged in is reported as lost, and later as unplugged', async () => {
   const rig = await Rig.start();
   const pilot = new Pilot(await rig.open());
   await pilot.clickConnect();

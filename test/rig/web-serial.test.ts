@@ -75,7 +75,7 @@ test('unplugged and plugged in again, the page is told, and the port answers as 
   expect(await exchange(page)).toEqual(identity);
 });
 
-test('the plug can be pulled behind any byte: none after it arrives', async () => {
+test('the plug can be pulled after any byte, and no later byte arrives', async () => {
   const rig = await Rig.start();
   const page = await rig.open();
   for (const bytes of [1, 5, 17]) {

@@ -1,4 +1,4 @@
-// Finds a Chromium for the tests, and installs one where there is none.
+// Finds a Chromium for the tests, or installs one.
 // As a program (`node test/tools/browser.js`) it does both and prints where the browser is.
 
 import { execFileSync } from 'node:child_process';
@@ -39,7 +39,7 @@ function isProgram(path) {
 }
 
 /**
- * The browser that is there: the one CHROME_PATH names, else one in the usual places, else Playwright's own.
+ * The installed browser: the one CHROME_PATH names, else one in the usual places, else Playwright's own.
  * @returns {string | undefined} its path
  */
 export function findBrowser() {
@@ -48,7 +48,7 @@ export function findBrowser() {
   return [...(usualPlaces[platform] ?? []), chromium.executablePath()].find(isProgram);
 }
 
-/** Puts a browser on this machine: Debian's, where that can be done, else Playwright's own. */
+/** Installs a browser: Debian's where possible, else Playwright's own. */
 function installBrowser() {
   /** @param {string} program @param {string[]} args */
   const run = (program, ...args) => {
@@ -65,7 +65,7 @@ function installBrowser() {
   }
 }
 
-/** What a browser is started with: no sandbox for root, who cannot have one, and no calls to its maker. */
+/** The switches of the browser: no sandbox for root, because root cannot have one, and no calls to its maker. */
 export const browserArgs = [
   ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
   '--no-first-run',
@@ -76,9 +76,9 @@ export const browserArgs = [
 ];
 
 /**
- * What the browser does not do in tests. Chromium loads two pages of its own beside each window, for the list under the
+ * What the browser does not do in tests. Chromium loads two own pages beside each window, for the list under the
  * address bar: they take as much time as a page of ours. The last switch of this name counts, so what Playwright would
- * switch off stands here, too.
+ * switch off is listed here, too.
  */
 const disabledFeatures = [
   'WebUIOmniboxPopup',

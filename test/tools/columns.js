@@ -8,8 +8,8 @@ const COLUMNS = 120;
 const root = new URL('../../', import.meta.url);
 
 /**
- * The lines of comments that are too long; a line that is one address may be.
- * @param {string} text what stands in a file
+ * The lines of comments that are too long. A line with only an address may be longer.
+ * @param {string} text the content of a file
  * @returns {number[]} their numbers, from 1
  */
 export function longComments(text) {
@@ -20,7 +20,7 @@ export function longComments(text) {
   });
 }
 
-/** All files of the project that may hold comments. */
+/** All files of the project that can have comments. */
 function files() {
   const inFolders = ['src', 'test', 'examples', 'public'].flatMap((folder) =>
     readdirSync(new URL(folder, root), { recursive: true, encoding: 'utf8' }).map((file) => `${folder}/${file}`),

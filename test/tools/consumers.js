@@ -1,5 +1,5 @@
-// Compiles what consumers write against the packed package, on each TypeScript that is meant to take its types, and
-// runs the example for Node with the real `serialport` on its mock binding. Needs the registry, and so is a part of
+// Compiles programs of consumers against the packed package, with each TypeScript that must accept its types, and
+// runs the example for Node with the real `serialport` on its mock binding. Needs the registry, so it is a part of
 // `npm run check` and not of the tests.
 
 import { execFileSync } from 'node:child_process';
@@ -12,18 +12,18 @@ import { fileURLToPath } from 'node:url';
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'sidus-consumers-'));
 
-/** The oldest that takes the types, one of each year, and the project's own. */
+/** The oldest compiler that accepts the types, one of each year, and the project's own. */
 const COMPILERS = ['5.0.4', '5.4.5', '5.7.3', '5.9.3', '6.0.3', '7.0.2'];
-/** The package asks for streams and AbortSignal, and one of these has them. */
+/** The package needs streams and AbortSignal; each of these has them. */
 const SURROUNDINGS = [
   { name: 'DOM', lib: ['es2022', 'dom'], types: [] },
   { name: 'Node', lib: ['es2022'], types: ['node'] },
-  // What TypeScript takes where nothing is said, with the types of Node installed.
+  // The default of TypeScript, with the types of Node installed.
   { name: 'DOM and Node', lib: ['es2022', 'dom'], types: ['node'] },
   { name: 'DOM, Node and the newest library', lib: ['esnext', 'dom', 'dom.iterable'], types: ['node'] },
 ];
 
-/** What is tried where Node's types are there: its streams are a port. */
+/** For a project with the types of Node: its streams are a port. */
 const NODE = `import { Duplex } from 'node:stream';
 import { COMMANDS, decodeReply, TimerClient } from 'sidus-timer';
 
@@ -55,7 +55,7 @@ function run(where, program, ...args) {
 /** @param {string} where @param {string[]} args */
 const npm = (where, ...args) => run(where, 'npm', ...args, '--ignore-scripts', '--no-audit', '--no-fund');
 
-/** A program that uses every entry of the package, each with all that it gives. */
+/** A program that uses every entry of the package, with all exports. */
 function everything() {
   const { exports } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
   const entries = Object.keys(exports).filter((entry) => !entry.endsWith('.json'));
@@ -89,7 +89,7 @@ function compile(tarball) {
   }
 }
 
-/** Puts serialport's mock binding, with a virtual timer behind it, in the place of the one that needs hardware. */
+/** Puts serialport's mock binding, with a virtual timer, in place of the one that needs hardware. */
 const MOCK = `const { MockBinding, MockPortBinding } = require('@serialport/binding-mock');
 const path = require.resolve('@serialport/bindings-cpp');
 require.cache[path] = { id: path, filename: path, loaded: true, exports: { autoDetect: () => MockBinding } };

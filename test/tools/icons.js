@@ -1,4 +1,4 @@
-// Draws the icons of public/ from favicon.svg. To be run again when that one has changed: node test/tools/icons.js
+// Draws the icons of public/ from favicon.svg. Run it again when that file has changed: node test/tools/icons.js
 
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -7,7 +7,7 @@ import { launchOptions } from './browser.js';
 
 const folder = new URL('../../public/', import.meta.url);
 const rounded = readFileSync(new URL('favicon.svg', folder), 'utf8');
-// For systems that cut the shape themselves: the ground reaches into the corners.
+// For systems that cut the shape themselves, the background fills the corners.
 const full = rounded.replace('rx="112"', '');
 
 const icons = [

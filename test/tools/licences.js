@@ -1,5 +1,5 @@
-// The licences of the built page and of what it contains: the build finds out which packages it has put into it, gives
-// their names and texts to the page, and lays them beside it. A package without a licence text fails the build.
+// The licences of the built page and of its packages: the build finds out which packages the page contains, gives
+// their names and texts to the page, and puts them beside it. A package without a licence text fails the build.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -14,11 +14,14 @@ import { join } from 'node:path';
 
 /** The file beside the page. */
 export const LICENCES_FILE = 'LICENSES.txt';
-/** Stands in the script for the licences until all is known that goes with it. */
+/** A placeholder in the script until all its packages are known. Then the licences replace it. */
 const PLACE = '@licences@';
 /** Of two licences to choose from, the shorter one. */
 const FILES = [/^LICEN[SC]E-MIT/i, /^LICEN[SC]E/i, /^COPYING/i];
-/** Vite puts a helper of its own into a page; what follows in its file is of what Vite is built with. */
+/**
+ * Vite adds its own helper to a page. The rest of its licence file is about the packages that Vite is built
+ * with.
+ */
 const OF_OTHERS = '# Licenses of bundled dependencies';
 
 /**
@@ -33,7 +36,7 @@ export function licences(root) {
     renderChunk(code, _chunk, _options, { chunks }) {
       if (!code.includes(PLACE)) return null;
       const list = JSON.stringify(licencesOf(modulesOf(Object.values(chunks)), root));
-      // Its quotes are those of whoever has printed the script.
+      // The quotes depend on the printer of the script.
       return { code: code.replace(/(["'`])@licences@\1/, () => JSON.stringify(list)), map: null };
     },
     generateBundle(_options, bundle) {

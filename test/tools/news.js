@@ -1,19 +1,19 @@
 // What is new for a pilot, from the changelog: the build gives it to the page, and to the worker of a version that
-// waits to be taken.
+// waits to be used.
 
-/** Releases that are told of: whoever comes from an older one has more to read than anyone reads. */
+/** How many releases the page shows. More would be too long to read. */
 const RELEASES = 3;
 
 /**
  * @typedef {object} Release
  * @property {string} version `0.2.0`
- * @property {{ title: string, items: string[] }[]} changes by what they are about
+ * @property {{ title: string, items: string[] }[]} changes by their subject
  */
 
 /**
  * @param {string} changelog in the form of Keep a Changelog
- * @param {string} version of this build: what is not released yet goes by it
- * @returns {Release[]} the newest first, without what is for programmers alone
+ * @param {string} version of this build, used for changes that are not released yet
+ * @returns {Release[]} the newest first, without what concerns only programmers
  */
 export function newsOf(changelog, version) {
   const sections = changelog.split(/^## /m).slice(1, 1 + RELEASES);
@@ -36,7 +36,7 @@ function changesIn(section) {
       title = heading;
       isForPilots = true;
     } else if (/^[^-|].*:$/s.test(block)) {
-      // A line that says what the list below it is about.
+      // A line with the subject of the list below it.
       const about = plain(block).slice(0, -1);
       isForPilots = !about.startsWith('The package');
       title = about === 'The page' ? heading : about;
@@ -50,7 +50,7 @@ function changesIn(section) {
   return changes;
 }
 
-/** Without what marks it up, on one line. @param {string} text */
+/** Without markup, on one line. @param {string} text */
 function plain(text) {
   return text
     .replace(/\[([^\]]+)\]\([^)]*\)/g, '$1')

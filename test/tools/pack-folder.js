@@ -3,7 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 /**
- * A folder for one run of tests, in which pack.ts packs the package when a test first asks for it.
+ * A folder for one run of tests. pack.ts packs the package into it when a test first needs it.
  * @param {{ provide: (name: string, value: unknown) => void }} project
  */
 export function setup({ provide }) {

@@ -4,6 +4,7 @@ import { basename, join } from 'node:path';
 import { env } from 'node:process';
 import { setTimeout } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
+import { build, type Rolldown } from 'vite';
 import { inject } from 'vitest';
 
 declare module 'vitest' {
@@ -31,7 +32,7 @@ export async function packed(): Promise<string> {
   try {
     mkdirSync(join(folder, 'copy'));
   } catch {
-    // Another test file is at it.
+    // Another test file is packing it.
     const failed = (): boolean => existsSync(join(folder, 'failed'));
     for (let waited = 0; !existsSync(home); waited += 100) {
       if (waited > LONGEST || failed()) throw new Error('The package could not be packed.');
@@ -64,10 +65,10 @@ function pack(folder: string): void {
   mkdirSync(join(folder, 'node_modules'));
 }
 
-/** A program of somebody else's, in a folder of its own, that has installed the package and nothing else. */
+/** Somebody else's program, in its own folder, that has installed the package and nothing else. */
 export class Consumer {
   readonly folder: string;
-  /** What its commands find in their environment, too. */
+  /** Further variables in the environment of its commands. */
   env: Readonly<Record<string, string>> = {};
 
   private constructor(folder: string) {
@@ -85,7 +86,7 @@ export class Consumer {
     writeFileSync(join(this.folder, file), text);
   }
 
-  /** Lets it have a package, or a scope of packages, that this project has. */
+  /** Lets it use a package, or a scope of packages, that this project has. */
   link(name: string): void {
     mkdirSync(join(this.folder, 'node_modules'), { recursive: true });
     symlinkSync(join(root, 'node_modules', name), join(this.folder, 'node_modules', name), 'junction');
@@ -106,7 +107,19 @@ export class Consumer {
     return { code: status, said: stdout, complained: stderr };
   }
 
-  /** The compiler of this project in the folder, as strict as can be. @returns its complaints. */
+  /** Bundles a module as one classic script. @returns its text, which puts what the module exports under `sidus`. */
+  async classicScript(main: string): Promise<string> {
+    this.write('main.js', main);
+    const [built] = (await build({
+      configFile: false,
+      root: this.folder,
+      logLevel: 'error',
+      build: { write: false, target: 'es2022', lib: { entry: 'main.js', formats: ['iife'], name: 'sidus' } },
+    })) as Rolldown.RolldownOutput[];
+    return built?.output[0].code ?? '';
+  }
+
+  /** Runs the compiler of this project in the folder, as strict as possible. @returns its complaints. */
   compile(options: object = {}): string {
     const compilerOptions = {
       strict: true,

@@ -1,5 +1,5 @@
 // The page of the package on npm is docs/npm-readme.md, with its links made absolute: npm shows only README.md.
-// `put` takes its place before packing, `back` undoes that. An interrupted one is undone by the next.
+// `put` replaces README.md before packing, `back` undoes that. The next run undoes an interrupted one.
 
 import { copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import process from 'node:process';
@@ -10,7 +10,7 @@ const readme = `${root}README.md`;
 const kept = `${root}dist/README.md`;
 
 /**
- * A page of the docs as it can stand anywhere: its relative links lead to the repository.
+ * A page of the docs for any place: its relative links lead to the repository.
  * @param {string} text
  * @param {string} repository such as `https://github.com/owner/name`
  * @returns {string}

@@ -1,12 +1,12 @@
-// Holds the folders of the page in their order: imports run down the list below, and a feature knows no other feature.
-// Holds components to their models: they call them and write none of their signals. Part of `npm run lint`.
+// Checks the order of the folders of the page: imports run down the list below, and a feature knows no other feature.
+// Checks that components call their models and write none of their signals. Part of `npm run lint`.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const page = new URL('../../src/app/', import.meta.url);
 
-/** From the top. What stands in one row does not know each other. */
+/** From top to bottom. The folders of one row do not know each other. */
 const ORDER = [
   // The files that lie in src/app itself: the start, the models, the views that are shown.
   ['app'],
@@ -38,23 +38,23 @@ const ORDER = [
   ['browser'],
 ];
 
-/** Features that know another one all the same, with the reason. */
+/** Features that may know another one, with the reason. */
 const BRACKETS = new Map([
   ['program', { may: 'bench', why: 'a row of the table says where the servos stand, and offers to bring them there' }],
 ]);
 
-/** The rooms of the package that the page may use; the two others meet in one file. */
+/** The rooms of the package that the page may use. Only one file uses the two others. */
 const ROOMS = ['line', 'protocol', 'program', 'client', 'serial'];
 const SIMULATED = { file: 'connect/simulated-timer.ts', rooms: ['simulator', 'mock-serial'] };
 
 /**
- * A signal of a model that is written: `model.signal.value = ...`. A signal of the component's own stands in a
+ * Finds a written signal of a model: `model.signal.value = ...`. A component's own signal is in a
  * variable.
  */
 const WRITTEN = /\b(\w+\.\w+)\.value\s*(?:[-+*/]?=(?![=>])|\+\+|--)/g;
 
 /**
- * What is wrong with one file of the page: its imports; and in a component what it writes.
+ * What is wrong with one file of the page: its imports, and the signals that a component writes.
  * @param {string} file from src/app, such as `program/presets.tsx`
  * @param {string} text what stands in it
  * @returns {string[]} a sentence for each

@@ -1,4 +1,4 @@
-// The states of the page that pictures are taken of, and how each is reached. Run by pictures.js.
+// The states of the page for the pictures, and how each is reached. Run by pictures.js.
 
 import { readFileSync } from 'node:fs';
 
@@ -8,8 +8,8 @@ import { readFileSync } from 'node:fs';
  * @typedef {object} State
  * @property {string} title
  * @property {(page: Page) => Promise<void>} reach
- * @property {import('../site/workbench.js').WorkbenchOptions} [bench] what is in the place of the browser's serial
- *   ports, where it is not the simulated timer of the page
+ * @property {import('../site/workbench.js').WorkbenchOptions} [bench] what replaces the browser's serial
+ *   ports, if the state does not use the simulated timer of the page
  */
 
 /** @param {Page} page @param {string | RegExp} name */
@@ -62,7 +62,7 @@ async function trim(page) {
   await page.getByText('Verified.').waitFor();
 }
 
-/** Offers the program on the screen, by its name in the list of commands. @param {Page} page */
+/** Shares the program on the screen, through the list of commands. @param {Page} page */
 async function offer(page) {
   await page.keyboard.press('Control+k');
   await page.keyboard.type('share this');
@@ -90,7 +90,7 @@ async function follow(page) {
   await page.getByText('1 tried in the timer').first().waitFor();
 }
 
-/** Where a workbench is in the place of the browser's serial ports. @param {Page} page */
+/** For a page in which a workbench replaces the browser's serial ports. @param {Page} page */
 async function connectPort(page) {
   await press(page, 'Connect');
   await settled(page);
@@ -129,7 +129,7 @@ async function fill(page) {
   await page.getByText(/^Imported from/).waitFor();
 }
 
-/** What README and docs show: state, size and theme. A test holds this list against them. */
+/** The pictures in README and docs: state, size and theme. A test compares this list with them. */
 export const inDocs = [
   'changed-desktop-light',
   'start-phone-light',
@@ -143,7 +143,7 @@ export const inDocs = [
   'line-desktop-dark',
 ];
 
-/** What a browser shows that offers to install the page, by the names in the manifest. */
+/** The screenshots for browsers that offer to install the page, by their names in the manifest. */
 export const inManifest = {
   'program-wide': 'changed-desktop-light',
   'write-wide': 'write-desktop-light',
@@ -442,7 +442,7 @@ export const states = {
     reach: async (page) => {
       await trim(page);
       await press(page, 'Close');
-      // On a phone its button is one tap further.
+      // On a phone its button needs one more tap.
       await page.keyboard.press('Control+k');
       await page.keyboard.type('disconnect');
       await page.keyboard.press('Enter');
@@ -500,7 +500,7 @@ export const states = {
       const link = await page.getByRole('textbox', { name: 'Link', exact: true }).inputValue();
       await press(page, 'Close');
       await page.evaluate((hash) => location.assign(hash), new URL(link).hash);
-      await page.getByRole('dialog', { name: 'A setting came by link' }).waitFor();
+      await page.getByRole('dialog', { name: 'A setting from a link' }).waitFor();
     },
   },
   'empty-library': {

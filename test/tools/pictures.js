@@ -1,7 +1,7 @@
 // Takes pictures of the built page: each state of picture-states.js on a desktop and a phone, in each theme.
 //   npm run pictures              all of them, into dist/pictures with an index.html to look at
 //   npm run pictures -- --docs    the few that README and docs show, into docs/pictures
-//   npm run pictures -- --manifest    the few that a browser shows that installs the page, into public/screenshots
+//   npm run pictures -- --manifest    those for browsers that install the page, into public/screenshots
 // Names of states as further arguments take only these. Needs a built page: npm run build:site
 
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ const sizes = { desktop: { width: 1280, height: 800 }, phone: { width: 390, heig
 const themes = /** @type {const} */ (['light', 'dark', 'sun']);
 
 const only = process.argv.slice(2).filter((argument) => !argument.startsWith('--'));
-/** Where the pictures go, and which: by the name that each has there. */
+/** The folder and the list of pictures, by their names there. */
 const [place, chosen] = process.argv.includes('--manifest')
   ? ['../../public/screenshots/', new Map(Object.entries(inManifest).map(([name, picture]) => [picture, name]))]
   : process.argv.includes('--docs')

@@ -1,5 +1,5 @@
 // Runs a tool of pinned/: `node test/tools/pinned.js typedoc ...`. It is installed from the lockfile there, and again
-// when that has changed. These tools bring a TypeScript of their own and would not go with the project's.
+// when that has changed. These tools need another TypeScript than the project.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { existsSync, statSync } from 'node:fs';

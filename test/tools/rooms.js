@@ -37,9 +37,9 @@ export function importsBetween(folder) {
 }
 
 /**
- * How many rooms lie below each, one under the other at most.
+ * The length of the longest chain of rooms below each room.
  * @param {Graph} graph
- * @throws Error when imports go round.
+ * @throws Error when imports form a circle.
  */
 export function levels(graph) {
   /** @type {Map<string, number>} */
@@ -64,7 +64,7 @@ export function levels(graph) {
  */
 
 /**
- * The arrows: where a longer way leads to the same room, the short one is left out.
+ * The arrows. An arrow is left out where other arrows lead to the same room.
  * @param {Graph} graph
  * @returns {[from: string, to: string][]}
  */
@@ -84,7 +84,7 @@ const [BOX_WIDTH, BOX_HEIGHT, ROW_HEIGHT, GAP, PASS_WIDTH] = [116, 34, 76, 20, 1
 const widthOf = ({ room }) => (room === null ? PASS_WIDTH : BOX_WIDTH);
 
 /**
- * The rooms in rows, each below all that use it. An arrow over several rows has a gap of its own in each, so that it
+ * The rooms in rows, each below all that use it. An arrow over several rows has its own gap in each row, so that it
  * passes behind no room.
  * @param {Graph} graph
  * @returns {Place[][]}
@@ -113,7 +113,7 @@ function placed(graph) {
   }
   const widths = rows.map((row) => row.reduce((sum, place) => sum + widthOf(place) + GAP, GAP));
   const width = Math.max(...widths);
-  // What is used stands below its users: a few rounds, down and up, until little changes.
+  // Each room moves below its users: a few rounds, down and up, until little changes.
   const mean = (/** @type {Place[]} */ near, /** @type {number} */ own) =>
     near.length === 0 ? own : near.reduce((sum, { x }) => sum + x, 0) / near.length;
   const spread = (/** @type {Place[]} */ row) => {
@@ -137,7 +137,7 @@ function placed(graph) {
 }
 
 /**
- * A picture of it: arrows go down to what is used.
+ * Draws the graph: arrows go down to the rooms that are used.
  * @param {Graph} graph
  * @param {string} title
  */

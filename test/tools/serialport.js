@@ -1,6 +1,6 @@
 /**
- * What stands in for `serialport` in tests, whose install script this project does without: a virtual timer behind each
- * port but one.
+ * Replaces `serialport` in tests, because this project does not run its install script: a virtual timer is behind each
+ * port except one.
  */
 export const SERIALPORT = `import { Duplex } from 'node:stream';
 import { VirtualTimer } from 'sidus-timer/simulator';

@@ -1,9 +1,9 @@
-// Serves the built page. As a program (`npm start`) at an address that stays the same, for a person.
+// Serves the built page. As a program (`npm start`) at a fixed address, for a person.
 
 import { fileURLToPath } from 'node:url';
 import { preview } from 'vite';
 
-/** What a host can say beside the page: see the README. */
+/** The headers that a host can send: see docs/hosting.md. */
 const HEADERS = {
   'Content-Security-Policy': "frame-ancestors 'none'",
   'Permissions-Policy': 'serial=(self), camera=(self)',
@@ -14,7 +14,7 @@ const HEADERS = {
 /**
  * Serves the built page on this machine.
  * @param {{ port?: number, base?: string, folder?: string }} [options] port: 0 takes a free one; base: the path under
- * which the page lies; folder: where it was built to. Default: dist/site
+ * which the page lies; folder: of the build. Default: dist/site
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
 export async function serve({ port = 0, base = '/', folder } = {}) {

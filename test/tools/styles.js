@@ -1,4 +1,4 @@
-// Holds the styles of the page: what a colour or a size is stands in ui/tokens.css alone, and a class means one thing.
+// Checks the styles of the page: colours and sizes are defined only in ui/tokens.css, and a class means one thing.
 // Part of `npm run lint`.
 
 import { readdirSync, readFileSync } from 'node:fs';
@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 
 const page = new URL('../../src/app/', import.meta.url);
 
-/** The one file that may say what a colour or a size is. */
+/** The one file that may define colours and sizes. */
 const TOKENS = 'ui/tokens.css';
 
 const COLOUR =
@@ -15,7 +15,7 @@ const COLOUR =
 /** A size of type as it is, or smaller where the window is narrow. */
 const TYPE = /^(?:inherit|var\(--type-\w+\)|min\(var\(--type-\w+\), [\d.]+vw\))$/;
 
-/** What a length of the scale of space is used for. A pixel or two are no space but a correction of what is seen. */
+/** The properties with the scale of space. A pixel or two are an optical correction. */
 const SPACED = /^(?:padding|margin|gap|row-gap|column-gap)\b/;
 
 /**
@@ -53,13 +53,13 @@ export function strayClasses(texts) {
   );
 }
 
-/** What stands in these changes at each key. */
+/** The content of these folders changes at each key. */
 const AT_EACH_KEY = /^(?:program|timeline)\//;
 const LOOKS_DOWN = /:has\((?:[^()]|\([^()]*\))*\)[^\s>+~]*[\s>+~]+\S/;
 
 /**
- * The selectors that look with `:has()` through what they then style a part of: whenever anything comes or goes in it,
- * as an old value beside a new one, all of that part is styled anew. One that styles what it has looked at is cheap.
+ * Selectors with `:has()` that style a part of what they search. Whenever anything comes or goes in it,
+ * such as an old value, the whole part is styled again. A selector that styles the searched element itself is cheap.
  * @param {string} file
  * @param {string} text
  * @returns {string[]} a sentence for each

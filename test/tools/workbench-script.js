@@ -1,7 +1,10 @@
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 
-/** What puts a workbench in the place of the browser's serial ports, with all that it imports, to be run in a page. */
+/**
+ * The script that puts a workbench in place of the browser's serial ports, with everything that it imports, to run in a
+ * page.
+ */
 export async function workbenchScript() {
   const entry = fileURLToPath(new URL('../site/workbench.ts', import.meta.url));
   const built = await build({
