@@ -1,6 +1,9 @@
 import { defineConfig } from 'vite';
 
-/** The mock port as one classic script, for tools that put nothing else into a page: a part of `npm run build:lib`. */
+/**
+ * Builds the mock port as one classic script, for tools that can put nothing else into a page. A part of `npm run
+ * build:lib`.
+ */
 export default defineConfig({
   publicDir: false,
   build: {

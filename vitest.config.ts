@@ -4,7 +4,7 @@ import { playwright } from '@vitest/browser-playwright';
 import { defineConfig } from 'vitest/config';
 import { launchOptions } from './test/tools/browser.js';
 
-/** As many tests at a time as there are cores; Vitest itself would leave one of them idle. */
+/** As many workers as there are cores; by default Vitest leaves one core idle. */
 const maxWorkers = availableParallelism();
 
 /**
@@ -21,8 +21,8 @@ const parts = {
 const plugins = [preact({ include: [/\.tsx$/], prefreshEnabled: false, devToolsEnabled: false })];
 
 /**
- * A journey in a browser on a slow and busy machine: nothing is judged by how long it takes, and the limits are there
- * for what hangs.
+ * For journeys in a browser on a slow and busy machine. No test judges how long something takes; these limits end what
+ * hangs.
  */
 const PATIENCE = { testTimeout: 600_000, hookTimeout: 600_000, expect: { poll: { timeout: 120_000 } } };
 
@@ -41,7 +41,7 @@ export default defineConfig({
           globalSetup: 'test/tools/pack-folder.js',
           maxWorkers,
           isolate: false,
-          // Nothing waits here, but properties take their time on a busy machine, and packing does.
+          // Nothing waits here, but properties and packing take long on a busy machine.
           testTimeout: 600_000,
           hookTimeout: 600_000,
         },
@@ -78,11 +78,11 @@ export default defineConfig({
           environment: 'node',
           include: ['test/site/**/*.test.ts'],
           globalSetup: ['test/site/setup.js', 'test/tools/pack-folder.js'],
-          // Half as many again as there are cores: while one waits for its line another works. With more of them each
-          // takes longer, and all together no less. They share a browser one after another.
+          // One and a half times as many as there are cores: while one waits for its line, another works. More of them
+          // would make each slower and the whole no quicker. They share a browser one after another.
           maxWorkers: Math.min(Math.ceil(1.5 * maxWorkers), 8),
           isolate: false,
-          // Its turn comes when the other floors are done.
+          // Runs after the other floors.
           sequence: { groupOrder: 1 },
           ...PATIENCE,
         },

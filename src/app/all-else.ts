@@ -1,6 +1,6 @@
 /**
- * What neither the start nor the program needs, as one file: each file costs a way to the host and back, and these have
- * much in common.
+ * Everything that neither the start nor the program view needs, in one file: each file costs a request, and these share
+ * much of their code.
  */
 export { ComparePage } from './compare/compare-page.js';
 export { Dialogs } from './dialogs.js';

@@ -19,7 +19,7 @@ import { NewsDialog } from './shell/news-dialog.js';
 import { Palette } from './shell/palette.js';
 import { WriteDialog } from './write/write-dialog.js';
 
-/** What can lie over every view. */
+/** The dialogs that can lie over every view. */
 export function Dialogs({ models }: { readonly models: AppModels }) {
   const { session, views, sharing, write, memories, leaving, flights, erase, update, saveSetting, help } = models;
   const after = (

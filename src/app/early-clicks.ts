@@ -1,12 +1,12 @@
 /**
- * A browser lets a click ask for a port for five seconds: one that is older than this, in milliseconds, is not done
- * late.
+ * After a click a browser allows a port chooser for five seconds. An older click is not carried out late. Milliseconds.
  */
 const FRESH = 4000;
 
 /**
- * Takes the clicks on a picture of the page that cannot do anything yet. The button that was clicked last shows it.
- * @returns a function that does that click, now that the page is there.
+ * Takes clicks on the first picture of the page, which cannot act yet. The last clicked button shows that it was
+ * clicked.
+ * @returns a function that carries out that click, once the page is there.
  */
 export function earlyClicks(root: HTMLElement): () => void {
   let last: { readonly button: HTMLElement; readonly at: number } | null = null;
@@ -20,7 +20,7 @@ export function earlyClicks(root: HTMLElement): () => void {
   root.addEventListener('click', note);
   return () => {
     root.removeEventListener('click', note);
-    // The page may have put something else in its place meanwhile.
+    // The page may have replaced it in the meantime.
     if (!last?.button.isConnected) return;
     last.button.removeAttribute('aria-disabled');
     if (performance.now() - last.at < FRESH) last.button.click();

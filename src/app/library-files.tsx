@@ -4,7 +4,7 @@ import type { AppModels } from './models.js';
 
 const made = new WeakMap<AppModels, LibraryFiles>();
 
-/** Export and import. Built when it is first asked for: the page works before this part of it has come. */
+/** Export and import. Built on first use: the page works before this part is loaded. */
 export function filesOf(models: AppModels): LibraryFiles {
   const { session, keeping } = models;
   const files = made.get(models) ?? new LibraryFiles({ library: session.library, storage: keeping.storage });

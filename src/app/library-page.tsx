@@ -28,7 +28,7 @@ export function LibraryPage({ models }: { readonly models: AppModels }) {
   );
 }
 
-/** One entry for each thing that can be done with the library, a model or a setting beyond looking at it. */
+/** One entry for each feature of the library, a model or a setting. */
 function placesOf(models: AppModels): Places {
   const { session, views, flights, sharing, printOrder, comparedPair, follow } = models;
   const files = filesOf(models);

@@ -3,7 +3,7 @@ import './ui/fonts.css';
 import './ui/tokens.css';
 import './ui/base.css';
 import './ui/shared.css';
-// What the first picture is drawn with.
+// The styles of the first picture.
 import './app.css';
 import './shell/header.css';
 import './shell/status-strip.css';
@@ -22,21 +22,21 @@ import { first } from './messages/en-first.js';
 import { Theme } from './settings/theme.js';
 
 /*
- * All that comes before the first picture. The start stands in index.html: here it gets its colours, and when it was
- * drawn the page itself is fetched, which takes its place.
+ * Everything before the first picture. The start stands in index.html. Here it gets its colours; once it is drawn, the
+ * page itself is loaded and takes its place.
  */
 const root = document.getElementById('app') as HTMLElement;
 const theme = new Theme();
 tried(() => theme.follow(document, media('(prefers-color-scheme: dark)')));
-// Inside of another page, or at the address of another view, it is not what comes.
+// Inside another page, or at the address of another view, something else will be shown.
 const isStart = window.top === window.self && ['', '#program'].includes(location.hash);
 if (!isStart) root.replaceChildren();
-// Who has seen the first steps needs no room for them.
+// A pilot who has seen the first steps needs no room for them.
 if (loadSetting('first-steps', v.boolean())) root.querySelector('.first-steps-room')?.remove();
 root.hidden = false;
 holdDroppedFiles();
 const doEarlyClick = earlyClicks(root);
-// Without a first picture there is none to wait for.
+// Without a first picture there is nothing to wait for.
 if (isStart) afterPaint(open);
 else void open();
 
@@ -52,7 +52,7 @@ async function open(): Promise<void> {
   }
 }
 
-/** Where the page has no words yet, nor anything else. */
+/** At this moment the page has no sentences, or anything else. */
 function sayFailed(): void {
   const notice = document.createElement('p');
   notice.role = 'alert';

@@ -31,7 +31,7 @@ import { limited } from './storage/index.js';
 import { FinishWrite } from './write/finish-write.js';
 import { WriteFlow } from './write/write-flow.js';
 
-/** The models that the screens read and call. */
+/** The models that the views read and call. */
 export interface AppModels {
   readonly session: Session;
   readonly views: Views;
@@ -44,20 +44,20 @@ export interface AppModels {
   readonly leaving: Leaving;
   readonly bench: Bench;
   readonly follow: Follow;
-  /** What is shown of the line, and the frame that is made by hand: they outlast their view. */
+  /** The view of the line, and the frame by hand. They outlast their view. */
   readonly line: { readonly view: LineView; readonly form: FrameForm };
-  /** How the program is looked at: it outlasts its view. */
+  /** How the pilot looks at the program. Outlasts its view. */
   readonly programPicture: ProgramPicture;
-  /** What is to be printed: it outlasts the view. */
+  /** What to print. Outlasts the view. */
   readonly printOrder: PrintOrder;
-  /** How the library is looked at, and how something comes into it. */
+  /** How the pilot looks at the library. */
   readonly browse: Browse;
   readonly saveSetting: SaveSetting;
-  /** What is logged with one tap, and how the log is looked at: it outlasts its view. */
+  /** The log of flights, and how the pilot looks at it. Outlasts its view. */
   readonly flights: FlightLog;
-  /** Settings that go to another device by link or QR code, and come from one. */
+  /** Settings that go to another device, or come from one, by link or QR code. */
   readonly sharing: Sharing;
-  /** Any two programs side by side. */
+  /** The two programs that are compared. */
   readonly comparedPair: ComparedPair;
   readonly theme: Theme;
   readonly density: Density;
@@ -66,27 +66,27 @@ export interface AppModels {
   readonly portHolder: PortHolder;
   readonly installation: Installation;
   readonly help: Help;
-  /** What the pilot sits at: it chooses sentences, nothing else. */
+  /** The pilot's system and browser. They only choose sentences. */
   readonly platform: Platform;
 }
 
 export interface ModelOptions extends SessionOptions {
   readonly platform: Platform;
-  /** Between the tabs of this page; null where there is none. */
+  /** The channel between the tabs of this page; null when there is none. */
   readonly channel: TabChannel | null;
-  /** How everything is deleted that is kept outside of the storage. Default: there is nothing. */
+  /** How to delete what the browser keeps outside of the storage. Default: there is nothing. */
   readonly erasers?: Erasers | undefined;
   /** Loads the page again. */
   readonly reload?: (() => void) | undefined;
   /** Default: a new one. */
   readonly theme?: Theme;
-  /** What was found missing when the page was opened. Default: nothing. */
+  /** What was missing when the page opened. Default: nothing. */
   readonly lacks?: readonly Lack[];
 }
 
 const NOTHING_KEPT: Erasers = { settings: async () => {}, ports: async () => {}, offline: async () => {} };
 
-/** All models of the program, before anything is brought back or connected. */
+/** Builds all models, before anything is brought back or connected. */
 export function createModels({
   platform,
   channel,
@@ -142,7 +142,7 @@ export function createModels({
   };
 }
 
-/** Whether the write that is shown was verified. */
+/** Whether the shown write was verified. */
 function isVerified({ current }: WriteFlow): boolean {
   const step = current.value;
   return step?.step === 'done' && step.report.result === 'verified';

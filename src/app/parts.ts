@@ -6,7 +6,7 @@ import { onDemand } from './ui/on-demand.js';
 
 const allElse = () => import('./all-else.js');
 
-/** What the first picture does not need. */
+/** The parts that the first picture does not need. */
 export const program = onDemand(async () => (await import('./shell/program-view.js')).ProgramView);
 export const memories = onDemand(async () => (await allElse()).MemoriesPage);
 export const bench = onDemand(async () => (await allElse()).BenchView);
@@ -23,18 +23,18 @@ export const firstSteps = onDemand(async () => (await import('./help/first-steps
 export const fileNotice = onDemand(async () => (await allElse()).LibraryFileNotice, { silent: true, later: true });
 export const dialogs = onDemand(async () => (await allElse()).Dialogs, { silent: true, later: true });
 
-/** What the simulated timers are made of. */
+/** Loads what the simulated timers need. */
 export const fetchSimulated = () => import('./connect/simulated-timer.js');
 
-/** What reads and writes the files of the library. */
+/** Loads what reads and writes the files of the library. */
 export const fetchFiles = allElse;
 
-/** What reads a QR code where the browser does not. */
+/** Loads the reader of QR codes, for browsers without one. */
 const fetchCodeReader = () => import('qr/decode.js');
 
 /**
- * Fetches all of them: a page whose version was replaced by another tab finds them nowhere any more. The view that is
- * on the screen comes first, and gets all of the wire; then the program.
+ * Loads all of them: after another tab has replaced this version, they are nowhere to be found. The present view comes
+ * first and alone, then the program.
  */
 export async function fetchParts(): Promise<void> {
   const parts = [
@@ -57,6 +57,6 @@ export async function fetchParts(): Promise<void> {
   ];
   await Promise.all(parts.filter(({ isAskedFor }) => isAskedFor).map((part) => part.fetch()));
   for (const part of parts) await part.fetch();
-  // It is asked for again when it is wanted, and says then what is wrong.
+  // They are asked for again when they are needed, and then report what is wrong.
   await Promise.all([fetchSimulated(), fetchRule(), fetchCodeReader()]).catch(() => {});
 }

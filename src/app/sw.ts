@@ -1,7 +1,7 @@
 import { news } from './browser/news.js';
 import { SiteCache, type SiteFile } from './browser/worker-cache.js';
 
-/** As much of a service worker's world as is used here; the types of a page do not have it. */
+/** The part of a service worker's world that is used here. The types of a page do not have it. */
 interface WorkerEvent extends Event {
   waitUntil(work: Promise<unknown>): void;
 }
@@ -9,7 +9,7 @@ interface WorkerScope {
   readonly registration: { readonly scope: string };
   readonly clients: { claim(): Promise<void> };
   skipWaiting(): Promise<void>;
-  /** Put in by the build. */
+  /** The build fills it in. */
   readonly __WB_MANIFEST: readonly SiteFile[];
   addEventListener(type: 'install' | 'activate', listener: (event: WorkerEvent) => void): void;
   addEventListener(type: 'message', listener: (event: MessageEvent<{ type?: unknown } | null>) => void): void;
@@ -25,12 +25,12 @@ declare const self: WorkerScope;
 const site = new SiteCache(self.__WB_MANIFEST, self.registration.scope);
 
 self.addEventListener('install', (event) => event.waitUntil(site.fill()));
-// The first visit is offline-proof as it stands, without a reload.
+// The first visit works offline at once, without a reload.
 self.addEventListener('activate', (event) => event.waitUntil(site.dropOthers().then(() => self.clients.claim())));
-// A new version waits until the pilot takes it: see offline.ts.
+// A new version waits until the pilot accepts it: see offline.ts.
 self.addEventListener('message', ({ data, ports }) => {
   if (data?.type === 'SKIP_WAITING') void self.skipWaiting();
-  // The page of the version before asks what is new in this one: see update-news.ts.
+  // A page of the version before asks what is new in this one: see update-news.ts.
   if (data?.type === 'NEWS') ports[0]?.postMessage(news);
 });
 self.addEventListener('fetch', (event) => {

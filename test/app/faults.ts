@@ -4,10 +4,12 @@ import { MemoryStore } from './bench/bench.js';
 type ShelfName = (typeof SHELVES)[number];
 type CallName = keyof typeof SHELF_CALLS;
 
-/** One door to the storage: `drafts.save`. */
+/** One call of the storage: `drafts.save`. */
 export type Door = `${ShelfName}.${CallName}`;
 
-/** Every call of every shelf, by the code's own lists: a new one is among them unasked. */
+/**
+ * Every call of every shelf, from the lists of the code itself, so that a new one is included without any change here.
+ */
 export const DOORS: readonly Door[] = SHELVES.flatMap((shelf) =>
   (Object.keys(SHELF_CALLS) as CallName[]).map((call): Door => `${shelf}.${call}`),
 );
@@ -25,9 +27,9 @@ export const FAULTS = {
 } satisfies Record<string, () => Promise<void>>;
 export type FaultName = keyof typeof FAULTS;
 
-/** A storage of which each call can be made to fail, or to wait, before it does what it should. */
+/** A storage whose calls can each be made to fail, or to wait first. */
 export class FaultyStore extends MemoryStore {
-  /** What stands before a call. Default: nothing. */
+  /** What comes before a call. Default: nothing. */
   before: (door: Door) => Promise<unknown> | undefined = () => undefined;
 
   constructor() {
@@ -36,7 +38,7 @@ export class FaultyStore extends MemoryStore {
       const [name, call] = door.split('.') as [ShelfName, CallName];
       const shelf = this[name] as unknown as Record<CallName, (...given: unknown[]) => Promise<unknown>>;
       const own = shelf[call].bind(shelf);
-      // Not an async function: what throws at once does so here, too.
+      // Not an async function, so that an error that is thrown at once is thrown here, too.
       shelf[call] = (...given) => {
         const wait = this.before(door);
         return wait ? wait.then(() => own(...given)) : own(...given);
@@ -53,7 +55,7 @@ export class FaultyStore extends MemoryStore {
     return store;
   }
 
-  /** This door fails, from now on. */
+  /** From now on this call fails. */
   fail(door: Door, fault: FaultName): void {
     this.before = (each) => (each === door ? FAULTS[fault]() : undefined);
   }

@@ -1,6 +1,6 @@
 import type { TimerProgram } from '../../src/program/index.js';
 
-/** A program with these times, and positions that tell servo and slot: 10, 11, 12 ... for S1, 20, 21 ... for S2. */
+/** A program with these times. Its positions tell servo and slot: 10, 11, 12 ... for S1, 20, 21 ... for S2. */
 export function programOf(
   timerClass: string,
   times: readonly number[],

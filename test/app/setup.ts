@@ -2,13 +2,13 @@ import { cleanup, configure } from '@testing-library/preact';
 import { afterAll, afterEach, vi } from 'vitest';
 import { fetchParts } from '../../src/app/parts.js';
 
-// What is waited for comes at once, but on a busy machine that may take its time.
+// The page answers at once, but a busy machine may take long.
 configure({ asyncUtilTimeout: 10_000 });
 afterEach(cleanup);
-// As a pilot finds the page who has looked at it for a moment.
+// Like a page that the pilot has had open for a moment.
 await fetchParts();
 
-// The next file finds all as if it was the first.
+// The next file must find everything as if it was the first.
 afterAll(() => {
   vi.useRealTimers();
   vi.restoreAllMocks();
@@ -24,5 +24,5 @@ afterAll(() => {
   location.hash = '';
 });
 
-// happy-dom lays nothing out: nothing is at any point.
+// happy-dom has no layout, so no element is at any point.
 document.elementsFromPoint ??= () => [];

@@ -5,19 +5,19 @@ import type { Workbench, WorkbenchOptions } from './workbench.js';
 
 declare module 'vitest' {
   interface ProvidedContext {
-    /** The script that puts a workbench in the place of the browser's serial ports. */
+    /** The script that replaces the browser's serial ports with a workbench. */
     workbench: string;
   }
 }
 
 export interface AppOptions extends BrowserContextOptions {
-  /** Where the page lies. Default: at the root of a host. */
+  /** The address of the page. Default: the root of a host. */
   readonly at?: 'site' | 'siteUnderPath';
-  /** What is in the place of the browser's serial ports. Default: what the browser has. */
+  /** What replaces the browser's serial ports. Default: nothing, the browser's own ports stay. */
   readonly bench?: WorkbenchOptions;
   /** Runs in the page before its own scripts. */
   readonly before?: () => unknown;
-  /** Nobody has been here before: the page's worker is not there yet. Default false. */
+  /** A first visit: the page's worker is not installed yet. Default false. */
   readonly isFirstVisit?: boolean;
 }
 
@@ -53,19 +53,19 @@ export class AppPage {
     return app;
   }
 
-  /** Until the parts of the page are there, such as the list of commands: the simulated timers come last. */
+  /** Waits for the parts of the page, such as the list of commands. The simulated timers come last. */
   async hasParts(): Promise<void> {
     await this.page.waitForFunction(() =>
       performance.getEntriesByType('resource').some(({ name }) => name.includes('/simulated-timer-')),
     );
   }
 
-  /** Until the page has taken the place of its picture: it has said how high rows are. */
+  /** Waits until the page has replaced its first picture: it then has set the height of rows. */
   async #works(): Promise<void> {
     await this.page.locator('html[data-density]').waitFor();
   }
 
-  /** Another tab with the same storage, and a bench of its own where this one has one. */
+  /** Another tab with the same storage, and with its own bench if this tab has one. */
   async sibling(): Promise<AppPage> {
     const page = await this.page.context().newPage();
     await page.goto(this.page.url());
@@ -82,7 +82,7 @@ export class AppPage {
     return this.page.getByRole('textbox', { name, exact: true });
   }
 
-  /** Undo, whatever it would undo. */
+  /** The Undo button, whatever it undoes. */
   get undo(): Locator {
     return this.button(/^Undo(?! all$)/);
   }
@@ -103,7 +103,7 @@ export class AppPage {
     return this.page.getByRole('table', { name: 'Time and servo positions of each function' });
   }
 
-  /** The bar with what can be done with the program; what is said above the program has buttons of its own. */
+  /** The bar with the buttons for the program. The notices above the program have their own buttons. */
   get actions(): Locator {
     return this.page.locator('.actions');
   }
@@ -112,27 +112,27 @@ export class AppPage {
     return this.page.getByRole('banner').getByText('firmware 536');
   }
 
-  /** Goes to a view. The link to the line is there only for experts, so its address is taken. */
+  /** Goes to a view. Only experts have a link to the line, so this uses its address. */
   async goTo(view: 'Program' | 'Memories' | 'Bench' | 'Library' | 'Line' | 'Settings'): Promise<void> {
     if (view === 'Line') await this.page.evaluate(() => location.assign('#line'));
-    // The start has no way to the other views but that to the settings.
+    // The start leads only to the settings, not to the other views.
     else await this.page.getByRole('link', { name: view, exact: true }).click();
     await this.page.locator(`.${view.toLowerCase()}-view`).waitFor();
   }
 
-  /** What is known of the timer at hand, in the settings. */
+  /** What the settings say about the connected timer. */
   async showAbout(): Promise<void> {
     await this.goTo('Settings');
     await this.text('About this timer').click();
   }
 
-  /** The large figures are shown when one asks for them. */
+  /** The large figures, which a click opens. */
   async #showFigure(name: string): Promise<void> {
     const isLarge = name === 'DT' || name === 'Motor stop';
     if (isLarge && (await this.field(name).count()) === 0) await this.showFigures();
   }
 
-  /** Opens the large figures, with all that a phone has no other room for. */
+  /** Opens the large figures, with everything that has no other room on a phone. */
   async showFigures(): Promise<void> {
     const figures = this.page.locator('.strip-figures');
     if ((await figures.getAttribute('aria-expanded')) === 'false') await figures.click();
@@ -148,7 +148,7 @@ export class AppPage {
     await this.hasRead();
   }
 
-  /** Waits until the wire is free and the table is there. */
+  /** Waits until no job runs and the table is shown. */
   async hasRead(): Promise<void> {
     await this.table.waitFor();
     await this.isReady();
@@ -166,13 +166,13 @@ export class AppPage {
     await this.isReady();
   }
 
-  /** Looks at a memory by what was last read of it: nothing is sent. */
+  /** Shows the last reading of a memory: nothing is sent. */
   async lookAt(name: string): Promise<void> {
     if ((await this.page.getByRole('radio', { name }).count()) === 0) await this.showFigures();
     await this.page.getByRole('radio', { name }).check({ force: true });
   }
 
-  /** Makes a memory the one that flies next. */
+  /** Makes a memory fly next. */
   async fly(name: string): Promise<void> {
     await this.lookAt(name);
     await this.page
@@ -182,7 +182,7 @@ export class AppPage {
     await this.isReady();
   }
 
-  /** Types over what stands in a field, and leaves it. */
+  /** Replaces the text of a field, and leaves the field. */
   async type(field: string, text: string): Promise<void> {
     await this.#showFigure(field);
     await this.field(field).fill(text);
@@ -194,24 +194,24 @@ export class AppPage {
     return this.field(field).inputValue();
   }
 
-  /** What the slot of a servo shows, start to DT. */
+  /** The shown positions of a servo, from start to DT. */
   async positions(servo: string): Promise<string[]> {
     const entries = Object.entries(await this.entries());
     return entries.filter(([name]) => name.endsWith(`, ${servo}`)).map(([, value]) => value);
   }
 
-  /** What stands in each field of the table, by name: times, intervals and positions. */
+  /** The text of each field of the table, by name: times, intervals and positions. */
   async entries(): Promise<Readonly<Record<string, string>>> {
-    // One question for the whole table: a journey that notes each of its steps asks it a hundred times.
+    // One call for the whole table: a test that notes each of its steps makes it a hundred times.
     return this.table.evaluate((table) => {
       const inputs = [...table.querySelectorAll<HTMLInputElement>('input:is([type=text], :not([type]))')];
-      // The tools of a row have a field of their own.
+      // The tools of a row have their own field.
       const seen = inputs.filter((input) => !input.closest('.row-menu') && input.checkVisibility());
       return Object.fromEntries(seen.map((input) => [input.ariaLabel ?? '', input.value]));
     });
   }
 
-  /** The reasons that are said in the table, for people who see them. */
+  /** The visible reasons in the table. */
   async reasons(): Promise<string[]> {
     await this.table.waitFor();
     return (await this.table.locator('.row-notes p').allInnerTexts()).map((text) => text.trim());
@@ -219,7 +219,7 @@ export class AppPage {
 
   /** The text of the status line above the program, once it says this. */
   async says(sentence: string | RegExp): Promise<void> {
-    // While a timer is looked for at the start, that holds the stage.
+    // During the search for a timer, the start shows only the search.
     await this.page.locator('.notices, .link-stage').getByText(sentence).first().waitFor();
   }
 
@@ -238,7 +238,7 @@ export class AppPage {
     return Promise.all(rows.map(async (row) => (await row.locator('th, td').allInnerTexts()).join(' | ')));
   }
 
-  /** From the difference to the result. */
+  /** Writes, from the dialog with the difference to the result. */
   async write(): Promise<void> {
     await this.review();
     await this.tickSafety();
@@ -264,12 +264,12 @@ export class AppPage {
     await this.line.locator('tbody').first().waitFor();
   }
 
-  /** What the page has sent by its own log, oldest first. */
+  /** What the page has sent, from its own log, the oldest first. */
   async sent(): Promise<string[]> {
     const before = await this.page.evaluate(() => location.hash);
     await this.openLine();
     const older = this.line.getByRole('button', { name: 'Show older' });
-    // They also come by themselves where their place is in sight.
+    // They also load without a click when their place is visible.
     while (await older.isVisible()) await older.evaluate((button: HTMLElement) => button.click()).catch(() => {});
     const names = await this.line
       .locator('tbody tr.out .name')
@@ -279,19 +279,19 @@ export class AppPage {
     return names.map((name) => name.replace(/^.*\s· /, ''));
   }
 
-  /** What the log shows of the writing. */
+  /** The entries of the log for writes. */
   async sets(): Promise<string[]> {
     return (await this.sent()).filter((name) => name.startsWith('SET'));
   }
 
-  /** Works at the bench beside the pilot. */
+  /** Changes something at the workbench while the pilot uses the page. */
   bench<T>(act: (bench: Workbench) => T): Promise<T> {
     return this.page.evaluate(`(${act.toString()})(window.workbench)`) as Promise<T>;
   }
 
   /**
-   * Waits until what was typed has come to rest in the storage: the page keeps it when it has nothing else to do. What
-   * is being written is written before each look, and what waits behind it before the next.
+   * Waits until everything typed is in the storage: the page stores it when it has nothing else to do. What
+   * is being stored is stored before each look, and what waits after it before the next.
    */
   async kept(): Promise<void> {
     let before = '';
@@ -305,7 +305,7 @@ export class AppPage {
       .toBe(true);
   }
 
-  /** Puts something into the storage, as if an earlier visit had left it there. */
+  /** Puts something into the storage, as if it came from an earlier visit. */
   async store(draft: object): Promise<void> {
     await this.page.evaluate(async (stored) => {
       const opening = indexedDB.open('sidus-timer');
@@ -323,13 +323,13 @@ export class AppPage {
 
   #stored(): Promise<string> {
     return this.page.evaluate(async () => {
-      // A page in which nothing is to be drawn any more may never be told that it is idle.
+      // When nothing more has to be drawn, the browser may never tell the page that it is idle.
       await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 200 }));
       const opening = indexedDB.open('sidus-timer');
       const database = await new Promise<IDBDatabase>((resolve) => {
         opening.onsuccess = () => resolve(opening.result);
       });
-      // It could write, so it has to wait for whoever does.
+      // This request could write, so it has to wait for all others that write.
       const reading = database.transaction('drafts', 'readwrite').objectStore('drafts').getAll();
       const drafts = await new Promise<unknown[]>((resolve) => {
         reading.onsuccess = () => resolve(reading.result);
@@ -340,7 +340,7 @@ export class AppPage {
   }
 
   /**
-   * Waits until a tab that was opened, or loaded again, has its number: what others have left it has looked at by then.
+   * Waits until a new or reloaded tab has its number: by then it has read what other tabs have left.
    */
   async hasNumber(): Promise<void> {
     await this.page.waitForFunction(async () => {
@@ -350,7 +350,7 @@ export class AppPage {
     });
   }
 
-  /** Gives the window another size, until the page has followed: it hears of it when the next picture is drawn. */
+  /** Changes the size of the window and waits for the page, which notices it with the next picture. */
   async resize(viewport: { readonly width: number; readonly height: number }): Promise<void> {
     await this.page.setViewportSize(viewport);
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));

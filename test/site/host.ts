@@ -19,16 +19,16 @@ const TYPES: Readonly<Record<string, string>> = {
 
 export type Answer = { readonly status?: number; readonly type?: string; readonly body: string | Uint8Array };
 
-/** A host of the built page that may lie. */
+/** A host of the built page that can send wrong answers. */
 export interface Host {
   readonly url: string;
-  /** What it has, by address below the page. */
+  /** Its files, by address below the page. */
   readonly files: Map<string, string | Uint8Array>;
-  /** Asked before each answer; what it gives is answered instead. */
+  /** Called before each answer. What it returns is sent instead. */
   lie: (address: string) => Answer | undefined;
 }
 
-/** Serves the built page, for one test, by the rules of a plain host. */
+/** Serves the built page for one test, as a plain host does. */
 export async function openHost(): Promise<Host> {
   const names = readdirSync(SITE, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const files = new Map<string, string | Uint8Array>(
@@ -69,7 +69,7 @@ export function publish({ files }: Host, title: string): void {
 /** The page has been visited once, and needs no network. */
 export async function visited(): Promise<{ host: Host; page: Page; script: string }> {
   const host = await openHost();
-  // What a browser reports of a lie is no error of the page.
+  // What the browser reports about a wrong answer is not an error of the page.
   const page = await newPage({}, []);
   await page.goto(host.url);
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
@@ -77,16 +77,16 @@ export async function visited(): Promise<{ host: Host; page: Page; script: strin
   return { host, page, script };
 }
 
-/** Looks for a new version until there is one, and how its worker ends. */
+/** Looks for a new version until there is one. @returns how its worker ends */
 export function update(page: Page): Promise<string> {
   return page.evaluate(async () => {
     const registration = await navigator.serviceWorker.ready;
     let worker: ServiceWorker | null = null;
-    // From the moment it is found: one that is given nothing may be gone again before the look for it is over.
+    // Listens from the moment it is found: a worker without files may end before the search does.
     registration.addEventListener('updatefound', () => {
       worker = registration.installing;
     });
-    // A look that the page has begun by itself, before there was a new version, stands for this one, too.
+    // The page may have begun a search before there was a new version, which then serves for this one.
     while (!worker) {
       await registration.update().catch(() => {});
       worker ??= registration.installing ?? registration.waiting;

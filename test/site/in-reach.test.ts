@@ -4,7 +4,7 @@ import { outOfReach } from './in-reach.js';
 import { showTheme } from './well-made.js';
 
 type Size = readonly [width: number, height: number];
-/** With a finger: two phones, one of them on its side, and a tablet. */
+/** For touch: two phones, one of them on its side, and a tablet. */
 const BY_TOUCH: readonly Size[] = [
   [360, 740],
   [390, 844],
@@ -20,7 +20,7 @@ const BY_MOUSE: readonly Size[] = [
   [320, 256],
 ];
 
-/** What may lie over the page. */
+/** What can cover the page. */
 const OVER = 'dialog[open], .top:has(.strip-panel), .row-panel, .edit-sheet:popover-open';
 
 const faults: string[] = [];
@@ -32,7 +32,7 @@ async function look(app: AppPage, sizes: readonly Size[], state: string): Promis
       faults.push(`${state}, ${width}x${height}: ${fault}`);
   }
   const [first] = sizes;
-  // Where there is least room: on a phone its strip, on a tablet and a laptop the rail.
+  // Where room is scarce: the strip on a phone, the rail on a tablet and a laptop.
   for (const [width, height] of sizes.filter((size) => size === first || size[0] === 820)) {
     await app.resize({ width, height });
     await app.page.evaluate(spreadText, true);
@@ -129,7 +129,7 @@ test.each([
     await app.button('Function 2').click();
     await app.text('Servos at function 2').first().waitFor();
     await page.getByRole('switch').click();
-    // What is stepped before it is on waits for Write.
+    // A step before following is on waits for Write.
     await page.getByRole('switch', { checked: true }).waitFor();
     await app.button('Step down Function 2, S1').click();
     await app.text('1 tried in the timer').first().waitFor({ state: 'attached' });

@@ -1,12 +1,12 @@
 /**
- * What a pilot could not read or press in the window as it is: text that is cut off or lies on other text, and controls
- * that stand over the edge or are covered wherever the page is scrolled to. Runs in the page.
- * @param scope what lies over the page, where something does: what it covers is not to be pressed then.
+ * What a pilot cannot read or press in the present window: text that is cut off or lies on other text, and controls
+ * that are outside the window or covered at every scroll position. Runs in the page.
+ * @param scope what lies over the page, if anything: the controls below it are not checked then
  */
 export function outOfReach(scope: string): string[] {
   const found: string[] = [];
   const root = document.documentElement;
-  // What is laid out only once it comes in sight is looked at where it will be then.
+  // An element that is laid out only when it becomes visible is checked at its later place.
   const put = [...document.querySelectorAll<HTMLElement>('main *')].filter(
     (element) => getComputedStyle(element).contentVisibility === 'auto',
   );
@@ -24,13 +24,13 @@ export function outOfReach(scope: string): string[] {
   };
   const scrolls = (element: Element, axis: 'X' | 'Y'): boolean =>
     /auto|scroll/.test(getComputedStyle(element)[`overflow${axis}`]);
-  /** What is shut away for the eye alone. */
+  /** Elements that are hidden only for the eye. */
   const isForEars = (element: Element): boolean => getComputedStyle(element).clipPath !== 'none';
 
   if (root.scrollWidth > root.clientWidth)
     found.push(`the page goes ${root.scrollWidth - root.clientWidth} px sideways`);
 
-  /** Below the last line of a text that is given so many and ends in an ellipsis. */
+  /** Below the last line of a text with a limited number of lines that ends in an ellipsis. */
   const isLeftOut = (of: Element, box: DOMRect): boolean => {
     const clamped = [...ancestors(of)].find((each) => !/none|^$/.test(getComputedStyle(each).webkitLineClamp));
     return clamped !== undefined && box.top > clamped.getBoundingClientRect().bottom - 0.5 * box.height;
@@ -40,7 +40,7 @@ export function outOfReach(scope: string): string[] {
     readonly box: DOMRect;
     readonly text: string;
     readonly of: Element;
-    /** What it is scrolled with. */
+    /** The element with which it scrolls. */
     readonly layer: Element | undefined;
   }
   const lines: Line[] = [];
@@ -74,7 +74,7 @@ export function outOfReach(scope: string): string[] {
       if (one.layer !== other.layer || one.of === other.of) continue;
       const wide = Math.min(one.box.right, other.box.right) - Math.max(one.box.left, other.box.left);
       const high = Math.min(one.box.bottom, other.box.bottom) - Math.max(one.box.top, other.box.top);
-      // The boxes of lines are higher than their letters.
+      // The box of a line is higher than its letters.
       if (wide > 1 && high > 0.4 * Math.min(one.box.height, other.box.height))
         found.push(`“${one.text.slice(0, 30)}” lies on “${other.text.slice(0, 30)}”`);
     }

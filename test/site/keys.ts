@@ -16,7 +16,7 @@ export class Keys {
     return this.#page.keyboard.type(text);
   }
 
-  /** The name of what has the focus. */
+  /** The name of the element with the focus. */
   focused(): Promise<string> {
     return this.#page.evaluate(() => {
       const { activeElement: at } = document;
@@ -25,7 +25,7 @@ export class Keys {
     });
   }
 
-  /** Goes on with Tab until what has this name has the focus. */
+  /** Presses Tab until the element with this name has the focus. */
   async tabTo(name: RegExp): Promise<void> {
     for (let i = 0; i < 200; i++) {
       await this.press('Tab');
@@ -34,7 +34,7 @@ export class Keys {
     throw new Error(`Tab never reached ${name}`);
   }
 
-  /** Goes to what has this name, and does what it says. */
+  /** Goes to the element with this name, and activates it. */
   async enter(name: RegExp): Promise<void> {
     await this.tabTo(name);
     await this.press('Enter');

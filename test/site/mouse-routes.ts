@@ -1,9 +1,9 @@
 import type { Locator } from 'playwright';
 
-/** A drag over the table, from one field to another, and what is selected then. */
+/** A drag over the table, from one field to another, and the selection after it. */
 type Route = readonly [from: string, to: string, selected: string];
 
-/** All of them are in sight at once on a small screen. */
+/** All of them are visible at once on a small screen. */
 export const ROUTES: readonly Route[] = [
   ['Function 4, S2', 'Function 2, S1', '3 functions, 2 columns'],
   ['Function 2, S1', 'Function 4, S2', '3 functions, 2 columns'],
@@ -26,7 +26,7 @@ export const EDGE_ROUTES: readonly Route[] = [
   ['Start, S1', 'DT, S3', '11 rows, 3 columns'],
 ];
 
-/** Where in the window the text of a field is: what a browser takes hold of when it is marked. */
+/** The place of the text of a field in the window: the browser drags the text there when it is selected. */
 export function textOf(field: Locator): Promise<{ readonly x: number; readonly y: number }> {
   return field.evaluate((input) => {
     const { right, top, height } = input.getBoundingClientRect();

@@ -12,26 +12,26 @@ import {
 import { expect, inject, onTestFinished } from 'vitest';
 
 declare module 'vitest' {
-  // What setup.js makes for the tests of this folder.
+  // What setup.js provides for the tests of this folder.
   interface ProvidedContext {
     /** Where the built page is served, at the root of a host. */
     site: string;
-    /** Where it is served again, below one. */
+    /** Where it is served again, below the root. */
     siteUnderPath: string;
     launch: LaunchOptions;
   }
 }
 
-/** Milliseconds after which something hangs: a slow and busy machine may take its time for what takes a moment. */
+/** Milliseconds after which a step counts as hanging: a slow and busy machine needs long for short steps. */
 const PATIENCE = 120_000;
 
-/** One for all files that a process of tests goes through; it goes when the process does. */
+/** One browser for all files of a test process; it ends with the process. */
 let browser: Promise<Browser> | undefined;
 
 /**
- * A page in a profile of its own, with nothing stored.
- * @param found where the errors are put that it reports, or another page of the same profile; whatever the content
- * security policy stops is one
+ * A page in a new profile, with nothing stored.
+ * @param found collects the errors that this page, or another one of the profile, reports. What the content
+ * security policy stops is an error, too
  */
 export async function newProfile(found: string[], options?: BrowserContextOptions): Promise<Page> {
   browser ??= chromium.launch(inject('launch'));
@@ -43,8 +43,8 @@ export async function newProfile(found: string[], options?: BrowserContextOption
 }
 
 /**
- * A page in a profile of its own, with nothing stored, for one test. The test fails, too, when an error is reported.
- * @param faults given, the errors are put there instead, for the test to judge
+ * A page in a new profile, with nothing stored, for one test. The test fails when an error is reported.
+ * @param faults if given, collects the errors instead, and the test checks them
  */
 export async function newPage(options?: BrowserContextOptions, faults?: string[]): Promise<Page> {
   const found = faults ?? [];
@@ -56,23 +56,23 @@ export async function newPage(options?: BrowserContextOptions, faults?: string[]
   return page;
 }
 
-/** A profile that a test has left, swept for the next one. */
+/** A profile from an earlier test, emptied for the next one. */
 interface Profile {
   /** An empty tab, the only one. */
   readonly page: Page;
   readonly found: string[];
-  /** What it was made with: who wants the same can have it. */
+  /** The options it was made with. A test with the same options can use it. */
   readonly made: string;
 }
 
-/** As many as are worth their memory, the latest first. */
+/** The most that are kept, the latest first. */
 const swept: Profile[] = [];
 const SWEPT_MOST = 3;
 
 /**
- * A page for one test, in a profile through which others may have gone before: nothing is stored, but the worker of the
- * page and the compiled scripts are there, as for a pilot who comes again. That takes half of the time of a profile of
- * its own. The test fails, too, when an error is reported.
+ * A page for one test, in a profile that earlier tests may have used: nothing is stored, but the worker of the
+ * page and the compiled scripts are there, as on a second visit. That takes half of the time of a new
+ * profile. The test fails when an error is reported.
  */
 export async function newVisit(options: BrowserContextOptions = {}): Promise<Page> {
   const made = JSON.stringify(options);
@@ -90,10 +90,10 @@ export async function newVisit(options: BrowserContextOptions = {}): Promise<Pag
   return page;
 }
 
-/** What a page stores, in the words of the browser: all but its worker, and what that keeps. */
+/** What a page stores, by the browser's names: everything except its worker and the files of that. */
 export const STORED = 'cookies,file_systems,indexeddb,local_storage';
 
-/** Leaves one empty tab, and of what is stored only what the worker of the page keeps. */
+/** Leaves one empty tab, and deletes everything stored except the files of the worker. */
 async function sweep(context: BrowserContext): Promise<Page> {
   const left = context.pages();
   const page = await context.newPage();
@@ -109,7 +109,7 @@ async function sweep(context: BrowserContext): Promise<Page> {
   return page;
 }
 
-/** A page in a profile that a browser keeps: in the others nothing can be installed. */
+/** A page in a profile on disk: in the other profiles nothing can be installed. */
 export async function newKeptPage(): Promise<Page> {
   const folder = mkdtempSync(join(tmpdir(), 'sidus-timer-profile-'));
   const context = await chromium.launchPersistentContext(folder, inject('launch'));

@@ -5,13 +5,13 @@ import type { AppPage } from './app-page.js';
 export interface Cost {
   /** Clicks, or taps of a finger. */
   presses: number;
-  /** Keys of a keyboard, or of the sheet that a phone has in its place. */
+  /** Keys of a keyboard, or of the sheet of keys on a phone. */
   keys: number;
-  /** Pixels that the page was scrolled by hand, to reach what is to be pressed. */
+  /** Pixels that the page was scrolled by hand to reach a control. */
   scrolled: number;
 }
 
-/** A pilot whose every act is counted. What is not in sight has to be scrolled to first. */
+/** Counts every act of a pilot. A control that is not visible has to be scrolled to first. */
 export class Pilot {
   readonly cost: Cost = { presses: 0, keys: 0, scrolled: 0 };
   readonly #app: AppPage;
@@ -22,13 +22,13 @@ export class Pilot {
     this.#byTouch = byTouch;
   }
 
-  /** A click, or a tap, in the middle of it, wherever that is: a test that helps itself would scroll unseen. */
+  /** A click or tap in the middle of it. Playwright's own click would scroll without being counted. */
   async press(place: Locator): Promise<void> {
     await this.#touch(place);
     this.cost.presses++;
   }
 
-  /** Types into a field that was pressed: on a phone by the keys of the sheet. */
+  /** Types into a pressed field: on a phone with the keys of the sheet. */
   async type(text: string): Promise<void> {
     if (!this.#byTouch) await this.#app.page.keyboard.type(text);
     else for (const key of text) await this.#touch(this.#sheet.getByRole('button', { name: key, exact: true }));
@@ -40,7 +40,7 @@ export class Pilot {
     this.cost.keys++;
   }
 
-  /** A key of the sheet that is no digit. */
+  /** A key of the sheet that is not a digit. */
   async sheetKey(name: string | RegExp): Promise<void> {
     await this.#touch(this.#sheet.getByRole('button', { name, exact: true }));
     this.cost.keys++;
@@ -67,7 +67,7 @@ export class Pilot {
         for (let each: Element | null = element; each; each = each.parentElement) found.push(each.scrollTop);
         return found;
       };
-      // What has just opened may still have to be drawn.
+      // Something that has just opened may not be drawn yet.
       const end = performance.now() + 500;
       while (!isInSight() && performance.now() < end) await new Promise(requestAnimationFrame);
       if (isInSight()) return 0;

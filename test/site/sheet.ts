@@ -2,8 +2,8 @@ import { expect } from 'vitest';
 import type { AppPage } from './app-page.js';
 
 /**
- * A setting as a pilot brings it to the field on paper: of an F1Q with three servos, nothing in it as the new timer
- * holds it.
+ * A setting as a pilot brings it to the field on paper: of an F1Q with three servos, every value different from
+ * the new timer.
  */
 export const SHEET = {
   times: ['8', '8.2', '8.7', '9,5', '11', '14.3', '20', '45.5', '1:00', '1:30', '4:00'],
@@ -29,7 +29,7 @@ export const SHIFTED = {
   positions: SHEET.positions.map((servo) => servo.map(Number)),
 };
 
-/** What the table has shown, step by step: to be gone through backwards and forwards. */
+/** What the table has shown, step by step, to check undo and redo. */
 export class Trail {
   readonly #app: AppPage;
   readonly #seen: Readonly<Record<string, string>>[] = [];
@@ -38,19 +38,19 @@ export class Trail {
     this.#app = app;
   }
 
-  /** A step is about to be done; and once more when the last one was. */
+  /** Called before each step, and once more after the last one. */
   async note(): Promise<void> {
     this.#seen.push(await this.#app.entries());
   }
 
-  /** The same trail, for a page that has taken the place of the one before. */
+  /** The same steps, for a page that has replaced the one before. */
   continuedBy(app: AppPage): Trail {
     const trail = new Trail(app);
     trail.#seen.push(...this.#seen);
     return trail;
   }
 
-  /** Undoes to the very start: each step shows what was there before it, and behind the first one there is none. */
+  /** Undoes to the start: each undo shows the table before that step, and before the first there is none. */
   async goBack(undo: () => Promise<void>): Promise<void> {
     for (const before of this.#seen.slice(0, -1).reverse()) {
       await undo();
@@ -59,7 +59,7 @@ export class Trail {
     await expect.poll(() => this.#app.undo.isDisabled(), { message: 'nothing is left to undo' }).toBe(true);
   }
 
-  /** Redoes all of it. */
+  /** Redoes all steps. */
   async goForward(redo: () => Promise<void>): Promise<void> {
     for (const after of this.#seen.slice(1)) {
       await redo();

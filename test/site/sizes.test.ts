@@ -5,7 +5,7 @@ import { expect, test } from 'vitest';
 
 const SITE = join(import.meta.dirname, '../../dist/site');
 
-/** What a script weighs on its way, in kB. */
+/** The size of a script as it is sent, in kB. */
 function weightOf(file: string): number {
   return gzipSync(readFileSync(join(SITE, file))).length / 1000;
 }
@@ -14,7 +14,7 @@ function sum(files: Iterable<string>): number {
   return [...files].reduce((total, file) => total + weightOf(file), 0);
 }
 
-/** A script, those that it names at its head, and so on. */
+/** A script, the scripts that it imports at its top, and so on. */
 function withImports(file: string, known = new Set<string>()): Set<string> {
   known.add(file);
   for (const [, name] of readFileSync(join(SITE, file), 'utf8').matchAll(/(?:from|import)\s*"\.\/([\w-]+\.js)"/g)) {

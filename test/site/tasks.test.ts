@@ -13,7 +13,7 @@ interface Tried {
 
 const dialog = (app: AppPage) => app.page.getByRole('dialog');
 
-/** What is to be typed into each field of the sheet, by the name of the field. */
+/** What has to be typed into each field of the sheet, by the name of the field. */
 const WANTED = new Map(
   ROWS.flatMap((_, row) => [
     [timeField(row), (SHEET.times[row] ?? '').replace(',', '.')] as const,

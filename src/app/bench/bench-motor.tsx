@@ -12,7 +12,7 @@ interface MotorProps {
   readonly bench: Bench;
 }
 
-/** The motor of a class Q timer, which is freed only by a button that is held. */
+/** The motor of a class Q timer. Only a button that is held down frees it. */
 export function Motor({ session, bench }: MotorProps) {
   const { bench: words, program } = messages.value;
   const hasThrottle = typeof session.editor.working.value?.idleThrottle === 'number';
@@ -40,7 +40,7 @@ export function Motor({ session, bench }: MotorProps) {
   );
 }
 
-/** What is not documented, asked for twice. */
+/** The jump, whose effect is not documented: the pilot has to confirm it. */
 export function Jump({ bench }: { readonly bench: Bench }) {
   const { bench: words } = messages.value;
   const asked = useSignal(false);

@@ -17,13 +17,13 @@ export interface BenchPanelProps {
   readonly write: WriteFlow;
   readonly bench: Bench;
   readonly follow: Follow;
-  /** Whether the pilot wants to see what only few need. */
+  /** Whether the pilot wants to see what few need. */
   readonly expert: boolean;
 }
 
 /**
- * The timer on the bench: servos to a function, servos that follow, the motor. Nothing of it goes out before the pilot
- * has said that it is safe.
+ * The bench: move the servos to a function, let them follow, free the motor. Nothing is sent before the pilot has said
+ * that it is safe.
  */
 export function BenchPanel({ session, write, bench, follow, expert }: BenchPanelProps) {
   const { bench: words } = messages.value;
@@ -34,10 +34,10 @@ export function BenchPanel({ session, write, bench, follow, expert }: BenchPanel
     <div class="bench">
       <p class="hint">{connected ? words.lead : words.notConnected}</p>
       {connected && <SafetyCheck safety={session.safety} />}
-      {/* That they follow says the switch. */}
+      {/* The switch itself says that they follow. */}
       {!follow.on.value && <FollowNote session={session} write={write} bench={bench} follow={follow} />}
       <div class="bench-stage">
-        {/* Before the grid: on a phone that is longer than the window. */}
+        {/* Above the grid, which is longer than the window of a phone. */}
         {connected && <FollowSwitch bench={bench} follow={follow} identity={identity} />}
         <div class="bench-work">
           <Said bench={bench} identity={identity} />
@@ -55,7 +55,7 @@ export function BenchPanel({ session, write, bench, follow, expert }: BenchPanel
   );
 }
 
-/** What was done last, said when it is done. */
+/** Announces what was done last, once it is done. */
 function Said({ bench, identity }: { readonly bench: Bench; readonly identity: Identity }) {
   const { value } = bench.done;
   return (

@@ -8,15 +8,13 @@ export function slotInSentence(identity: Identity, slot: number): string {
   return /^[A-Z][a-z]/.test(label) ? label.charAt(0).toLowerCase() + label.slice(1) : label;
 }
 
-/** Where the servos stand. @param at as a slot; null when it is not known. */
+/** Where the servos stand. @param at the slot; null when it is not known. */
 export function standText(identity: Identity, at: number | null): string {
   const { bench: words } = messages.value;
   return at === null ? words.atNone : words.at(slotInSentence(identity, at));
 }
 
-/**
- * What was done last, and what came of it. A movement that was acknowledged is told by where the servos stand since.
- */
+/** What was done last, and its result. For an acknowledged movement: where the servos have stood since. */
 export function doneText(identity: Identity, done: Done | null, at: number | null): string {
   const { bench: words } = messages.value;
   if (!done) return standText(identity, at);

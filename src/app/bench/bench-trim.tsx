@@ -13,7 +13,10 @@ interface BenchTrimProps {
   readonly follow: Follow;
 }
 
-/** The positions of the function where the servos stand, step by step: while they follow, each step moves its servo. */
+/**
+ * The positions of the function where the servos stand, with step keys.
+ * While the servos follow, each step moves its servo.
+ */
 export function BenchTrim({ session, bench, follow }: BenchTrimProps) {
   const { bench: words, servoName } = messages.value;
   const working = session.editor.working.value;
@@ -38,7 +41,7 @@ interface TrimProps {
   readonly name: string;
 }
 
-/** One value, its step down and its step up. */
+/** One value with a key for a step down and one for a step up. */
 export function Trim({ session, field, name }: TrimProps) {
   const { down, up, signs } = messages.value.bench.step;
   const { editor } = session;

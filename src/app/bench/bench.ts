@@ -5,25 +5,24 @@ import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { ServoStand } from './servo-stand.js';
 
-/** What may happen on the bench when the timer is told so. */
+/** Actions of the bench that may move something. */
 export type BenchAction = { readonly kind: 'move'; readonly slot: number } | { readonly kind: 'unlock' | 'jump' };
 
 /**
- * What is known of the last thing that was done: that it was acknowledged, or only that it may have been carried out
- * anyway.
+ * What is known about the last action: the timer acknowledged it, or it may have happened without an acknowledgement.
  */
 export interface Done {
   readonly action: BenchAction;
   readonly certain: boolean;
 }
 
-/** Servos and motor, moved from the page: only what the pilot asks for, one command at a time. */
+/** Moves servos and motor from the page: only what the pilot asks for, one command at a time. */
 export class Bench {
   readonly #done = signal<Done | null>(null, { name: 'done' });
-  /** The last thing that was done with the timer that is connected. */
+  /** The last action on the timer that is connected. */
   readonly done: ReadonlySignal<Done | null> = this.#done;
   readonly stand: ServoStand;
-  /** Whether anything may be started: a timer that does nothing else, and a pilot who has said that it is safe. */
+  /** Whether an action may start: the timer does nothing else, and the pilot has said that it is safe. */
   readonly ready: ReadonlySignal<boolean>;
   readonly #session: Session;
 
@@ -33,11 +32,11 @@ export class Bench {
     const { runner, safety } = session;
     this.ready = computed(() => runner.ready.value && !runner.claimed.value && safety.confirmed.value);
     session.connection.subscribe(() => {
-      // What may have happened is said until something else is done: the timer may be back before it was read.
+      // A doubtful result is shown until the next action, because the timer may come back before anybody reads it.
       if (this.done.peek()?.certain) this.#done.value = null;
     });
     session.safety.confirmed.subscribe((safe) => {
-      // What waits for its turn on the wire does not go out any more.
+      // A command that waits for its turn is no longer sent.
       if (!safe && session.runner.job.peek()?.kind === 'bench') void session.runner.stop();
     });
     session.servoMoves.count.subscribe(() => {
@@ -48,12 +47,12 @@ export class Bench {
     });
   }
 
-  /** Moves the servos to a slot, 0 start to NF. @returns whether the timer has acknowledged it. */
+  /** Moves the servos to a slot, from 0 (start) to NF (DT). @returns whether the timer has acknowledged it. */
   async moveTo(slot: number): Promise<boolean> {
     return await this.#act({ kind: 'move', slot });
   }
 
-  /** Frees the motor of a class Q timer: a propeller may start. */
+  /** Frees the motor of a class Q timer. A propeller may start. */
   async unlock(): Promise<boolean> {
     return this.#session.editor.working.value?.identity.timerClass === 'Q' && (await this.#act({ kind: 'unlock' }));
   }
@@ -63,11 +62,11 @@ export class Bench {
     return await this.#act({ kind: 'jump' });
   }
 
-  /** Within a job: sends it, once, and notes what is known of it then. */
+  /** Sends the action once, within a job, and notes what is known about it then. */
   async carryOut(action: BenchAction, connection: TimerConnection, options: JobContext): Promise<void> {
     const { client } = connection;
     options.stillOn();
-    // They are on their way, unless they go to the very place where they stand.
+    // The servos are moving now, unless they stand at that slot already.
     if (action.kind !== 'move' || action.slot !== this.stand.at.peek()) this.stand.lose();
     try {
       if (action.kind === 'move') await client.moveToFunction(action.slot, options);

@@ -16,7 +16,7 @@ interface FollowSwitchProps {
   readonly identity: Identity;
 }
 
-/** The switches, and what becomes of what was tried. */
+/** The switches, and what to do with the positions that were tried. */
 export function FollowSwitch({ bench, follow, identity }: FollowSwitchProps) {
   const { bench: words } = messages.value;
   const on = follow.on.value;
@@ -91,7 +91,8 @@ interface FollowNoteProps {
 }
 
 /**
- * Where fields are edited it has to be in sight that they move the servos, how that ended, and that a choice is open.
+ * For places where fields are edited:
+ * shows that edits move the servos, how following ended, and that a decision is open.
  */
 export function FollowNote({ session, write, bench, follow }: FollowNoteProps) {
   const { bench: words } = messages.value;
@@ -133,7 +134,7 @@ interface EndNoteProps {
   readonly identity: Identity;
 }
 
-/** Why the servos no longer follow, and what is known since. */
+/** Why the servos no longer follow, and what is known since then. */
 function EndNote({ bench, follow, identity }: EndNoteProps) {
   const { bench: words, dismiss } = messages.value;
   const ended = follow.ended.value;

@@ -10,65 +10,65 @@ import { FollowedEdits, type Position } from './followed-edits.js';
 import { Trials } from './trials.js';
 
 /**
- * Why the servos no longer follow, when it was not the pilot who ended it: the page went out of sight, another job took
- * the wire, another memory is current or asked for, it is no longer said to be safe, the connection ended, or a command
- * came to no good end.
+ * Why the servos no longer follow, when the pilot did not end it. `hidden`: the page went out of sight. `job`: another
+ * job has the wire. `memory`: another memory is current, or was asked for. `unsafe`: the pilot no longer says that it
+ * is safe. `lost`: the connection ended. `failed`: a command failed.
  */
 export type EndReason = 'hidden' | 'job' | 'memory' | 'unsafe' | 'lost' | 'failed';
 
 /** How following ended. */
 export interface Ended {
   readonly reason: EndReason;
-  /** What was taken for what the timer held by then. */
+  /** What the timer was believed to hold at that moment. */
   readonly held: TimerProgram | null;
 }
 
 /**
- * Jobs that do not end it: of its own kind, and a frame by hand, which says itself whether it may move the servos. They
- * read nothing.
+ * Jobs that do not end it: those of the bench, and a frame by hand, which decides itself whether it may move the
+ * servos. Neither reads anything.
  */
 const BESIDE: ReadonlySet<JobKind> = new Set(['bench', 'frame']);
 
 /**
- * Servos that follow the fields. A position that changes is stored at once and its servo moved, for the function where
- * the servos stand; for any other function it waits until the pilot sends them there, or for a write. It all belongs to
- * one connection.
+ * Servos that follow the fields. A changed position is stored at once, and its servo moves, for the function where the
+ * servos stand. For any other function it waits until the pilot moves the servos there, or writes. All of this belongs
+ * to one connection.
  */
 export class Follow {
   /** Whether the servos follow. */
   readonly on: ReadonlySignal<boolean>;
-  /** Whether they go to each function that is edited. Off whenever following begins. */
+  /** Whether the servos also go to each function that is edited. Off whenever following begins. */
   readonly going: ReadonlySignal<boolean>;
-  /** The timer is read and backed up before they follow. */
+  /** Whether the timer is being read and backed up, which comes before following. */
   readonly starting: ReadonlySignal<boolean>;
-  /** The backup could not be kept: it is asked whether they shall follow anyway. */
+  /** Whether the backup could not be kept: the page asks whether to follow all the same. */
   readonly unkept: ReadonlySignal<boolean>;
-  /** How it ended, until it begins again or the pilot has read it; null too when he has ended it. */
+  /** How following ended. Null once it begins again, once the pilot has read it, and when the pilot ended it. */
   readonly ended: ReadonlySignal<Ended | null>;
-  /** Whether the timer was read since it ended. */
+  /** Whether the timer was read since following ended. */
   readonly endRead: ReadonlySignal<boolean>;
-  /** The functions of which positions have changed while the servos stand elsewhere. */
+  /** The functions with changed positions at which the servos do not stand. */
   readonly awaited: ReadonlySignal<ReadonlySet<number>>;
-  /** Whether positions wait for a write that were edited before it began. */
+  /** Whether positions that were edited before following began wait for a write. */
   readonly hasEarlier: ReadonlySignal<boolean>;
-  /** What was tried, until the pilot keeps it or it is put back. */
+  /** The positions that were tried and not yet kept or put back. */
   readonly trials: Trials;
   readonly #on = signal(false, { name: 'following' });
   readonly #going = signal(false, { name: 'going' });
-  /** The connection on which it is about to begin. */
+  /** The connection on which following is about to begin. */
   readonly #start = signal<{ readonly connection: TimerConnection } | null>(null, { name: 'start' });
-  /** What the timer holds, of which no backup was kept. */
+  /** What the timer holds, while no backup of it could be kept. */
   readonly #unkept = signal<TimerProgram | null>(null, { name: 'unkept' });
   readonly #ended = signal<Ended | null>(null, { name: 'ended' });
   readonly #session: Session;
   readonly #bench: Bench;
-  /** What is followed, and on which connection. */
+  /** Which program the servos follow, and on which connection. */
   #followed: string | null = null;
   #bound: TimerConnection | null = null;
   /** The function to which the pilot has sent the servos. */
   readonly #wanted = signal<number | null>(null, { name: 'wanted' });
   readonly #edits: FollowedEdits;
-  /** Whether the browser has kept what was stored, each before its first byte. */
+  /** Whether the browser has kept what was stored. It keeps each position before the first byte goes out. */
   #isKept = true;
 
   constructor(session: Session, bench: Bench) {
@@ -93,14 +93,14 @@ export class Follow {
     session.servoMoves.count.subscribe(() => void this.#end('job'));
     effect(() => this.#follow());
     effect(() => {
-      // A reading says that a write has put it back, or that nothing was stored at all.
+      // A reading shows that a write has put everything back, or that nothing was stored at all.
       const isOver = !this.#on.value && editor.fresh.value && this.trials.tried.value.length === 0;
       if (isOver && this.trials.current.value) untracked(() => this.trials.set(null));
     });
   }
 
   /**
-   * Reads afresh, keeps a backup, and from then on stores each position that changes. Edits from before are not stored.
+   * Reads the timer afresh and keeps a backup. From then on it stores each position that changes, but no earlier edit.
    */
   async start(): Promise<void> {
     const { editor, backups, simulated, connection } = this.#session;
@@ -113,7 +113,7 @@ export class Follow {
       this.#unkept.value = null;
       this.#ended.value = null;
     });
-    // In the meantime the tab may have been hidden, the timer lost, or it was called off.
+    // By now the tab may be hidden, the timer lost, or the start called off.
     const isOff = (): boolean => this.#start.peek() !== start || connection.peek() !== bound;
     try {
       if (!(await this.#session.reader.read()) || isOff()) return;
@@ -138,20 +138,20 @@ export class Follow {
     if (before) this.#begin(before);
   }
 
-  /** The pilot does not want that. */
+  /** The pilot does not want to follow without a backup. */
   cancelUnkept(): void {
     this.#unkept.value = null;
   }
 
-  /** Whether the servos go to each function that is edited from now on. Only while they follow. */
+  /** Sets whether the servos go to each function that is edited. Only while they follow. */
   setGoing(on: boolean): void {
     this.#edits.forgetLastSlot();
     this.#going.value = on && this.#on.value;
   }
 
   /**
-   * Moves the servos to a function of which positions wait, as soon as the command under way has ended. Only while they
-   * follow.
+   * Moves the servos to a function with waiting positions, as soon as the command in progress has ended.
+   * Only while they follow.
    */
   bring(slot: number): void {
     if (this.#on.value) this.#wanted.value = slot;
@@ -163,19 +163,19 @@ export class Follow {
   }
 
   /**
-   * Lets the command under way come to its end and reads what the timer holds now.
-   * @param reason null: the pilot wants it so, and need not be told.
+   * Ends following: waits for the command in progress, then reads what the timer holds.
+   * @param reason null when the pilot ended it and needs no message.
    */
   async stop(reason: EndReason | null = null): Promise<void> {
     await this.#end(reason);
   }
 
-  /** The pilot has read how it ended. */
+  /** The pilot has read the message. */
   dismissEnd(): void {
     this.#ended.value = null;
   }
 
-  /** What was tried stays in the timer, and on the screen. */
+  /** The positions that were tried stay in the timer and on the screen. */
   keep(): void {
     const { editor } = this.#session;
     const tried = new Set(this.trials.tried.value.map(({ field }) => fieldKey(field)));
@@ -188,7 +188,7 @@ export class Follow {
 
   #begin(before: TimerProgram): void {
     const { editor, connection } = this.#session;
-    // What is kept is what the timer holds now.
+    // The backup must be of what the timer holds now.
     if (!this.#bench.ready.value || !editor.fresh.value || editor.baseline.value !== before) return;
     batch(() => {
       this.#edits.begin();
@@ -216,7 +216,7 @@ export class Follow {
       this.#wanted.value = null;
       this.#ended.value = reason && { reason, held };
     });
-    // Another job reads by itself.
+    // Any other job reads the timer itself.
     const other = runner.job.peek();
     if (other && !BESIDE.has(other.kind)) return;
     const bound = this.#bound;
@@ -224,7 +224,7 @@ export class Follow {
     if (bound && connection.peek() === bound) await this.#session.reader.read();
   }
 
-  /** Finds out what to do next, whenever something has changed or a command has come to its end. */
+  /** Decides what to do next, after each change and each finished command. */
   #follow(): void {
     if (!this.#on.value) return;
     const reason = this.#reasonToEnd();
@@ -243,14 +243,14 @@ export class Follow {
     const working = editor.working.value;
     if (!connection.value || connection.value !== this.#bound) return 'lost';
     if (!safety.confirmed.value) return 'unsafe';
-    // While another memory is being selected it is open where a position would be stored.
+    // While another memory is being selected, nobody knows in which one a position would be stored.
     if (job?.kind === 'select') return 'memory';
     if (job && !BESIDE.has(job.kind)) return 'job';
     const isSame = working && this.trials.current.value && this.#session.onScreen.workKey(working) === this.#followed;
     return nextFlight.open.value || !isSame ? 'memory' : null;
   }
 
-  /** The function at which there is something to do; null when there is nothing. */
+  /** The function at which something is to be done; null for none. */
   #next(): number | null {
     const due = this.#edits.due();
     const isDue = (slot: number | null): boolean => due.some(({ field }) => field.slot === slot);
@@ -261,14 +261,13 @@ export class Follow {
   }
 
   /**
-   * Moves the servos to a function, unless they stand there; stores what is due there; and moves them to what is stored
-   * now.
+   * Moves the servos to a function, unless they stand there.
+   * Stores the positions that are due, and moves the servos to them.
    */
   async #go(slot: number): Promise<void> {
     const { stand } = this.#bench;
     await this.#session.runner.run('bench', async (connection, options) => {
-      // Whatever has ended it in the meantime: the next command does not go out. Whether it was stopped the client asks
-      // itself.
+      // If following has ended in the meantime, the next command is not sent. The client itself checks for a stop.
       const isOff = (): boolean => !this.#on.peek() || this.#bound !== connection;
       const move = () => this.#bench.carryOut({ kind: 'move', slot }, connection, options);
       this.#wanted.value = null;
@@ -282,7 +281,7 @@ export class Follow {
           stored++;
         }
         if (stored === 0) return;
-        // It is open whether storing alone has moved them (rows 15 and 17 of the protocol page).
+        // Nobody knows whether storing alone has moved the servos (rows 15 and 17 of docs/protocol.md).
         if (isOff()) stand.lose();
         else await move();
       } catch (error) {
@@ -293,17 +292,17 @@ export class Follow {
     });
   }
 
-  /** Stores the position that a field has by now, where the servos stand. */
+  /** Stores the present position of a field, where the servos stand. */
   async #store(field: Position, connection: TimerConnection, options: JobContext): Promise<void> {
     const { editor, knowledge } = this.#session;
     const pending = this.#edits.pending().find((other) => fieldKey(other.field) === fieldKey(field));
     const trial = this.trials.current.peek();
     const before = editor.baseline.peek();
     if (!pending || !trial || !before) return;
-    // Kept before the first byte: it may be stored although no answer comes.
+    // Kept before the first byte goes out: the position may be stored even without an answer.
     this.trials.set({ ...trial, touched: new Set([...trial.touched, fieldKey(field)]) });
     const keeping = knowledge.begin(before, withValues(before, [pending]));
-    // Where nothing is kept the servos must not wait for it each time.
+    // Where the browser keeps nothing, the servos must not wait for it each time.
     if (this.#isKept) this.#isKept = await keeping;
     options.stillOn();
     if (!this.#on.peek()) return;

@@ -11,25 +11,22 @@ export interface PendingPosition {
   readonly value: number;
 }
 
-/** While digits come no closer than this, in milliseconds, a number counts as typed: 6 is not sent on the way to 65. */
+/** A number counts as typed after this many milliseconds without a digit: on the way to 65, 6 is not sent. */
 const TYPED = 600;
 
-/**
- * What has been edited since the servos follow: which positions the timer is to be sent, and which of them are still
- * being typed.
- */
+/** The edits since the servos follow: which positions to send to the timer, and which are still being typed. */
 export class FollowedEdits {
   readonly #touched = signal<ReadonlySet<string>>(new Set(), { name: 'touched' });
-  /** Counted up when typed digits have rested long enough. */
+  /** Goes up each time that typed digits have rested long enough. */
   readonly #rested = signal(0, { name: 'rested' });
-  /** Whether positions wait for a write that were edited before following began. */
+  /** Whether positions that were edited before following began wait for a write. */
   readonly hasEarlier: ReadonlySignal<boolean> = computed(() =>
     this.#editor.changes.value.some(
       ({ field }) => field.kind === 'position' && !this.#touched.value.has(fieldKey(field)),
     ),
   );
   readonly #editor: Editor;
-  /** What was wanted when it was looked at last. */
+  /** The wanted program at the last call of `note()`. */
   #seen: TimerProgram | null = null;
   #lastSlot: number | null = null;
   #typing: ReturnType<typeof setTimeout> | undefined;
@@ -39,29 +36,29 @@ export class FollowedEdits {
     this.#editor = editor;
   }
 
-  /** The function that was edited last; null when there is none, or several at once. */
+  /** The function that was edited last; null for none, or for several at once. */
   get lastSlot(): number | null {
     return this.#lastSlot;
   }
 
-  /** The function that was edited last does not count any more. */
+  /** Forgets which function was edited last. */
   forgetLastSlot(): void {
     this.#lastSlot = null;
   }
 
-  /** What is edited from now on is followed. */
+  /** Begins: later edits are followed. */
   begin(): void {
     this.#seen = this.#editor.working.peek();
     this.#lastSlot = null;
     this.#touched.value = new Set();
   }
 
-  /** Nobody waits any more for digits to rest. */
+  /** Ends: nobody waits for digits to rest any more. */
   end(): void {
     clearTimeout(this.#typing);
   }
 
-  /** Notes which positions have changed since this was called last. */
+  /** Notes which positions have changed since the last call. */
   note(): void {
     const working = this.#editor.working.value;
     const before = this.#seen;
@@ -70,23 +67,23 @@ export class FollowedEdits {
     const changed = differences(before, working).map(({ field }) => field);
     for (const field of changed) this.#changedAt.set(fieldKey(field), performance.now());
     const slots = new Set(changed.flatMap((field) => (field.kind === 'position' ? [field.slot] : [])));
-    // Servos that ran through all the functions of a paste were not meant.
+    // After a paste over several functions the servos must not run through all of them.
     if (slots.size > 0) this.#lastSlot = slots.size === 1 ? ([...slots][0] ?? null) : null;
     this.#touched.value = new Set([...this.#touched.peek(), ...changed.map(fieldKey)]);
   }
 
-  /** The positions that have changed since it began, and that the timer does not hold yet. */
+  /** The positions that have changed since following began, and that the timer does not hold yet. */
   pending(): readonly PendingPosition[] {
     const touched = this.#touched.value;
     return this.#editor.changes.value.flatMap(({ field, to }): PendingPosition[] => {
       if (field.kind !== 'position' || to === null || to < 0 || to > MAX_POSITION) return [];
-      // A value that stands behind a text that is none was not asked for.
+      // The old value of a field with an unreadable text was not asked for.
       const isMeant = touched.has(fieldKey(field)) && !this.#editor.unreadable.value.has(fieldKey(field));
       return isMeant ? [{ field, value: to }] : [];
     });
   }
 
-  /** Those of them that are no longer being typed. Whoever asks in an effect is told when the others have rested. */
+  /** Those that are no longer being typed. An effect that asks here runs again when the others have rested. */
   due(): readonly PendingPosition[] {
     void this.#rested.value;
     clearTimeout(this.#typing);

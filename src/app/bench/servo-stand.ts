@@ -3,23 +3,23 @@ import type { TimerProgram } from '../../program/index.js';
 import type { TimerConnection } from '../../serial/index.js';
 import type { Session } from '../session/session.js';
 
-/** What an acknowledged movement has told. */
+/** What an acknowledged movement has shown. */
 interface Stand {
   readonly connection: TimerConnection;
-  /** What was worked on: the servos stand where this memory has them. */
+  /** The work that the movement belongs to: the servos stand at the positions of this memory. */
   readonly key: string;
   readonly slot: number;
-  /** All positions that the timer held then. */
+  /** All positions that the timer held at that time. */
   readonly positions: TimerProgram['positions'];
 }
 
 /**
- * Where the servos stand. The timer cannot be asked: it is known only from a movement that it has acknowledged on this
- * connection, as long as nothing went out since that could have moved them. Storing a position may be enough for that
- * (rows 15 and 17 of the protocol page), so it is known only while the timer holds all positions as it did then.
+ * Where the servos stand. The timer cannot be asked. It is known only after a movement that the timer acknowledged on
+ * this connection, as long as nothing was sent since that could move them. Storing a position may be enough to move
+ * them (rows 15 and 17 of docs/protocol.md), so it is known only while the timer holds all positions unchanged.
  */
 export class ServoStand {
-  /** 0 start to NF; null when it is not known. */
+  /** The slot, from 0 (start) to NF (DT); null when it is not known. */
   readonly at: ReadonlySignal<number | null>;
   readonly #session: Session;
   readonly #last = signal<Stand | null>(null, { name: 'stand' });
@@ -35,7 +35,7 @@ export class ServoStand {
     });
   }
 
-  /** The timer has acknowledged that the servos moved to a slot, as it holds that now. */
+  /** The timer has acknowledged that the servos moved to a slot. */
   moved(connection: TimerConnection, slot: number): void {
     const held = this.#session.editor.baseline.peek();
     this.#last.value = held && {
@@ -46,7 +46,7 @@ export class ServoStand {
     };
   }
 
-  /** Something may have moved them, and it is not known where to. */
+  /** Something may have moved the servos to an unknown place. */
   lose(): void {
     this.#last.value = null;
   }

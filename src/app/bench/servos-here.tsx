@@ -13,7 +13,7 @@ interface ServosHereProps {
   readonly slot: number;
 }
 
-/** While the servos follow: the mark of the function where they stand, as far as that is known. */
+/** While the servos follow: marks the function where they stand, if that is known. */
 export function ServosHere({ bench, follow, slot }: ServosHereProps) {
   const here = useComputed(() => follow.on.value && bench.stand.at.value === slot).value;
   return here ? <span class="servos-here">{messages.value.bench.here}</span> : null;
@@ -28,7 +28,7 @@ interface ServosOfferProps {
   readonly width: number;
 }
 
-/** Under a function of which positions wait for the servos: the way to bring them there. */
+/** Under a function with positions that wait for the servos: a button that brings them there. */
 export function ServosOffer({ bench, follow, identity, slot, width }: ServosOfferProps) {
   const { bench: words } = messages.value;
   const waits = useComputed(() => follow.awaited.value.has(slot)).value;
@@ -43,7 +43,7 @@ export function ServosOffer({ bench, follow, identity, slot, width }: ServosOffe
           <button
             type="button"
             onClick={({ currentTarget, detail }) => {
-              // The button goes away: whoever came to it by keys goes back to the field.
+              // The button goes away, so the focus goes back to the field.
               const field = follow.waitingAt(slot);
               const input = field && currentTarget.closest('table')?.querySelector(`[data-field='${fieldKey(field)}']`);
               follow.bring(slot);

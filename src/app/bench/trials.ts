@@ -4,40 +4,40 @@ import { loadSetting, saveSetting } from '../browser/settings.js';
 import type { FieldValue } from '../editing/edit.js';
 import { trialsSchema } from '../storage/records.js';
 
-/** What was tried while the servos followed. */
+/** Positions that were tried while the servos followed. */
 export interface Trial {
-  /** What the timer held before, by a fresh read; it is among the backups. */
+  /** What the timer held before, by a fresh read. It is among the backups, too. */
   readonly before: TimerProgram;
-  /** The keys of the positions that were sent to the timer since. */
+  /** The keys of the positions that were sent to the timer since then. */
   readonly touched: ReadonlySet<string>;
 }
 
-/** Under which name the trials are kept. */
+/** The name under which the browser keeps the trials. */
 const TRIALS = 'trials';
 
 /**
- * What was tried on the bench and is neither kept nor put back: for each memory of each timer that was worked on,
- * through a reload too.
+ * Positions that were tried on the bench and neither kept nor put back: for each memory of each timer that was worked
+ * on, also after a reload.
  */
 export class Trials {
-  /** Of what the timer at hand holds; null when nothing is open there. */
+  /** The trial for the present content of the timer; null when none is open. */
   readonly current: ReadonlySignal<Trial | null>;
-  /** The positions that the timer holds otherwise than before. */
+  /** The positions that differ in the timer from what it held before. */
   readonly tried: ReadonlySignal<readonly Change[]>;
   readonly #trials = signal<ReadonlyMap<string, Trial>>(kept() ?? new Map(), { name: 'trials' });
   readonly #held: ReadonlySignal<TimerProgram | null>;
   readonly #keyOf: (program: TimerProgram) => string;
 
   /**
-   * @param held what the timer at hand holds.
-   * @param keyOf under what the work on a program is kept.
+   * @param held what the connected timer holds.
+   * @param keyOf gives the key under which work on a program is kept.
    */
   constructor(held: ReadonlySignal<TimerProgram | null>, keyOf: (program: TimerProgram) => string) {
     this.#held = held;
     this.#keyOf = keyOf;
     this.current = computed(() => {
       const trial = held.value && this.#trials.value.get(keyOf(held.value));
-      // What was kept may be damaged.
+      // The stored text may be damaged.
       return trial && held.value && sameLayout(trial.before.identity, held.value.identity) ? trial : null;
     });
     this.tried = computed(() => {
@@ -52,7 +52,7 @@ export class Trials {
     return this.tried.value.flatMap(({ field, from }) => (from === null ? [] : [{ field, value: from }]));
   }
 
-  /** Keeps the trial of what the timer holds now, or ends it. */
+  /** Keeps the trial for the present content of the timer; null ends it. */
   set(trial: Trial | null): void {
     const held = this.#held.peek();
     if (!held) return;
@@ -68,7 +68,7 @@ export class Trials {
   }
 }
 
-/** Null where nothing is kept. */
+/** Null where the browser keeps nothing. */
 function kept(): ReadonlyMap<string, Trial> | null {
   const trials = loadSetting(TRIALS, trialsSchema);
   return trials && new Map(trials.map(({ key, before, touched }) => [key, { before, touched: new Set(touched) }]));

@@ -1,4 +1,4 @@
-/** Once the first picture was drawn: in the frame after the next one; in a tab that draws nothing, soon. */
+/** Calls `work` once the first picture is drawn: in the frame after the next one. In a tab that draws nothing: soon. */
 export function afterPaint(work: () => void): void {
   let isDone = false;
   const once = (): void => {
@@ -9,7 +9,7 @@ export function afterPaint(work: () => void): void {
   setTimeout(once, 500);
 }
 
-/** The browser may do something else first. */
+/** Settles in a task of its own, so that the browser can do other work first. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve));
 }

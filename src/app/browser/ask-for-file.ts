@@ -1,6 +1,6 @@
 /**
- * Asks the pilot for files to read, in a window of the browser. Only at a press of a key or a button.
- * @param accept the endings and types that are shown at first.
+ * Asks the pilot for files to read, in a window of the browser. Call it only from a click or a key press.
+ * @param accept the file endings and types to offer.
  */
 export function askForFiles(accept: string, onChosen: (files: readonly File[]) => void): void {
   const field = document.createElement('input');
@@ -12,7 +12,7 @@ export function askForFiles(accept: string, onChosen: (files: readonly File[]) =
     onChosen([...(field.files ?? [])]);
   });
   field.addEventListener('cancel', () => field.remove());
-  // Safari forgets one that stands nowhere.
+  // Safari forgets an input that is not in the document.
   document.body.append(field);
   field.click();
 }

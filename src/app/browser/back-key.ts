@@ -1,6 +1,6 @@
 import { service, tried } from './services.js';
 
-/** As much of it as is used here: TypeScript does not know it yet. */
+/** The part of it that the page uses. TypeScript does not know it yet. */
 interface CloseWatcherLike {
   addEventListener(type: 'close', listener: () => void): void;
   destroy(): void;
@@ -11,9 +11,9 @@ declare global {
 }
 
 /**
- * The Back key of a phone, or the gesture, first closes what has come up, as it puts away a keyboard, and does not
- * leave the page. Where a browser tells nothing of it, it goes back.
- * @returns a function that ends it.
+ * Makes the Back key or gesture of a phone close an open part of the page first, instead of leaving the page. Where the
+ * browser does not support it, Back goes back.
+ * @returns a function that ends this.
  */
 export function onBackKey(close: () => void): () => void {
   const watcher = tried(() => {

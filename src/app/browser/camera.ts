@@ -1,14 +1,17 @@
 import { service } from './services.js';
 
-/** Why there is no camera: not given, none there, in use by another program, no such service, or anything else. */
+/**
+ * Why there is no camera. `denied`: the pilot or the browser refuses. `none`: there is none. `taken`: another program
+ * uses it. `missing`: the browser has no such service. `failed`: anything else.
+ */
 export type CameraFault = 'denied' | 'none' | 'taken' | 'missing' | 'failed';
 
-/** A camera that is on. */
+/** A camera that is switched on. */
 export interface Camera {
   readonly stream: MediaStream;
-  /** Switches it off. */
+  /** Switches the camera off. */
   stop(): void;
-  /** Calls back when it is taken away: it was unplugged, or the browser has stopped it. */
+  /** Calls back when the camera goes away: it was unplugged, or the browser has stopped it. */
   onEnd(callback: () => void): void;
 }
 
@@ -26,7 +29,10 @@ export function hasCamera(): boolean {
   return service('mediaDevices') !== null;
 }
 
-/** Asks for the camera at the back. The browser asks the pilot first: that can take as long as the pilot does. */
+/**
+ * Asks for the camera on the back of the device.
+ * The browser asks the pilot first, which takes as long as the pilot does.
+ */
 export async function openCamera(): Promise<Camera | { readonly fault: CameraFault }> {
   const devices = service('mediaDevices');
   if (!devices) return { fault: 'missing' };

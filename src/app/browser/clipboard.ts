@@ -2,16 +2,15 @@ import { answerOf, service } from './services.js';
 
 /**
  * Copies a text.
- * @throws what the browser says where it does not let this page copy, or has not said in a moment that it did.
+ * @throws the error of the browser when it does not allow copying, or does not answer soon.
  */
 export function copyText(text: string): Promise<void> {
   return answerOf(async () => await here().writeText(text));
 }
 
 /**
- * What was copied last, anywhere. A browser may ask the pilot first: this can take as long as the pilot does, or for
- * ever.
- * @throws what the browser says where it does not let this page see it.
+ * Reads the clipboard. The browser may ask the pilot first, so this can take very long, or for ever.
+ * @throws the error of the browser when it does not allow reading.
  */
 export async function copiedText(): Promise<string> {
   return await here().readText();

@@ -5,15 +5,15 @@ import { keepsSettings } from './settings.js';
 import { TabNumber, tabMemory } from './tab-number.js';
 
 /**
- * What a browser may not have for this page, besides its storage: `locks` tell its tabs apart, over the `channel` they
- * speak with each other, `settings` are small choices, `offline` is the page itself for when there is no network.
+ * What the browser may lack for this page, besides its storage. `locks` tell tabs apart. Over the `channel` the tabs
+ * talk to each other. `settings` are small choices. `offline`: the page kept for use without a network.
  */
 export type Lack = 'locks' | 'channel' | 'settings' | 'offline';
 
-/** As much of a media query as is used here. */
+/** The part of a media query that the page uses. */
 export type Query = Pick<MediaQueryList, 'matches' | 'addEventListener' | 'removeEventListener'>;
 
-/** What the browser has for this page when it is opened; null is what it does not have, or does not hand out. */
+/** What the browser offers this page when it opens; null is what it does not have, or refuses. */
 export interface Doors {
   readonly surroundings: Surroundings;
   readonly locks: Service<'locks'> | null;
@@ -23,7 +23,7 @@ export interface Doors {
   readonly settings: boolean;
 }
 
-/** Opens what can be opened. Nothing here waits, and nothing throws. */
+/** Opens everything that can be opened. Never waits and never throws. */
 export function openDoors(): Doors {
   return {
     surroundings: {
@@ -38,7 +38,7 @@ export function openDoors(): Doors {
   };
 }
 
-/** What is missing, and would be missed. The locks say so themselves, see {@link TabNumber}. */
+/** What is missing and would be missed. {@link TabNumber} reports the locks itself. */
 export function lacksOf({ channel, settings }: Doors): Lack[] {
   return [...(channel ? [] : (['channel'] as const)), ...(settings ? [] : (['settings'] as const))];
 }
@@ -47,7 +47,7 @@ export function tabNumberOf({ locks }: Doors): TabNumber {
   return new TabNumber(locks, tabMemory);
 }
 
-/** What the browser knows of how a page is to be shown; null where it does not say. */
+/** What a media query says; null where the browser does not tell. */
 export function media(query: string): Query | null {
   return tried(() => service('matchMedia')?.(query));
 }

@@ -1,29 +1,29 @@
-/** Who takes the files that are dropped on the page. */
+/** Takes the files that are dropped on the page. */
 export interface DropTaker {
-  /** Whether it would take some now. */
+  /** Whether it would take files now. */
   takes(): boolean;
-  /** Files are held over the page, or no longer. */
+  /** Called when files are held over the page, and when they no longer are. */
   over(isOver: boolean): void;
-  /** They were dropped. */
+  /** Called with the files that were dropped. */
   drop(files: readonly File[]): void;
 }
 
 let taker: DropTaker | null = null;
-/** What was dropped last while nobody was there to take it. */
+/** The last files that were dropped while nobody could take them. */
 let waiting: readonly File[] | null = null;
 
 /**
- * Keeps the browser from leaving the page for a file that is dropped on it, from now on: with a write under way that
- * must not happen, nor in the first moment. What is dropped before there is a taker waits for it.
+ * From now on the browser does not leave the page for a dropped file. That must never happen, least of all during a
+ * write. Files that are dropped before there is a taker wait for it.
  */
 export function holdDroppedFiles(): void {
-  // Added again they would not be added twice.
+  // A listener that is added twice still counts once.
   addEventListener('dragover', onOver);
   addEventListener('dragleave', onLeave);
   addEventListener('drop', onDrop);
 }
 
-/** @returns what ends it: from then on files wait for the next taker. */
+/** @returns a function that ends this: from then on files wait for the next taker. */
 export function takeDroppedFiles(next: DropTaker): () => void {
   holdDroppedFiles();
   taker = next;
@@ -44,7 +44,7 @@ function onOver(event: DragEvent): void {
 }
 
 function onLeave(event: DragEvent): void {
-  // It also leaves each part of the page that it passes over.
+  // This event also comes for each element that the pointer leaves on the page.
   if (event.relatedTarget === null) taker?.over(false);
 }
 
@@ -57,7 +57,7 @@ function onDrop(event: DragEvent): void {
   else if (taker.takes()) taker.drop(files);
 }
 
-/** Whether a part of the page has taken it, as the line does with a recording. */
+/** Whether a part of the page has taken the files, as the line does with a recording. */
 function isTaken(event: DragEvent): boolean {
   if (event.defaultPrevented) taker?.over(false);
   return event.defaultPrevented;

@@ -4,16 +4,16 @@ export interface Licence {
   readonly version: string;
   /** `MIT` */
   readonly licence: string;
-  /** In full. */
+  /** The full text. */
   readonly text: string;
 }
 
 declare global {
   interface ImportMetaEnv {
-    /** The licences as JSON; put in by the build, which knows what it has put into the page. */
+    /** The licences as JSON. The build fills it in, because it knows what is in the page. */
     readonly VITE_LICENCES?: string;
   }
 }
 
-/** Empty where the page is not built. */
+/** Empty when the page is not built. */
 export const licences: readonly Licence[] = JSON.parse(import.meta.env.VITE_LICENCES ?? '[]');

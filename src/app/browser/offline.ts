@@ -1,23 +1,23 @@
 import { answerOf, nameplate, service } from './services.js';
 import { type News, newsOfWaiting } from './update-news.js';
 
-/** A page that stays open looks for a new version after so long, in milliseconds. */
+/** How often a page that stays open looks for a new version, in milliseconds. */
 const LOOK_AGAIN = 3_600_000;
-/** So long the worker's script may take to come, in milliseconds: after that it is said that the page is not kept. */
+/** How long the worker's script may take to arrive, in milliseconds. After that the page says that it is not kept. */
 const FETCHED = 10_000;
 
 export interface OfflineOptions {
   /**
-   * A new version waits: `take` puts it in place of this one. What is new in it comes later; null when it does not say.
-   * Comes again for each that replaces the waiting one.
+   * A new version waits; `take` starts it in place of this one. `news` says what is new, or null when the version does
+   * not say. Called again for each version that replaces a waiting one.
    */
   readonly onUpdateReady: (take: () => void, news: Promise<News | null>) => void;
   /**
-   * Calls back, once, as soon as no port is open; at once if none is. Only then does a new version take the place of
-   * this one, and only then is the page loaded again, also when another tab has taken it.
+   * Calls back once, as soon as no port is open; at once if none is. Only then a new version replaces this one, and
+   * only then the page loads again, even when another tab has started the new version.
    */
   readonly whenFree: (callback: () => void) => void;
-  /** All of this version is kept for use without a network. */
+  /** This version is completely kept for use without a network. */
   readonly onKept: () => void;
   /** The browser does not keep the page for use without a network. */
   readonly onMissing: () => void;
@@ -32,9 +32,9 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
     return;
   }
 
-  // The first worker of all takes charge of a page that is as new as itself; every other brings a newer page.
+  // The first worker ever takes over a page of its own version. Every later worker brings a newer page.
   let replacing = serviceWorker.controller !== null;
-  // Whoever answers for the page has all of it.
+  // A worker that controls the page has all of it.
   if (replacing) onKept();
   serviceWorker.addEventListener('controllerchange', () => {
     if (replacing) whenFree(() => location.reload());
@@ -55,7 +55,7 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
       if (waiting && active) onUpdateReady(() => whenFree(takeWaiting), newsOfWaiting(waiting));
     };
     offer();
-    // Loaded past the worker, as some keys do: all of it is kept all the same.
+    // The page was loaded past the worker, as some keys do. It is completely kept all the same.
     if (registration.active && !registration.waiting) onKept();
     registration.addEventListener('updatefound', () => {
       const { installing } = registration;
@@ -64,7 +64,7 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
     lookAgain(() => registration.update());
     await registration.update();
   };
-  // Without a network, or where nothing may be kept, the page works anyway.
+  // Without a network, or where nothing may be kept, the page works all the same.
   const failed = (): void => {
     if (serviceWorker.controller === null && nameplate().onLine) onMissing();
   };
@@ -73,13 +73,16 @@ export function registerOffline({ onUpdateReady, whenFree, onKept, onMissing }: 
   else addEventListener('load', start, { once: true });
 }
 
-/** Looks for a new version while the page stays open, for days perhaps: now and then, and when it is come back to. */
+/**
+ * Looks for a new version now and then while the page stays open, perhaps for days,
+ * and when the pilot comes back to it.
+ */
 function lookAgain(look: () => Promise<unknown>): void {
   let last = Date.now();
   const lookIfDue = (): void => {
     if (document.hidden || !nameplate().onLine || Date.now() - last < LOOK_AGAIN) return;
     last = Date.now();
-    // Whatever is in the way, it is nothing to a pilot.
+    // Whatever went wrong here does not concern the pilot.
     look().catch(() => {});
   };
   setInterval(lookIfDue, LOOK_AGAIN / 4);
@@ -87,7 +90,7 @@ function lookAgain(look: () => Promise<unknown>): void {
   addEventListener('online', lookIfDue);
 }
 
-/** The one address that the page's Trusted Types policy gives out. */
+/** The one address that the page's Trusted Types policy allows. */
 function workerAddress(): string {
   const address = './sw.js';
   const policy = window.trustedTypes?.createPolicy('service-worker', { createScriptURL: (_: string) => address });

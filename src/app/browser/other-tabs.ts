@@ -2,22 +2,22 @@ import * as v from 'valibot';
 import { type Clock, realClock } from '../../line/index.js';
 import { service } from './services.js';
 
-/** As much of `BroadcastChannel` as is used here. */
+/** The part of `BroadcastChannel` that the page uses. */
 export interface TabChannel {
   postMessage(message: unknown): void;
   addEventListener(type: 'message', listener: (event: { readonly data: unknown }) => void): void;
   close(): void;
 }
 
-/** What a tab says of itself. */
+/** What a tab says about itself. */
 export interface TabState {
-  /** What the port that it holds is called between the tabs; null when it holds none. */
+  /** The shared name of the port that it holds; null when it holds none. */
   readonly portKey: string | null;
-  /** What is on its screen, for the pilot: “F1Q, M2”. At most 200 letters. */
+  /** What is on its screen, for the pilot: “F1Q, M2”. At most 200 characters. */
   readonly what: string;
-  /** Since when it holds the port: milliseconds since 1970. */
+  /** Since when it holds the port, in milliseconds since 1970. */
   readonly since: number;
-  /** It is writing to the timer: not to be disturbed. */
+  /** Whether it is writing to the timer and must not be disturbed. */
   readonly writing: boolean;
 }
 
@@ -27,13 +27,13 @@ export interface OtherTab extends TabState {
   readonly portKey: string;
 }
 
-/** What became of a port that was asked for. `gone`: the other tab did not answer in time. */
+/** What came of asking for a port. `gone`: the other tab did not answer in time. */
 export type TakeOver = 'released' | 'writing' | 'gone';
 
 export interface OtherTabsOptions {
-  /** Null where the browser has none: then no other tab is ever found. */
+  /** Null where the browser has none. Then no other tab is ever found. */
   readonly channel: TabChannel | null;
-  /** What this tab would say now. */
+  /** What this tab says about itself now. */
   readonly self: () => TabState;
   /**
    * Another tab wants the port of this one: close it.
@@ -43,12 +43,12 @@ export interface OtherTabsOptions {
   readonly clock?: Clock;
 }
 
-/** Milliseconds that a tab has to say what it holds. */
+/** How long a tab has to say what it holds, in milliseconds. */
 const ANSWER_WAIT = 150;
-/** Milliseconds that a tab has to close its port: the last request on the line must end first. */
+/** How long a tab has to close its port, in milliseconds: the last request on the line must end first. */
 const RELEASE_WAIT = 3000;
 
-// On the other side may be another version of this page: what is not understood is skipped.
+// The other tab may run another version of this page, so unknown messages are skipped.
 const text = v.pipe(v.string(), v.maxLength(200));
 const head = { from: text, ask: v.number(), portKey: text };
 const messageSchema = v.variant('kind', [
@@ -70,22 +70,22 @@ type Reply = Exclude<Message, Question>;
 
 /**
  * A channel between the tabs of this page; null where the browser has none.
- * @param about `tabs`: who holds which port; `library`: it was changed.
- * @throws what the browser says where it does not hand it out.
+ * @param about `tabs`: which tab holds which port; `library`: the library was changed.
+ * @throws the error of the browser when it refuses.
  */
 export function openTabChannel(about: 'tabs' | 'library' = 'tabs'): TabChannel | null {
   const Channel = service('BroadcastChannel');
   const channel = Channel && new Channel(`sidus-timer ${about}`);
-  // One that cannot be listened to is none.
+  // A channel that cannot be listened to counts as none.
   channel?.addEventListener('message', () => {});
   return channel;
 }
 
-/** The other tabs of this page in this browser: which of them holds a port, and may this one have it. */
+/** The other tabs of this page in this browser: which of them holds a port, and whether it gives the port up. */
 export class OtherTabs {
   readonly #options: OtherTabsOptions;
   readonly #clock: Clock;
-  // Without https there is no crypto.randomUUID, and the page must start there too.
+  // Without https there is no crypto.randomUUID, but the page must start all the same.
   readonly #id = String(crypto.getRandomValues(new Uint32Array(4)));
   readonly #waiting = new Map<number, (reply: Reply) => void>();
   #channel: TabChannel | null;
@@ -98,7 +98,7 @@ export class OtherTabs {
     this.#channel?.addEventListener('message', ({ data }) => this.#hear(data));
   }
 
-  /** The tabs that hold this port, the one that has held it longest first. Takes 150 ms where there can be any. */
+  /** The tabs that hold this port, longest first. Takes 150 ms where other tabs are possible. */
   async holders(portKey: string): Promise<OtherTab[]> {
     const found: OtherTab[] = [];
     await this.#ask({ kind: 'who', portKey }, ANSWER_WAIT, (reply) => {
@@ -110,7 +110,7 @@ export class OtherTabs {
     return found.sort((a, b) => a.since - b.since);
   }
 
-  /** Asks a tab to close its port, and waits until it has, at most 3 s. */
+  /** Asks a tab to close its port, and waits at most 3 s for it. */
   async takeOver({ id, portKey }: OtherTab): Promise<TakeOver> {
     const result = await this.#ask({ kind: 'release', portKey, to: id }, RELEASE_WAIT, (reply) =>
       reply.kind === 'answer' && reply.from === id ? reply.result : undefined,
@@ -118,13 +118,13 @@ export class OtherTabs {
     return result ?? 'gone';
   }
 
-  /** Answers and asks no more. */
+  /** Ends it: answers nothing and asks nothing any more. */
   close(): void {
     this.#channel?.close();
     this.#channel = null;
   }
 
-  /** Gives what `take` makes of the first reply that it takes; undefined when none came in time. */
+  /** Asks, and gives what `take` makes of the first reply that it accepts; undefined when none came in time. */
   async #ask<T>(
     question: { kind: 'who'; portKey: string } | { kind: 'release'; portKey: string; to: string },
     wait: number,
@@ -174,7 +174,7 @@ export class OtherTabs {
     try {
       this.#channel?.postMessage(message);
     } catch {
-      // Nobody hears it: the question ends without an answer, as if there were no other tab.
+      // Nobody hears it, so it ends without an answer, as if there were no other tab.
     }
   }
 }

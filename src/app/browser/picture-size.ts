@@ -1,10 +1,10 @@
-/** What the beginning of a file says of the picture in it, in pixels, before anything of it is decoded. */
+/** The size of the picture in a file, in pixels, from the beginning of the file alone: before anything is decoded. */
 export interface PictureSize {
   readonly width: number;
   readonly height: number;
 }
 
-/** Where the size stands in each format that browsers decode, by the first bytes of the file. */
+/** Where each format that browsers decode keeps the size, by the first bytes of the file. */
 const FORMATS: readonly (readonly [
   begins: (view: DataView) => boolean,
   size: (view: DataView) => PictureSize | null,
@@ -25,9 +25,9 @@ const FORMATS: readonly (readonly [
 ];
 
 /**
- * How large the picture of a file is, as it says itself.
- * @param beginning of the file: as much of it as is known.
- * @returns null where it is no picture, of a format that is not known here, or does not say it.
+ * The size that a picture file states.
+ * @param beginning the first bytes of the file, as many as are known.
+ * @returns null for anything else: no picture, an unknown format, or no size in these bytes.
  */
 export function pictureSize(beginning: ArrayBuffer): PictureSize | null {
   const view = new DataView(beginning);
@@ -36,27 +36,27 @@ export function pictureSize(beginning: ArrayBuffer): PictureSize | null {
     const size = sizeOf?.(view) ?? null;
     return size && size.width > 0 && size.height > 0 ? size : null;
   } catch (cause) {
-    // Its end comes before its size.
+    // The bytes end before the size.
     if (cause instanceof RangeError) return null;
     throw cause;
   }
 }
 
-/** The first segment that begins a frame has it; before that any number of others may stand. */
+/** The first segment that begins a frame has the size. Any number of other segments may come before it. */
 function jpegSize(view: DataView): PictureSize | null {
   for (let at = 2; ; ) {
     if (view.getUint8(at) !== 0xff) return null;
     const marker = view.getUint8(at + 1);
-    // Bytes that only fill.
+    // Fill bytes.
     if (marker === 0xff) at += 1;
     else if (isFrame(marker)) return { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
-    // The picture would begin, and nothing has said how large it is.
+    // The picture data begins here, and no segment has given the size.
     else if (marker === 0xda || marker === 0xd9) return null;
     else at += 2 + view.getUint16(at + 2);
   }
 }
 
-/** SOF0 to SOF15, among which there are tables and extensions. */
+/** SOF0 to SOF15, without the tables and extensions among these numbers. */
 function isFrame(marker: number): boolean {
   return marker >= 0xc0 && marker <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(marker);
 }
@@ -70,7 +70,7 @@ function webpSize(view: DataView): PictureSize | null {
   return { width: 1 + (bits & 0x3fff), height: 1 + ((bits >>> 14) & 0x3fff) };
 }
 
-/** The largest of all sizes that stand in it: it may hold small pictures beside the one that is shown. */
+/** The largest of all sizes in the file, which may also hold small pictures. */
 function boxedSize(view: DataView): PictureSize | null {
   let largest: PictureSize | null = null;
   for (let at = 0; at + 16 <= Math.min(view.byteLength, 65_536); at++) {

@@ -1,21 +1,27 @@
 import { type PictureSize, pictureSize } from './picture-size.js';
 
-/** Why a file is not taken for a picture: it is none that can be read, or more than a phone has room for. */
+/**
+ * Why a file is not accepted as a picture. `unreadable`: the browser cannot read it. `too-large`:
+ * a phone has no room for it.
+ */
 export type PictureFault = 'unreadable' | 'too-large';
 
-/** Nobody has a picture of more bytes. */
+/** Nobody has a larger picture file, in bytes. */
 const LARGEST_FILE = 50_000_000;
-/** Decoded, each takes four bytes: 256 MB in all. More than any phone takes, but where it is asked for 108 million. */
+/**
+ * Each decoded pixel takes four bytes, so 256 MB in all.
+ * More than any phone takes by default (some take 108 million on request).
+ */
 const MOST_PIXELS = 64_000_000;
-/** Before its size a JPEG may have previews and notes of the camera. */
+/** A JPEG may have previews and notes of the camera before its size. In bytes. */
 const BEGINNING = 8_000_000;
-/** What is longer than that in one direction is not made smaller while it is decoded: see `smallerBy`. */
+/** A picture that is this many times longer than wide is not made smaller while it is decoded: see `smallerBy`. */
 const LONG = 4;
 
 /**
- * Decodes a picture from a file that may come from anybody. What it says of its size is looked at first: a file of some
- * bytes can ask for gigabytes.
- * @param side a larger picture comes with so many pixels from left to right, but for a narrow strip.
+ * Decodes a picture from a file that may come from anybody. It checks the stated size first, because a small file can
+ * ask for gigabytes.
+ * @param side the width in pixels to which a larger picture is made smaller, unless it is a narrow strip.
  */
 export async function decodedPicture(file: Blob, side: number): Promise<ImageBitmap | PictureFault> {
   if (file.size > LARGEST_FILE) return 'too-large';
@@ -30,8 +36,8 @@ export async function decodedPicture(file: Blob, side: number): Promise<ImageBit
 }
 
 /**
- * One side alone is asked for: the other follows, and a camera that was held upright says so only behind the size, so
- * that width and height may be the other way round.
+ * Asks for the width alone; the height follows. A camera that was held upright says so only after the size, so width
+ * and height may be swapped.
  */
 function smallerBy({ width, height }: PictureSize, side: number): ImageBitmapOptions {
   const [short, long] = width < height ? [width, height] : [height, width];

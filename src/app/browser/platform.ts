@@ -2,32 +2,32 @@ export type System = 'windows' | 'mac' | 'linux' | 'chromeos' | 'android' | 'ios
 export type Browser = 'chrome' | 'edge' | 'opera' | 'brave' | 'firefox' | 'safari' | 'other';
 
 /**
- * What the pilot sits at, as far as the browser says. It chooses the sentence that is said, and nothing else: what a
- * browser can do is asked of the browser.
+ * The pilot's system and browser, as far as the browser tells. It only chooses sentences. What a browser can do, the
+ * page asks the browser itself.
  */
 export interface Platform {
   readonly system: System;
   readonly browser: Browser;
-  /** Major version of the browser as its maker counts; null when it is not said. */
+  /** Major version, in the counting of the browser's maker; null when it is not given. */
   readonly version: number | null;
-  /** A phone or a tablet. */
+  /** Whether it is a phone or a tablet. */
   readonly mobile: boolean;
 }
 
-/** As much of `navigator` as tells one browser from another. */
+/** The part of `navigator` that tells one browser from another. */
 export interface Nameplate {
   readonly userAgent: string;
   readonly userAgentData?: {
     readonly platform?: string;
     readonly brands?: readonly { readonly brand: string }[];
   };
-  /** Brave alone has it: its user agent is that of Chrome. */
+  /** Only Brave has it. Its user agent is that of Chrome. */
   readonly brave?: unknown;
-  /** An iPad says that it is a Macintosh; only one of the two has a touch screen. */
+  /** An iPad claims to be a Macintosh, but only the iPad has a touch screen. */
   readonly maxTouchPoints?: number;
 }
 
-/** By what `navigator.userAgentData.platform` calls them. */
+/** By the names that `navigator.userAgentData.platform` uses. */
 const SYSTEMS: Readonly<Record<string, System>> = {
   Windows: 'windows',
   macOS: 'mac',
@@ -38,7 +38,7 @@ const SYSTEMS: Readonly<Record<string, System>> = {
   iOS: 'ios',
 };
 
-/** The first that fits: most browsers name those that they want to be taken for as well. */
+/** The first match counts: most browsers also name those that they imitate. */
 const BROWSERS: readonly (readonly [Browser, RegExp])[] = [
   ['other', /SamsungBrowser|YaBrowser|Vivaldi|UCBrowser|DuckDuckGo|MiuiBrowser|HuaweiBrowser|Opera Mini|; wv\)/],
   ['edge', /\bEdg(?:e|A|iOS)?\/(\d+)/],
@@ -48,7 +48,7 @@ const BROWSERS: readonly (readonly [Browser, RegExp])[] = [
   ['safari', /\bVersion\/(\d+).* Safari\//],
 ];
 
-/** Reads the nameplate of a browser; `navigator` is one. */
+/** Reads these properties of a browser, such as `navigator`. */
 export function platformOf(nameplate: Nameplate): Platform {
   const { userAgent, userAgentData, brave } = nameplate;
   const system = systemOf(nameplate);
@@ -74,7 +74,7 @@ function systemOf({ userAgent, userAgentData, maxTouchPoints = 0 }: Nameplate): 
   return /Linux|X11/.test(userAgent) ? 'linux' : 'other';
 }
 
-/** Why a browser without Web Serial has none, where its name tells. */
+/** Why a browser has no Web Serial, where its name tells. */
 export type UnsupportedReason =
   | 'chrome-old'
   | 'edge-old'
@@ -87,16 +87,16 @@ export type UnsupportedReason =
   | 'android';
 
 /**
- * The first versions that have Web Serial. Every sentence that names one takes it from here; `docs/using-the-page.md`
- * says the same.
+ * The first versions with Web Serial. Every sentence that names one takes it from here;
+ * `docs/using-the-page.md` says the same.
  */
 export const FIRST_VERSIONS = {
   chrome: 89,
   edge: 89,
-  // Opera counts for itself: 75 is Chromium 89.
+  // Opera counts its own versions: Opera 75 is Chromium 89.
   opera: 75,
   firefox: 151,
-  /** Chrome on Android, in full. */
+  /** Chrome on Android, all of Web Serial. */
   android: 148,
   /** Chrome on Android, over Bluetooth only. */
   androidBluetooth: 138,
@@ -106,12 +106,12 @@ export const FIRST_VERSIONS = {
 
 const TOO_OLD = { chrome: 'chrome-old', edge: 'edge-old', opera: 'opera-old', firefox: 'firefox-old' } as const;
 
-/** @returns null when the name does not tell: another browser, or one that should have it. */
+/** @returns null when the name does not tell: an unknown browser, or one that should have it. */
 export function whyUnsupported({ system, browser, version }: Platform): UnsupportedReason | null {
   if (system === 'ios') return 'ios';
   if (system === 'android') return browser === 'firefox' ? 'firefox-mobile' : 'android';
   if (browser === 'brave') return browser;
-  // Safari is on a Mac; on Linux a browser of the same make calls itself so.
+  // Safari runs on a Mac. On Linux, a related browser uses the same name.
   if (browser === 'safari') return system === 'mac' ? 'safari' : null;
   if (browser === 'other' || version === null) return null;
   return version < FIRST_VERSIONS[browser] ? TOO_OLD[browser] : null;

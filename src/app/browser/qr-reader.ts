@@ -1,9 +1,9 @@
 import { answerOf, service, tried } from './services.js';
 
-/** What can be looked for QR codes: a picture that was chosen, or what a camera shows. */
+/** A picture that the pilot chose, or the live picture of a camera. */
 export type QrPicture = ImageBitmap | HTMLVideoElement;
 
-/** What the browser itself finds: many have no such service, or one that knows no QR codes. */
+/** The browser's own finder. Many browsers have none, or one that does not know QR codes. */
 interface Detector {
   detect(source: QrPicture): Promise<readonly { readonly rawValue: string }[]>;
 }
@@ -16,12 +16,12 @@ declare global {
   };
 }
 
-/** The longer edge of a picture that is searched, in pixels: more takes longer and finds no more. */
+/** The longer edges at which a picture is searched, in pixels. Larger ones take longer and find no more. */
 const EDGES = [1000, 1800, 500];
-/** No picture is looked at with more pixels in one direction. */
+/** No picture is searched with more pixels in one direction. */
 export const WIDEST_LOOK = Math.max(...EDGES);
 
-/** Finds the texts of QR codes: with what the browser has for it, else with a library that is fetched when needed. */
+/** Finds the texts of QR codes, with the browser's own finder or with a library that is fetched when needed. */
 export class QrReader {
   readonly #detector: Detector | null;
   #decode: typeof import('qr/decode.js').decodeQR | null = null;
@@ -33,17 +33,17 @@ export class QrReader {
   }
 
   /**
-   * Fetches what is missing in the browser.
-   * @throws what the browser says where that cannot be had.
+   * Fetches the library where the browser has no finder.
+   * @throws the error of the browser when the library cannot be fetched.
    */
   async prepare(): Promise<void> {
     this.#decode ??= (await import('qr/decode.js')).decodeQR;
   }
 
   /**
-   * Looks at a picture.
-   * @param edges how large it is looked at, one after another.
-   * @returns the text; null where nothing is found.
+   * Searches a picture.
+   * @param edges the longer edges in pixels at which to search, one after another.
+   * @returns the text; null when nothing is found.
    */
   async find(picture: QrPicture, edges: readonly number[] = EDGES): Promise<string | null> {
     const seen = await this.#detect(picture);

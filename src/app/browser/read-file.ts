@@ -1,8 +1,8 @@
 import { answerOf } from './services.js';
 
-/** Longer than any text that is read here, in bytes: it is not even fetched from the disk. */
+/** A file of more bytes is not even read: no text here is that long. */
 const LARGEST = 100_000_000;
-/** So long a disk, or what stands behind it, has to give a file, in milliseconds. */
+/** How long a disk, or a network drive, may take to give a file, in milliseconds. */
 const PATIENCE = 60_000;
 
 /** Why a file could not be read as a text. */

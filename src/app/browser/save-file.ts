@@ -1,9 +1,9 @@
 import { service } from './services.js';
 
-/** Milliseconds that a browser may take to begin with a download. */
+/** How long a browser may take to begin a download, in milliseconds. */
 const BEGUN = 10_000;
 
-/** Gives a text to the browser as a file to be saved. */
+/** Hands a text to the browser, to save it as a file. */
 export function saveFile(name: string, text: string, type = 'text/plain'): void {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const link = document.createElement('a');
@@ -13,13 +13,13 @@ export function saveFile(name: string, text: string, type = 'text/plain'): void 
   setTimeout(() => URL.revokeObjectURL(address), BEGUN);
 }
 
-/** A file that the pilot has chosen: it can be written again without asking where. */
+/** A file that the pilot has chosen. The page can write it again without asking. */
 export type ChosenFile = Pick<FileSystemFileHandle, 'name' | 'createWritable'>;
 
 /**
- * Asks where a file is to lie. It must begin within a few seconds of a tap.
+ * Asks where to save a file. Call it within a few seconds after a click.
  * @param type the kind of the file, with its endings.
- * @returns `dismissed` where the pilot chose none; null where this browser does not ask.
+ * @returns `dismissed` when the pilot chose no file; null when this browser cannot ask.
  */
 export async function chooseFile(
   name: string,
@@ -34,8 +34,8 @@ export async function chooseFile(
 }
 
 /**
- * Replaces what a file holds, all of it or nothing.
- * @throws what the browser says: the disk is full, or it is not allowed.
+ * Replaces the whole content of a file, or changes nothing.
+ * @throws the error of the browser: the disk is full, or writing is not allowed.
  */
 export async function writeFile(file: ChosenFile, text: string): Promise<void> {
   const stream = await file.createWritable();

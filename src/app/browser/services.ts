@@ -1,20 +1,20 @@
 import type { Nameplate } from './platform.js';
 
-/** Where a service is found, and what is used of it. */
+/** Where the browser has a service, and which parts of it the page uses. */
 export interface Uses {
   readonly of: 'navigator' | 'window';
-  /** Called or made itself. */
+  /** Whether the service itself is called or constructed. */
   readonly made?: true;
-  /** What answers at once. */
+  /** Methods that answer at once. */
   readonly now: readonly string[];
-  /** What answers by a promise. */
+  /** Methods that answer with a promise. */
   readonly later: readonly string[];
 }
 
 /**
- * All that this page asks of a browser and that a browser may lack, refuse or leave unanswered. There is no other way
- * to them: the linter holds the global names, the compiler what is not listed here, and with each fault of each of them
- * the built page is tested.
+ * Everything that this page asks of a browser and that a browser may lack, refuse or leave unanswered. There is no
+ * other way to these services: the linter forbids the global names, the compiler any method that is not listed, and the
+ * tests try every fault of each with the built page.
  */
 export const SERVICES = {
   serial: { of: 'navigator', now: ['addEventListener', 'removeEventListener'], later: ['getPorts', 'requestPort'] },
@@ -27,7 +27,7 @@ export const SERVICES = {
     later: ['register', 'getRegistration'],
   },
   caches: { of: 'window', now: [], later: ['keys', 'delete'] },
-  // Its answers are events: all of them come through `open`.
+  // It answers with events; all of them come through `open`.
   indexedDB: { of: 'window', now: ['open'], later: [] },
   localStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
   sessionStorage: { of: 'window', now: ['getItem', 'setItem', 'removeItem', 'key', 'length'], later: [] },
@@ -36,7 +36,7 @@ export const SERVICES = {
   CloseWatcher: { of: 'window', made: true, now: ['addEventListener', 'destroy'], later: [] },
   mediaDevices: { of: 'navigator', now: [], later: ['getUserMedia'] },
   BarcodeDetector: { of: 'window', made: true, now: [], later: ['detect'] },
-  // Called for the navigator.
+  // Must be called on the navigator.
   share: { of: 'navigator', made: true, now: [], later: [] },
   AudioContext: { of: 'window', made: true, now: [], later: ['resume', 'close'] },
   showSaveFilePicker: { of: 'window', made: true, now: [], later: [] },
@@ -44,7 +44,7 @@ export const SERVICES = {
 } as const satisfies Record<string, Uses>;
 
 declare global {
-  // Not of every browser, and so not of TypeScript's.
+  // Not every browser has it, so TypeScript does not declare it.
   var showSaveFilePicker: (options: {
     readonly suggestedName: string;
     readonly types: readonly { readonly accept: Readonly<Record<string, readonly string[]>> }[];
@@ -55,24 +55,24 @@ declare global {
 export type ServiceName = keyof typeof SERVICES;
 
 type Whole = Navigator & typeof globalThis;
-/** As much of a service as is used here; what is called or made as a whole is whole. */
+/** The listed part of a service. A service that is itself called or constructed comes whole. */
 export type Service<Name extends ServiceName> = Whole[Name] extends (...given: never[]) => unknown
   ? Whole[Name]
   : Whole[Name] extends { readonly prototype: unknown }
     ? Whole[Name]
     : Pick<Whole[Name], Extract<(typeof SERVICES)[Name]['now' | 'later'][number], keyof Whole[Name]>>;
 
-/** What the browser has under this name; null where it has none, or does not hand it out. */
+/** The browser's service of this name; null where it has none, or refuses it. */
 export function service<Name extends ServiceName>(name: Name): Service<Name> | null {
   return tried(() => ((SERVICES[name].of === 'navigator' ? navigator : globalThis) as Whole)[name] as Service<Name>);
 }
 
-/** What the browser says of itself. */
+/** What the browser says about itself. */
 export function nameplate(): Nameplate & Pick<Navigator, 'platform' | 'onLine'> {
   return navigator;
 }
 
-/** What this gives; null where it gives nothing or throws. */
+/** The result of `work`; null where it gives nothing or throws. */
 export function tried<T>(work: () => T): NonNullable<T> | null {
   try {
     return work() ?? null;
@@ -81,13 +81,13 @@ export function tried<T>(work: () => T): NonNullable<T> | null {
   }
 }
 
-/** So long a browser has for what should take a moment, in milliseconds. */
+/** How long a browser may take for something quick, in milliseconds. */
 const MOMENT = 3000;
 
 /**
- * What the browser answers to what should take it a moment.
- * @param ms for so long it is waited for, in milliseconds. Default: 3 s.
- * @throws what it says, or an Error when it has not answered by then.
+ * Waits for a quick answer of the browser.
+ * @param ms how long to wait, in milliseconds. Default: 3 s.
+ * @throws the error of the browser, or an Error when it has not answered by then.
  */
 export function answerOf<T>(ask: () => Promise<T>, ms = MOMENT): Promise<T> {
   return new Promise((resolve, reject) => {

@@ -1,14 +1,14 @@
 import * as v from 'valibot';
 import { service } from './services.js';
 
-/** Small choices that are kept in the browser. Where nothing is kept they last as long as the page. */
+/** Small choices that the browser keeps. Where it keeps nothing, they last as long as the page. */
 const PREFIX = 'sidus-timer/';
 
-/** For all tabs and for good, or for one tab until it is closed. */
+/** For all tabs and for good; or for one tab until it is closed. */
 const PLACES = ['localStorage', 'sessionStorage'] as const;
 type Place = (typeof PLACES)[number];
 
-/** @returns null when nothing is kept under this name, or something else than a value of this form. */
+/** @returns null when nothing is kept under this name, or a value of another form. */
 export function loadSetting<T>(
   name: string,
   schema: v.GenericSchema<unknown, T>,
@@ -27,11 +27,11 @@ export function saveSetting(name: string, value: unknown, place: Place = 'localS
   try {
     service(place)?.setItem(PREFIX + name, JSON.stringify(value));
   } catch {
-    // The storage is full or switched off: the choice holds for this page alone.
+    // The storage is full or switched off: the choice lasts as long as this page.
   }
 }
 
-/** Whether the browser keeps such choices at all: a browser may have the place and refuse it. */
+/** Whether the browser keeps such choices at all. It may have the storage and still refuse. */
 export function keepsSettings(): boolean {
   try {
     for (const place of PLACES) {
@@ -48,7 +48,7 @@ export function keepsSettings(): boolean {
 
 /**
  * Forgets all of them.
- * @throws what the browser says where it does not give the place out.
+ * @throws the error of the browser when it refuses its storage.
  */
 export function eraseSettings(): void {
   for (const place of PLACES) {

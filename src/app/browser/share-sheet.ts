@@ -1,13 +1,13 @@
 import { nameplate, service } from './services.js';
 
-/** Whether the system can hand a link to other programs and to people. */
+/** Whether the system can hand a link to other programs and people. */
 export function canSend(): boolean {
   return service('share') !== null;
 }
 
 /**
- * Opens the system's sheet of whom to share with. That may take as long as the pilot does.
- * @returns false where the system refuses; a pilot who closes the sheet has his way.
+ * Opens the system's sheet for sharing. That takes as long as the pilot does.
+ * @returns false when the system refuses; true also when the pilot closes the sheet.
  */
 export async function send(what: { readonly title: string; readonly url: string }): Promise<boolean> {
   try {

@@ -2,7 +2,7 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import * as v from 'valibot';
 import { loadSetting, saveSetting } from './settings.js';
 
-/** As much of `navigator.locks` as is used here. */
+/** The part of `navigator.locks` that the page uses. */
 export interface Locks {
   request(
     name: string,
@@ -18,34 +18,34 @@ export interface TabMemory {
 }
 
 const NAME = 'tab';
-/** So long a page that is loaded again waits at most for the one before it to let go, in milliseconds. */
+/** How long a reloaded page waits at most for the page before it to release its number, in milliseconds. */
 const RELOAD_WAIT = 1000;
-/** A tab whose number has been free for so long is not being loaded again, in milliseconds. */
+/** A tab whose number has been free for so long is closed and not being reloaded. Milliseconds. */
 const CLOSED_AFTER = 3000;
-/** So long the browser has to say whether a number is free, in milliseconds. */
+/** How long the browser may take to say whether a number is free, in milliseconds. */
 const ANSWER_WAIT = 3000;
 
 const lockName = (number: number): string => `sidus-timer/${NAME}/${number}`;
 
-/** No other tab sees it, but for one that is copied from this one. */
+/** Only this tab sees it, and a tab that is duplicated from it. */
 export const tabMemory: TabMemory = {
   load: () => loadSetting(NAME, v.pipe(v.number(), v.safeInteger(), v.minValue(1)), 'sessionStorage'),
   save: (number) => saveSetting(NAME, number, 'sessionStorage'),
 };
 
 /**
- * The number of this tab among those of the program, from 1: what is worked on is kept for each by itself. A tab has
- * its number until it is closed, also over a reload; then the number is free, with what was kept under it. Without
- * locks all tabs are 1. Where the browser does not say who has which, the tab takes a number that nobody else can have,
- * and nothing of another tab.
+ * The number of this tab among the tabs of this page, from 1. Work is kept for each number separately. A tab keeps its
+ * number until it is closed, also over a reload; then the number is free, with the work that was kept under it. Without
+ * locks all tabs are 1. Where the browser does not say which tab has which number, this tab takes a number that no
+ * other can have, and none of the work of another tab.
  */
 export class TabNumber {
   readonly #told = signal(true, { name: 'tabsTold' });
-  /** Whether the browser tells its tabs apart; false as soon as it has failed to say it. */
+  /** Whether the browser tells its tabs apart; false as soon as it has failed to. */
   readonly told: ReadonlySignal<boolean> = this.#told;
   readonly #locks: Locks | null;
   readonly #memory: TabMemory;
-  /** The browser has left a question open. */
+  /** Whether the browser has left a question without an answer. */
   #silent = false;
   #number: number | null = null;
 
@@ -60,8 +60,8 @@ export class TabNumber {
   }
 
   /**
-   * Takes the number that this tab had before it was loaded again. The page before may still have it, or a tab that
-   * this one was copied from.
+   * Takes the number that this tab had before a reload. The page before may still hold it, or the tab from which this
+   * one was duplicated.
    */
   async takeBefore(): Promise<void> {
     const before = this.#memory.load();
@@ -72,13 +72,13 @@ export class TabNumber {
     clearTimeout(giveUp);
   }
 
-  /** @returns whether this tab has this number, or has none and could take it. */
+  /** @returns whether this tab now has this number. */
   async take(number: number): Promise<boolean> {
     if (this.#number === null && (await this.#lock(number, { ifAvailable: true }))) this.#have(number);
     return this.#number === number;
   }
 
-  /** Takes the lowest number that is free, unless this tab has one. */
+  /** Takes the lowest free number, unless this tab has one. */
   async takeAny(): Promise<void> {
     for (let number = 1; this.#number === null; number++) {
       await this.take(number);
@@ -97,8 +97,8 @@ export class TabNumber {
   }
 
   /**
-   * Waits until the tab that has this number is closed. One that is only loaded again takes its number again.
-   * @returns false when the waiting was stopped, or where the browser does not say.
+   * Waits until the tab with this number is closed. A tab that is only reloaded takes its number again.
+   * @returns false when the wait was stopped, or where the browser does not say.
    */
   async whenClosed(number: number, stop: AbortSignal): Promise<boolean> {
     try {
@@ -108,7 +108,7 @@ export class TabNumber {
         if (await this.isFree(number)) return true;
       }
     } catch {
-      // Stopped, or refused.
+      // The wait was stopped or refused.
     }
     return false;
   }
@@ -123,8 +123,8 @@ export class TabNumber {
   }
 
   /**
-   * @param until for so long it is held, if it could be taken. Default: until the page is gone.
-   * @returns `held`: by another tab.
+   * @param until hold it until this settles, if it could be taken. Default: until the page is gone.
+   * @returns `held`: another tab has it.
    */
   #ask(
     number: number,
@@ -145,14 +145,14 @@ export class TabNumber {
         end('unknown');
       }, ANSWER_WAIT);
       const work = (lock: unknown): Promise<void> | undefined => {
-        // What comes too late is given back.
+        // A lock that comes too late is released.
         if (lock === null || over) return void end('held');
         end('taken');
         return until;
       };
       // A browser that keeps nothing for this page has no locks for it either.
       const failed = (error?: unknown): void => {
-        // Waited for in vain: that is an answer.
+        // The wait ran out: that is an answer, too.
         const isAnswer = (error as { name?: unknown } | undefined)?.name === 'AbortError';
         if (!isAnswer) this.#told.value = false;
         end(isAnswer ? 'held' : 'ifAvailable' in options && number === 1 ? 'taken' : 'unknown');

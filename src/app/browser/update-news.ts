@@ -1,19 +1,19 @@
 import * as v from 'valibot';
 import { answerOf, tried } from './services.js';
 
-/** What is new in one release, for a pilot, as plain text: each change below what it is about. */
+/** What is new in one release, for a pilot, as plain text: changes under the heading that they belong to. */
 export interface Release {
   readonly version: string;
   readonly changes: readonly { readonly title: string; readonly items: readonly string[] }[];
 }
 
-/** What a version says of itself and of those before it, the newest first. */
+/** What a version says about itself and the versions before it, newest first. */
 export interface News {
   readonly version: string;
   readonly releases: readonly Release[];
 }
 
-// What waits may be a version of any time: what is not understood is passed over.
+// The waiting version may be of any age: what this one does not understand is skipped.
 const text = v.pipe(v.string(), v.maxLength(1000));
 const texts = v.pipe(v.array(text), v.maxLength(200));
 const changes = v.pipe(v.array(v.object({ title: text, items: texts })), v.maxLength(50));
@@ -21,8 +21,8 @@ const releases = v.pipe(v.array(v.object({ version: text, changes })), v.maxLeng
 const newsSchema = v.object({ version: text, releases });
 
 /**
- * What is new in a version that waits, by its own word: its worker has it with it, so there need be no network.
- * @returns null when it does not say: a worker of another make.
+ * What is new in a waiting version, in its own words. Its worker carries them, so no network is needed.
+ * @returns null when it does not say, as another kind of worker.
  */
 export async function newsOfWaiting(worker: Pick<ServiceWorker, 'postMessage'>): Promise<News | null> {
   const channel = tried(() => new MessageChannel());
@@ -38,7 +38,7 @@ export async function newsOfWaiting(worker: Pick<ServiceWorker, 'postMessage'>):
   return v.is(newsSchema, said) ? said : null;
 }
 
-/** The releases that whoever has `version` does not know yet; at least the newest. */
+/** The releases that a pilot with `version` does not know yet; at least the newest. */
 export function newTo(version: string, { releases }: News): readonly Release[] {
   const known = releases.findIndex((release) => release.version === version);
   return releases.slice(0, known < 0 ? undefined : Math.max(1, known));

@@ -1,9 +1,9 @@
 declare global {
   interface ImportMetaEnv {
-    /** The version in package.json; put in by the build. */
+    /** The version in package.json; the build fills it in. */
     readonly VITE_VERSION?: string;
   }
 }
 
-/** Which version of the program this is. */
+/** The version of this page. */
 export const version: string = import.meta.env.VITE_VERSION ?? 'unreleased';

@@ -1,11 +1,11 @@
 /** Seconds between two looks at the clock. */
 const LOOK = 5;
-/** A gap of so many seconds between two looks means that the computer has slept. */
+/** After a gap of this many seconds between two looks, the computer must have slept. */
 const SLEPT = 30;
 
 /**
- * Calls back when the computer wakes from sleep, or the browser lets the page go on after it has frozen it. A page in
- * the background is called less often without any sleep: there the gap means nothing.
+ * Calls back when the computer wakes from sleep, or the browser continues a page that it had frozen. In the background
+ * a page runs less often anyway, so there a gap means nothing.
  */
 export function onWake(callback: () => void): void {
   let last = Date.now();

@@ -1,9 +1,9 @@
 /**
- * Does it once the browser has nothing else to do, after so many milliseconds at the latest.
- * @returns what takes it back.
+ * Calls `act` once the browser has nothing else to do, at the latest after `within` milliseconds.
+ * @returns a function that cancels the call.
  */
 export function whenIdle(act: () => void, within: number): () => void {
-  // Safari knows nothing of being idle.
+  // Safari does not have it.
   if (typeof requestIdleCallback !== 'function') {
     const timer = setTimeout(act, within);
     return () => clearTimeout(timer);

@@ -1,19 +1,19 @@
-/** A file of the built page: its address relative to the page, and what its bytes must be (`sha256-...`). */
+/** A file of the built page: its address relative to the page, and the checksum of its bytes (`sha256-...`). */
 export interface SiteFile {
   readonly url: string;
   readonly integrity: string;
-  /** Not every pilot needs it: it is kept from the first time on that it is asked for. */
+  /** Not every pilot needs it: it is kept from its first use on. */
   readonly later?: true;
 }
 
-/** Without these nothing is drawn. */
+/** Nothing is drawn without these. */
 const NEEDED = /\.(?:js|css)$/;
-/** So long the browser has to say what it keeps, in milliseconds: then the page comes from the host. */
+/** How long the browser may take to find a kept file, in milliseconds. After that the file comes from the host. */
 const KEPT_WAIT = 3000;
 
 /**
- * The files of one version of the page, kept for use without a network. Nothing is kept that is not what the build has
- * made: a host that answers with something else, whatever it calls it, changes nothing.
+ * The files of one version of the page, kept for use without a network. It keeps only files that the build has made: a
+ * host that answers with anything else changes nothing.
  */
 export class SiteCache {
   readonly #files: ReadonlyMap<string, SiteFile>;
@@ -24,13 +24,13 @@ export class SiteCache {
   constructor(files: readonly SiteFile[], scope: string) {
     this.#scope = scope;
     this.#files = new Map(files.map((file) => [new URL(file.url, scope).href, file]));
-    // Each version has a cache of its own: the one before stays whole until this one has taken its place.
+    // Each version has a cache of its own. The cache before it stays whole until this version has taken over.
     this.#name = `sidus-timer ${hash(files.map(({ integrity }) => integrity).join(' '))} ${scope}`;
   }
 
   /**
-   * The address under which a file of this version is kept; null for what is none of them. The page has one, whatever
-   * follows its question mark.
+   * The address under which a file of this version is kept; null for any other request. The page has one address,
+   * whatever follows its question mark.
    */
   addressOf(request: Pick<Request, 'url' | 'method'>): string | null {
     if (request.method !== 'GET') return null;
@@ -41,8 +41,8 @@ export class SiteCache {
   }
 
   /**
-   * Fetches all files that every pilot needs, and those that this one had in the version before.
-   * @throws when one of them is not what it must be: then this version is not installed.
+   * Fetches all files that every pilot needs, and the optional ones that the version before had.
+   * @throws when one of them has the wrong bytes: then this version is not installed.
    */
   async fill(): Promise<void> {
     const cache = await caches.open(this.#name);
@@ -52,14 +52,14 @@ export class SiteCache {
     await Promise.all(files);
   }
 
-  /** Throws away what other versions have kept. */
+  /** Deletes the caches of all other versions. */
   async dropOthers(): Promise<void> {
     const names = await caches.keys();
     const others = names.filter((name) => name !== this.#name && name.endsWith(this.#scope));
     await Promise.all(others.map((name) => caches.delete(name)));
   }
 
-  /** Answers a request for a file of this version. What is missing is mended, as long as there is a network. */
+  /** Answers a request for a file of this version. A missing file is fetched again, if there is a network. */
   async answer(address: string, request: Request): Promise<Response> {
     let cache: Cache;
     let kept: Response | undefined;
@@ -69,14 +69,13 @@ export class SiteCache {
       kept = await soon(cache.match(address));
       whole = request.mode !== 'navigate' || (await this.#mend(cache));
     } catch {
-      // What is kept cannot be had: as if there were no worker.
+      // The cache does not open: works as if there were no worker.
       return await fetch(request);
     }
     if (kept && whole) return kept;
     try {
       if (whole) return await this.#fetch(cache, address);
-      // The page is no use without its scripts: when one is gone and cannot be had again, the page of the host is
-      // better.
+      // The page is of no use without its scripts. When one is gone and cannot be fetched, the host's page is better.
       const fetched = await fetch(request);
       return fetched.ok || !kept ? fetched : kept;
     } catch {
@@ -84,7 +83,7 @@ export class SiteCache {
     }
   }
 
-  /** @returns whether all that the page needs to be drawn is there now. */
+  /** @returns whether everything that the page needs to draw is there now. */
   async #mend(cache: Cache): Promise<boolean> {
     const kept = new Set((await soon(cache.keys())).map(({ url }) => url));
     const missing = [...this.#files.keys()].filter((address) => NEEDED.test(address) && !kept.has(address));
@@ -96,10 +95,10 @@ export class SiteCache {
     const integrity = this.#files.get(address)?.integrity ?? '';
     const get = (from: RequestCache): Promise<Response> =>
       fetch(address, { integrity, cache: from, credentials: 'same-origin' });
-    // What lies in between may be stale or damaged: then once more from the host itself.
+    // A cache on the way may be stale or damaged: tries once more at the host itself.
     const fetched = await get('no-cache').catch(() => get('reload'));
     if (!fetched.ok) throw new Error(`${fetched.status} for ${address}`);
-    // A page cannot be opened by an answer that came by a detour.
+    // A browser refuses to open a page from a redirected response, so this makes a new one.
     const { headers, status, statusText } = fetched;
     const response = fetched.redirected ? new Response(fetched.body, { headers, status, statusText }) : fetched;
     await cache.put(address, response.clone());
@@ -107,7 +106,7 @@ export class SiteCache {
   }
 }
 
-/** A short name for a long text; two versions never share it by chance. */
+/** A short name for a long text. Two versions do not share one by chance. */
 function hash(text: string): string {
   let [a, b] = [0x811c9dc5, 0x9dc5811c];
   for (let i = 0; i < text.length; i++) {
@@ -118,7 +117,7 @@ function hash(text: string): string {
   return [a, b].map((part) => (part >>> 0).toString(16).padStart(8, '0')).join('');
 }
 
-/** What comes, if it comes in time. */
+/** The result, if it comes in time. */
 function soon<T>(work: Promise<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     setTimeout(reject, KEPT_WAIT, new Error('the cache does not answer'));

@@ -1,2 +1,2 @@
-/** Where two programs stand side by side, in the address after `#library/`. */
+/** The address of the comparison, after `#library/`. */
 export const COMPARE = 'compare';

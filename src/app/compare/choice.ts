@@ -1,18 +1,18 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 
-/** Under what a program is chosen. */
+/** The key of the program on the screen. */
 export const SCREEN = 'screen';
 export const settingKey = (id: string): string => `setting/${id}`;
 export const backupKey = (key: string): string => `backup/${key}`;
 
-/** Which two programs stand side by side: it outlasts its page. */
+/** Which two programs are compared. Outlasts the page of the comparison. */
 export class ComparedPair {
   readonly #first = signal<string | null>(null, { name: 'firstSide' });
   readonly #second = signal<string | null>(null, { name: 'secondSide' });
   readonly first: ReadonlySignal<string | null> = this.#first;
   readonly second: ReadonlySignal<string | null> = this.#second;
 
-  /** By their keys; null: what is nearest. */
+  /** Chooses by keys; null leaves the choice to the page. */
   show(first: string | null, second: string | null = null): void {
     batch(() => {
       this.#first.value = first;

@@ -1,6 +1,6 @@
 import { comparingMessages } from '../messages/comparing.js';
 
-/** The way to two programs side by side. */
+/** Opens the comparison of two programs. */
 export function CompareButton({ onCompare }: { readonly onCompare: () => void }) {
   return (
     <button type="button" onClick={onCompare}>

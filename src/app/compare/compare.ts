@@ -6,24 +6,24 @@ import type { Session } from '../session/session.js';
 import type { Backup, SettingRecord } from '../storage/index.js';
 import { backupKey, type ComparedPair, SCREEN, settingKey } from './choice.js';
 
-/** A program that is at hand. */
+/** A program that can be compared. */
 export type Side =
-  /** What is on the screen, with all changes. */
+  /** The program on the screen, with all changes. */
   | { readonly kind: 'screen'; readonly key: 'screen'; readonly program: TimerProgram }
-  /** What was last read of a memory of the timer that is connected. */
+  /** The last reading of a memory of the connected timer. */
   | { readonly kind: 'timer'; readonly key: string; readonly memory: number; readonly program: TimerProgram }
   | { readonly kind: 'setting'; readonly key: string; readonly record: SettingRecord; readonly program: TimerProgram }
   | { readonly kind: 'backup'; readonly key: string; readonly backup: Backup; readonly program: TimerProgram };
 
-/** Any two of the programs that are at hand side by side: on the screen, in the timer, settings, backups. */
+/** Compares any two programs: on the screen, in the timer, settings, backups. */
 export class Compare {
-  /** All that can be compared, in the order in which they are offered. */
+  /** Everything that can be compared, in the order of the list. */
   readonly sides: ReadonlySignal<readonly Side[]>;
-  /** Null where there is nothing at all. */
+  /** Null when there is nothing at all. */
   readonly first: ReadonlySignal<Side | null>;
-  /** What the first can be compared with: of its class and layout. */
+  /** What the first program can be compared with: programs of its class and layout. */
   readonly others: ReadonlySignal<readonly Side[]>;
-  /** Null where there is nothing to compare with. */
+  /** Null when there is nothing to compare with. */
   readonly second: ReadonlySignal<Side | null>;
   readonly #session: Session;
   readonly #pair: ComparedPair;
@@ -32,7 +32,7 @@ export class Compare {
     this.#session = session;
     this.#pair = pair;
     this.sides = computed(() => sidesOf(session));
-    // What is gone gives way to what is there.
+    // A program that is gone gives way to one that is there.
     this.first = computed(() => chosen(this.sides.value, this.#pair.first.value));
     this.others = computed(() => {
       const first = this.first.value;
@@ -46,7 +46,7 @@ export class Compare {
   }
 
   chooseFirst(key: string): void {
-    // What was first becomes the other one where it is chosen there.
+    // A program chosen on the other side changes places with the one that was there.
     this.#pair.show(key, key === this.second.peek()?.key ? (this.first.peek()?.key ?? null) : this.#pair.second.peek());
   }
 
@@ -58,7 +58,7 @@ export class Compare {
     this.#pair.show(this.second.peek()?.key ?? null, this.first.peek()?.key ?? null);
   }
 
-  /** A value of the other one goes into the program on the screen, as a step of its own. */
+  /** Takes one value of the other program into the program on the screen, as a step of its own. */
   take(field: ProgramField): void {
     const from = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== SCREEN);
     const value = from && valueAt(from.program, field);
@@ -67,7 +67,7 @@ export class Compare {
     this.#session.editor.apply(setValues(name, [{ field, value }]));
   }
 
-  /** Opens the setting that is compared, so that values can be taken into it. */
+  /** Opens the compared setting, so that values can be taken into it. */
   async open({ record: { setting }, key }: Extract<Side, { kind: 'setting' }>): Promise<void> {
     const other = [this.first.peek(), this.second.peek()].find((side) => side && side.key !== key);
     if (await this.#session.opened.show(setting)) this.#pair.show(SCREEN, other?.key ?? null);

@@ -9,7 +9,7 @@ import './connection-help-view.css';
 interface ConnectionHelpProps {
   readonly code: HelpCode;
   readonly platform: Platform;
-  /** What the port says of itself that it is about; null when none was chosen. */
+  /** The information of the port; null when none was chosen. */
   readonly info: PortInfo | null;
   /** The address of the page. */
   readonly address?: string;
@@ -28,7 +28,7 @@ export function ConnectionHelp({ address = location.href, ...situation }: Connec
   );
 }
 
-/** What to do, step by step: for this system first, for the others folded up. */
+/** What to do, step by step: first for this system, then the others, folded up. */
 export function HelpSteps({ code, platform, info, address = location.href }: ConnectionHelpProps) {
   const { on, systems } = messages.value.help;
   const { here, elsewhere } = helpFor(code, { platform, info, address });
@@ -45,7 +45,7 @@ export function HelpSteps({ code, platform, info, address = location.href }: Con
   );
 }
 
-/** The sentence about a connection that failed: for a browser without Web Serial the one that is about this browser. */
+/** The sentence about a failed connection. Without Web Serial it is about this browser. */
 export function connectionSaid(code: ConnectionErrorCode, platform: Platform): Said {
   const { connection, help } = messages.value;
   const reason = code === 'unsupported' ? whyUnsupported(platform) : null;
@@ -68,10 +68,7 @@ function Steps({ steps }: { readonly steps: readonly HelpStep[] }) {
   );
 }
 
-/**
- * Opened in the head of the page, which lets go of the top of the window while it is as long as this: it must not go
- * out of sight.
- */
+/** The help opens in the head of the page, which scrolls away while it is as long as this. It must stay in sight. */
 function keepInSight(help: HTMLDetailsElement): void {
   const top = help.closest('.top');
   document.documentElement.toggleAttribute('data-help', help.open && top !== null);

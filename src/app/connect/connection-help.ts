@@ -2,22 +2,22 @@ import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 import type { Browser, Platform, System } from '../browser/platform.js';
 import type { Messages } from '../messages/index.js';
 
-/** What there is help for: a connection that failed, or waiting for a timer that does not answer. */
+/** What there is help for: a connection that failed, or a timer that does not answer. */
 export type HelpCode = ConnectionErrorCode | 'waiting';
 
-/** What the help is for: the same problem has other causes on another system. */
+/** Where the help is needed: the same problem has other causes on another system. */
 export interface Situation {
   readonly platform: Platform;
-  /** The port that it is about; null when there is none, or none is known. */
+  /** The port; null when there is none, or none is known. */
   readonly info: PortInfo | null;
   /** The address of this page. */
   readonly address: string;
 }
 
-/** One thing to do. Its sentence stands in messages/, found by this code. */
+/** One thing to do. messages/ has its sentence under this code. */
 export type HelpStepCode = keyof Messages['help']['steps'];
 
-/** What goes with some steps, to copy. A step whose commands cannot be given here is left out. */
+/** Lines to copy that belong to some steps. A step is left out when its lines cannot be made here. */
 const COMMANDS: Partial<Readonly<Record<HelpStepCode, (situation: Situation) => readonly string[] | null>>> = {
   'holder-mac': () => ['lsof /dev/cu.*'],
   'holder-linux': () => ['sudo fuser -v /dev/ttyUSB* /dev/ttyACM*'],
@@ -37,7 +37,7 @@ const COMMANDS: Partial<Readonly<Record<HelpStepCode, (situation: Situation) => 
   'policy-frame': () => ['allow="serial"'],
 };
 
-/** What helps everywhere, before and after what helps on each system. */
+/** The steps for every system, before and after those for each system. */
 interface Plan {
   readonly first?: readonly HelpStepCode[];
   readonly systems?: Partial<Readonly<Record<System, readonly HelpStepCode[]>>>;
@@ -46,12 +46,12 @@ interface Plan {
 
 const BLUETOOTH: Plan = { first: ['bluetooth-one', 'bluetooth-again'] };
 
-/** What Firefox does with a port that has failed. */
+/** The steps for Firefox with a port that has failed. */
 function firefoxPorts({ browser, mobile }: Platform): readonly HelpStepCode[] {
   return browser === 'firefox' && !mobile ? ['firefox-reload'] : [];
 }
 
-/** The browsers that Ubuntu installs in a cage of their own. */
+/** Browsers that Ubuntu installs as snaps, which keep them from serial ports. */
 const SNAPS: Partial<Readonly<Record<Browser, readonly HelpStepCode[]>>> = {
   chrome: ['chromium-snap'],
   firefox: ['firefox-snap'],
@@ -121,20 +121,20 @@ const PLANS: Readonly<Record<HelpCode, (situation: Situation) => Plan>> = {
         },
 };
 
-/** One thing to do, with the lines to copy that it speaks of. */
+/** One thing to do, with the lines to copy that it mentions. */
 export interface HelpStep {
   readonly code: HelpStepCode;
   readonly copy: readonly string[];
 }
 
 export interface ConnectionAdvice {
-  /** For the system that the pilot sits at. */
+  /** For the pilot's own system. */
   readonly here: readonly HelpStep[];
-  /** For the others: a pilot may help another one, and a system may be taken for another. */
+  /** For the other systems: a pilot may help somebody else, and a system may be mistaken for another. */
   readonly elsewhere: readonly { readonly system: System; readonly steps: readonly HelpStep[] }[];
 }
 
-/** What to do about it. Empty where its sentence says all. */
+/** What to do about it. Empty when the sentence says everything. */
 export function helpFor(code: HelpCode, situation: Situation): ConnectionAdvice {
   const { first = [], systems = {}, last = [] } = PLANS[code](situation);
   const { system } = situation.platform;
@@ -152,16 +152,15 @@ export function helpFor(code: HelpCode, situation: Situation): ConnectionAdvice 
 }
 
 /**
- * The udev rule that lets whoever sits at the computer use this adapter, and keeps ModemManager from asking it whether
- * it is a modem.
- * @returns null for a port that has no USB numbers.
+ * The udev rule that lets the user at the computer use this adapter, and keeps ModemManager from testing whether it is
+ * a modem.
+ * @returns null for a port without USB numbers.
  */
 export function udevRule(info: PortInfo | null): string | null {
   const vendor = hex(info?.usbVendorId);
   const product = hex(info?.usbProductId);
   if (vendor === null || product === null) return null;
-  // For ModemManager both its word for a whole device and, since 1.10, the one for a port: it looks for either at the
-  // port.
+  // ModemManager looks at the port for two names: the old one for a whole device and, since 1.10, the one for a port.
   return [
     'SUBSYSTEM=="tty"',
     `ATTRS{idVendor}=="${vendor}"`,
@@ -176,7 +175,8 @@ function udevCommands(info: PortInfo | null): readonly string[] | null {
   const rule = udevRule(info);
   if (rule === null) return null;
   return [
-    // 60: systemd gives a tagged port to the person at the screen in rule 73, ModemManager looks in rules 77 to 80.
+    // Number 60, because systemd gives a tagged port to the user at the screen in rule 73, and ModemManager looks in
+    // rules 77 to 80.
     `echo '${rule}' | sudo tee -a /etc/udev/rules.d/60-sidus-timer.rules`,
     'sudo udevadm control --reload && sudo udevadm trigger --subsystem-match=tty',
   ];
@@ -191,7 +191,7 @@ function isBluetooth(info: PortInfo | null): boolean {
   return info?.bluetoothServiceClassId !== undefined;
 }
 
-/** Pages of its settings that a browser opens only when they are typed. */
+/** Settings pages that a browser opens only when their address is typed. */
 const SCHEMES: Partial<Readonly<Record<Browser, string>>> = {
   chrome: 'chrome',
   edge: 'edge',
@@ -205,8 +205,8 @@ function settingsPage(browser: Browser, page: string): readonly string[] | null 
 }
 
 /**
- * Where this page should be to be found by https. A host that was given a port of its own rarely has another one for
- * that.
+ * The https address under which this page may be found.
+ * A host with a port number of its own rarely has another one for https.
  */
 function httpsAddress(address: string): readonly string[] | null {
   const url = new URL(address);

@@ -1,7 +1,8 @@
 import type { TimerProgram } from '../../program/index.js';
 
 /**
- * A flight that can be recognised: climb, bunt, glide, DT. Drawn where this device keeps nothing else, never written.
+ * A flight that pilots recognise: climb, bunt, glide, DT. Drawn while this device keeps nothing else.
+ * It is never written.
  */
 export const EXAMPLE: TimerProgram = {
   identity: { timerClass: 'Q', firmware: '000', functions: 10, memories: 1, servos: 3 },

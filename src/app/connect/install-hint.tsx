@@ -3,7 +3,7 @@ import { messages } from '../messages/index.js';
 import { NoticeText } from '../ui/notice-text.js';
 import type { Installation } from './installation.js';
 
-/** That the page can be installed, and how: once, and not while a timer is there. */
+/** Tells the pilot that the page can be installed, and how: once, and not while a timer is connected. */
 export function InstallHint({ installation }: { readonly installation: Installation }) {
   const { installHint: words, start } = messages.value;
   const hint = installation.hint.value;

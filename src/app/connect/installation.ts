@@ -4,31 +4,31 @@ import { media } from '../browser/doors.js';
 import type { Platform } from '../browser/platform.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 
-/** What a browser hands out that can install the page; it is not in the types of the DOM. */
+/** The event with which a browser offers to install the page. The types of the DOM do not have it. */
 interface InstallEvent extends Event {
   prompt(): Promise<unknown>;
 }
 
-/** How the page is installed here: by a button of its own, or by a command of the browser. */
+/** How to install the page here: a button of the page, or a command of the browser. */
 export type InstallWay = 'button' | 'share' | 'dock';
 
-/** The first Safari that puts pages into the Dock of a Mac. */
+/** The first Safari that can put pages into the Dock of a Mac. */
 const DOCK_SAFARI = 17;
 
-/** The page as a program of this device: whether it works without a network, and how it is installed. */
+/** The page as an app of this device: whether it works without a network, and how to install it. */
 export class Installation {
   readonly #ready = signal(false, { name: 'readyOffline' });
   readonly #install = signal<(() => void) | null>(null, { name: 'install' });
   readonly #hint = signal<'early' | 'due' | 'over'>('early', { name: 'installHint' });
   readonly #platform: Platform;
-  /** Whether all of the page is kept for use without a network. */
+  /** Whether the whole page is kept for use without a network. */
   readonly ready: ReadonlySignal<boolean> = this.#ready;
-  /** Lets the browser ask whether the page is to be installed; null where that is not offered, or was done. */
+  /** Lets the browser ask whether to install the page; null where it does not offer that, or the page is installed. */
   readonly install: ReadonlySignal<(() => void) | null> = this.#install;
-  /** How to tell the pilot, once, that the page can be installed; null before the time, and after. */
+  /** How to tell the pilot, once, that the page can be installed; null before the right time, and afterwards. */
   readonly hint: ReadonlySignal<InstallWay | null> = computed(() => (this.#hint.value === 'due' ? this.#way() : null));
 
-  /** @param proven whether a write to a timer was verified: then the page has shown what it is good for. */
+  /** @param proven whether a write to a timer was verified: then the pilot knows what the page is good for. */
   constructor(platform: Platform, proven: ReadonlySignal<boolean>) {
     this.#platform = platform;
     if (loadSetting('install-hint', v.boolean()) === true) this.#hint.value = 'over';
@@ -42,7 +42,7 @@ export class Installation {
     this.#ready.value = true;
   };
 
-  /** The hint is on the screen: it is so in one visit alone, whatever the pilot does with it. */
+  /** The hint is on the screen. It is shown in one visit only, whatever the pilot does with it. */
   told(): void {
     saveSetting('install-hint', true);
   }
@@ -56,7 +56,7 @@ export class Installation {
   follow(window: Pick<EventTarget, 'addEventListener'>): void {
     if (media('(display-mode: standalone)')?.matches) this.#hint.value = 'over';
     window.addEventListener('beforeinstallprompt', (event) => {
-      // It asks when the pilot says so, and not over the table.
+      // The browser must ask only when the pilot wants it, not over the table.
       event.preventDefault();
       this.#install.value = () => {
         this.#install.value = null;
@@ -70,7 +70,7 @@ export class Installation {
     });
   }
 
-  /** Null where there is none, or where it is not known: then nothing is said. */
+  /** Null where there is no way, or none is known: then there is no hint. */
   #way(): InstallWay | null {
     const { system, browser, version } = this.#platform;
     if (this.#install.value) return 'button';
@@ -79,7 +79,7 @@ export class Installation {
   }
 }
 
-/** Whether the page was opened on this device before. A reload is no other visit. */
+/** Whether the page was opened on this device before. A reload does not count as another visit. */
 function isLaterVisit(): boolean {
   const before = loadSetting('visited', v.boolean()) === true;
   const isLater = loadSetting('visited', v.boolean(), 'sessionStorage') ?? before;

@@ -14,7 +14,7 @@ interface LinkNoticeProps {
   readonly onStop: () => void;
 }
 
-/** What is under way until a timer answers, where something else has the stage: the step to take, and how to stop. */
+/** For use beside other content: what the link does until a timer answers, the step to take now, and how to stop. */
 export function LinkNotice({ session, platform, onStop }: LinkNoticeProps) {
   const { link } = messages.value;
   const state = session.link.state.value;

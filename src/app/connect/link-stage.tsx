@@ -14,12 +14,12 @@ interface LinkStageProps {
   readonly platform: Platform;
 }
 
-/** Whether the way to a timer has the stage: there is none yet, and nothing else on the screen to look at. */
+/** Whether the connecting takes the place of a program: there is none yet, and nothing else to look at. */
 export function hasStage({ editor, engaged, link }: Session): boolean {
   return editor.identity.value === null && (engaged.value || link.state.value.status === 'closing');
 }
 
-/** In the place of a program, while a timer is on its way: the step to take, large, until the program is there. */
+/** Shown in place of a program while connecting: the step to take, large, until the program is there. */
 export function LinkStage({ session, platform }: LinkStageProps) {
   const { link: words } = messages.value;
   const state = session.link.state.value;
@@ -32,7 +32,7 @@ export function LinkStage({ session, platform }: LinkStageProps) {
     help: null,
   };
   const title = useRef<HTMLHeadingElement>(null);
-  // What was clicked is gone: who hears the page hears what has come in its place, and goes on from there afterwards.
+  // The clicked button is gone. So the focus goes to what replaced it, and a screen reader goes on from there.
   useEffect(() => {
     title.current?.focus({ preventScroll: true });
     return () => {
@@ -89,7 +89,7 @@ function Steps({ session, waiting: { step } }: { readonly session: Session; read
   );
 }
 
-/** Lets the pilot choose another port, while this one is asked on. */
+/** Lets the pilot choose another port, while the link goes on asking at this one. */
 export function ChooseAnother({ session }: { readonly session: Session }) {
   return (
     <button type="button" onClick={() => void session.timer.chooseAnother()}>
@@ -98,7 +98,7 @@ export function ChooseAnother({ session }: { readonly session: Session }) {
   );
 }
 
-/** What the port says of itself that a timer is looked for on. */
+/** The information of the port on which the link looks for a timer. */
 export function portOf(state: LinkState) {
   if ('info' in state) return state.info;
   return 'port' in state ? state.port.getInfo() : null;

@@ -4,11 +4,11 @@ import { messages } from '../messages/index.js';
 
 interface OtherTabNoticeProps {
   readonly tab: OtherTab;
-  /** Asks that tab for its port. What follows when it has let go is for whoever gives this. */
+  /** Asks the other tab for its port. The caller goes on once the tab has released it. */
   readonly onTakeOver: () => Promise<TakeOver>;
 }
 
-/** Another tab of this page holds the port: which one, and may this one have it. */
+/** Another tab of this page holds the port: says which, and offers to take the port over. */
 export function OtherTabNotice({ tab, onTakeOver }: OtherTabNoticeProps) {
   const { otherTab } = messages.value;
   const answer = useSignal<TakeOver | 'asking' | null>(tab.writing ? 'writing' : null);

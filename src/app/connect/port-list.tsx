@@ -7,11 +7,11 @@ import './port-list.css';
 
 interface PortListProps {
   readonly session: Session;
-  /** The way to a timer begins: it is shown elsewhere. */
+  /** Called when connecting begins, which is shown elsewhere. */
   readonly onConnect: () => void;
 }
 
-/** The adapters that were allowed before and are plugged in, the one used last first. */
+/** The plugged-in adapters that were allowed before, the last used first. */
 export function PortList({ session, onConnect }: PortListProps) {
   const { ports: words } = messages.value;
   const { link } = session;
@@ -62,7 +62,7 @@ function PortRow({ session, port, onConnect }: PortListProps & { readonly port: 
   );
 }
 
-/** How the next port is opened: for adapters that need something special. */
+/** How to open the next port, for adapters that need something special. */
 export function SerialSettingsForm({ link }: { readonly link: Link }) {
   const { ports: words } = messages.value;
   const settings = link.settings.value ?? DEFAULT_SETTINGS;

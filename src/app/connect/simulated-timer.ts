@@ -4,19 +4,19 @@ import type { SerialPortLike } from '../../serial/index.js';
 import { exampleMemories, ReplayTimer, VirtualTimer } from '../../simulator/index.js';
 import type { SimulatedClass } from '../session/session.js';
 
-/** Milliseconds that an adapter and a timer take to answer, about as long as over infra-red. */
+/** How long an adapter and a timer take to answer, in milliseconds: about as long as over infra-red. */
 const LATENCY = 40;
 
 /**
- * A virtual timer that holds what a flown one may hold, behind a mock port that takes the time of a real line: for the
- * same code path as a real one. This is the one place in the program where simulator and mock port meet.
+ * A virtual timer with example memories, behind a mock port with the speed of a real line. It takes the same path
+ * through the code as a real timer. Only this file puts simulator and mock port together.
  */
 export function plugSimulatedTimer(timerClass: SimulatedClass): SerialPortLike {
   const timer = new VirtualTimer({ identity: { timerClass }, memories: exampleMemories(timerClass) });
   return plug(timer, { timing: true, latency: LATENCY / 2 });
 }
 
-/** A recorded timer behind a mock port, which takes no time of its own: the recording has that of its line. */
+/** A recorded timer behind a mock port. The port adds no time: the recording has the times of its own line. */
 export function plugRecording(entries: readonly CaptureEntry[]): SerialPortLike {
   return plug(new ReplayTimer(entries), {});
 }

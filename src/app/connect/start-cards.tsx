@@ -8,10 +8,10 @@ import type { Draft } from '../storage/index.js';
 import { NewProgramDialog } from './new-program-dialog.js';
 import './start-cards.css';
 
-/** So many models are named; the others are in the library. */
+/** How many models are named here. The library has the others. */
 const NAMED = 4;
 
-/** The pilot's models, and the way to the library. */
+/** The pilot's models, with a link to the library. */
 export function KeptModelsCard({ session: { library } }: { readonly session: Session }) {
   const { models: words } = messages.value.start;
   const shown = library.models.list.value.filter(({ model }) => !model.archived);
@@ -41,7 +41,7 @@ export function KeptModelsCard({ session: { library } }: { readonly session: Ses
   );
 }
 
-/** What the pilot has made or changed, that no timer has. */
+/** Programs that the pilot has made or changed, and that are in no timer. */
 export function KeptProgramsCard({ session }: { readonly session: Session }) {
   const { programs: words } = messages.value.start;
   const { keptPrograms } = session;
@@ -120,7 +120,7 @@ function nameOf({ working: { identity, memory }, madeAt }: Draft): string {
   return start.programs.changesOf(memory === null ? timer : `${timer}, ${memoryName(memory)}`);
 }
 
-/** A timer to try everything on. */
+/** A simulated timer on which a pilot can try everything. */
 export function Simulated({ session }: { readonly session: Session }) {
   const { start, classNames } = messages.value;
   return (

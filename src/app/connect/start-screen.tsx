@@ -20,11 +20,14 @@ interface StartScreenProps {
   readonly platform: Platform;
   /** The address of the page. */
   readonly address?: string;
-  /** What stands between Connect and what this device keeps. */
+  /** Shown between Connect and what this device keeps. */
   readonly children?: ComponentChildren;
 }
 
-/** Before anything was read: Connect with its three steps, what this device keeps, and what can be done without. */
+/**
+ * The start, before anything was read:
+ * Connect with its three steps, what this device keeps, and what works without a timer.
+ */
 export function StartScreen({ session, installation, platform, address = location.href, children }: StartScreenProps) {
   const { start } = messages.value;
   const { unavailable } = session.link;
@@ -66,7 +69,7 @@ export function StartScreen({ session, installation, platform, address = locatio
 
 const STEPS = ['adapter', 'wake', 'near'] as const;
 
-/** What a browser does in another way than a pilot expects who knows the others. */
+/** What this browser does differently from others that the pilot may know. */
 function BrowserWays({ platform, address }: Pick<StartScreenProps, 'platform'> & { readonly address: string }) {
   const { firefox } = messages.value.start;
   if (platform.browser !== 'firefox') return null;
@@ -77,10 +80,10 @@ function BrowserWays({ platform, address }: Pick<StartScreenProps, 'platform'> &
   );
 }
 
-/** Whether the page works without a network, how it is installed, and the way to its settings. */
+/** Whether the page works without a network, how to install it, and a link to the settings. */
 function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) {
   const { start } = messages.value;
-  // While the hint is there, that has the button.
+  // The hint has this button, too, so only one of the two shows it.
   const install = installation.hint.value === null ? installation.install.value : null;
   return (
     <p class="on-device">
@@ -100,7 +103,7 @@ function OnThisDevice({ installation }: Pick<StartScreenProps, 'installation'>) 
   );
 }
 
-/** The program that this device has kept last, or an example: drawn with its figures. */
+/** Draws the last program that this device has kept, or an example, with its figures. */
 function KeptPicture({ session }: Pick<StartScreenProps, 'session'>) {
   const { start, program: words, memoryName } = messages.value;
   const kept = session.backups.list.value.find(({ simulated }) => !simulated);

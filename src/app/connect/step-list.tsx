@@ -4,15 +4,15 @@ import './step-list.css';
 export interface StepRow {
   readonly key: string;
   readonly text: string;
-  /** It has been taken. */
+  /** Whether this step is done. */
   readonly done?: boolean;
-  /** It is the one to take now. */
+  /** Whether this is the step to take now. */
   readonly now?: boolean;
-  /** What belongs to it. */
+  /** A control that belongs to the step. */
   readonly action?: ComponentChildren;
 }
 
-/** Steps to take, one after the other, with a tick at those that are behind. */
+/** Steps to take, one after the other. Finished steps have a tick. */
 export function StepList({ steps }: { readonly steps: readonly StepRow[] }) {
   return (
     <ol class="step-list">
@@ -27,7 +27,7 @@ export function StepList({ steps }: { readonly steps: readonly StepRow[] }) {
   );
 }
 
-/** A tick, for who sees it. */
+/** A tick, for the eye only. */
 export function Tick() {
   return (
     <svg class="icon" viewBox="0 0 24 24" width="18" height="18" aria-hidden="true">

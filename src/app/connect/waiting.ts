@@ -2,32 +2,32 @@ import type { Heard, LinkState } from '../../serial/index.js';
 import { messages, readable, type Said } from '../messages/index.js';
 import type { HelpCode } from './connection-help.js';
 
-/** So long a timer that is awake may take, in seconds: until then there is nothing for the pilot to do. */
+/** How long a timer that is awake may take, in seconds. Until then the pilot has nothing to do. */
 const AWAKE = 2;
-/** From then on its distance is the next thing to look at, and from then on whether this is its adapter. */
+/** From this many seconds on, the page asks to check the distance; later, whether this is the right adapter. */
 const NEAR = 10;
 const OTHER = 30;
 
-/** What the pilot can do while a timer is asked, one after the other. */
+/** What the pilot can do while the link asks for a timer, one after the other. */
 export const WAIT_STEPS = ['switch', 'near', 'other'] as const;
 export type WaitStep = (typeof WAIT_STEPS)[number];
 
-/** What is said while a timer is on its way. */
+/** What the page says while connecting. */
 export interface Waiting {
   readonly said: Said;
-  /** Which step is to be taken now; null where there is none. */
+  /** The step to take now; null for none. */
   readonly step: WaitStep | null;
-  /** Whether another port can be chosen while this one is asked. */
+  /** Whether the pilot can choose another port while the link asks at this one. */
   readonly canChoose: boolean;
-  /** What there is more help for. */
+  /** What there is more help for; null for nothing. */
   readonly help: HelpCode | null;
 }
 
 const NOTHING = { step: null, canChoose: false, help: null };
 
 /**
- * What to say of a way to a timer; null where it has ended, well or not.
- * @param seconds since the timer was asked first.
+ * What to say while connecting; null once that has ended, well or not.
+ * @param seconds since the first question to the timer.
  */
 export function waitingFor(state: LinkState, seconds: number): Waiting | null {
   const { link } = messages.value;
@@ -57,10 +57,10 @@ export function waitingFor(state: LinkState, seconds: number): Waiting | null {
   }
 }
 
-/** Characters of a line of text that are shown. */
+/** How many characters of a line of text are shown. */
 const LINE = 40;
 
-/** Of text the last line that came whole, as far as it is short. */
+/** Shows the last complete line of a heard text, shortened. */
 function heardSaid({ kind, sample, baudRate }: Heard): Said {
   const lines = readable(sample).split(/·+/);
   const line = lines.at(-2) || lines.at(-1) || '';

@@ -1,21 +1,21 @@
 import { type TimerProgram, valueAt } from '../../program/index.js';
 import { columnsIn, type GridField, type GridRange, gridField, intervalAt, rowsIn } from './grid.js';
 
-/** So many cells of a text are read, ten times what the largest timer has. */
+/** How many cells of a text are read: ten times what the largest timer has. */
 export const MAX_CELLS = 10_000;
-/** And so many characters. */
+/** How many characters of a text are read. */
 export const MAX_CHARACTERS = 200_000;
 
-/** What other programs call a table: rows of texts, not all of one length. */
+/** A table as other programs use it: rows of texts, which may have different lengths. */
 export interface Table {
   readonly rows: readonly (readonly string[])[];
-  /** The text was longer than is read: rows are missing at its end. */
+  /** Whether rows are missing at the end, because the text was too long. */
   readonly cut: boolean;
 }
 
 /**
- * A range as a spreadsheet takes it: cells apart by tabs, rows by line breaks. Times and intervals are seconds with two
- * decimals, positions steps. Intervals are left out where the times are in the range too.
+ * Writes a range for a spreadsheet: tabs between cells, line breaks between rows. Times and intervals are seconds with
+ * two decimals, positions are steps. Intervals are left out where the range also has the times.
  */
 export function formatTable(
   program: TimerProgram,
@@ -44,10 +44,10 @@ function formatSeconds(hundredths: number, decimal: string): string {
 }
 
 /**
- * A text as a table, whatever it is: cells apart by tabs, else by semicolons, else by commas where these cannot be
- * decimal ones; rows by any line break. A cell in quotation marks may contain them all, a mark of its own doubled.
- * White space around a cell is dropped, also the kinds that do not break. At most {@link MAX_CELLS} cells of {@link
- * MAX_CHARACTERS} characters are read, in whole rows.
+ * Reads any text as a table. Cells are separated by tabs; else by semicolons; else by commas, where these cannot be
+ * decimal commas. Rows end at any line break. A cell in quotation marks may contain all of these, and doubles a
+ * quotation mark. White space around a cell is dropped, non-breaking kinds too. Reads whole rows, at most {@link
+ * MAX_CELLS} cells and {@link MAX_CHARACTERS} characters.
  */
 export function readTable(text: string): Table {
   const long = text.length > MAX_CHARACTERS;
@@ -67,12 +67,15 @@ export function readTable(text: string): Table {
     }
     rows.push(row);
   }
-  // A row that was cut may have been cut in the middle of a number.
+  // The cut may have gone through a number, so the last row is dropped.
   if (long) rows.pop();
   return { rows, cut: long };
 }
 
-/** @returns the text of the cell that begins here, and where it ends: at a separator, a line break or the end. */
+/**
+ * @returns the text of the cell that begins here, and where it ends: at a separator, a line break or the end of the
+ * text.
+ */
 function readCell(text: string, start: number, stops: RegExp): { cell: string; end: number } {
   let inMarks = '';
   let at = start;
@@ -86,7 +89,7 @@ function readCell(text: string, start: number, stops: RegExp): { cell: string; e
   return { cell: (inMarks + text.slice(at, end)).trim(), end };
 }
 
-/** Where a quotation ends: at a mark that is not doubled. One that is never closed goes to the end of the text. */
+/** Where a quotation ends: at a mark that is not doubled, or else at the end of the text. */
 function closingMark(text: string, start: number): number {
   let mark = text.indexOf('"', start);
   while (mark >= 0 && text[mark + 1] === '"') mark = text.indexOf('"', mark + 2);

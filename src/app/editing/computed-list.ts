@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal } from '@preact/signals';
 
 /**
- * A list that is found again at each change. Items that are the same stay the same objects, and a list of the same
- * items the same list: who reads it is drawn again only when it says something else.
- * @param isSame whether a new item says what an old one said.
+ * A list that is computed again at each change. Equal items keep their object, and an equal list stays the same list.
+ * So readers are drawn again only when something differs.
+ * @param isSame whether a new item equals an old one.
  */
 export function computedList<T>(
   find: () => readonly T[],

@@ -22,40 +22,39 @@ import {
 } from './units.js';
 
 /**
- * What the pilot wants, and the texts in fields as they were typed, by field: what an edit changes and undo brings
- * back.
+ * What the pilot wants, and the texts in the fields as they were typed. An edit changes it, and undo brings it back.
  */
 export interface Content {
   readonly working: TimerProgram;
   readonly texts: Readonly<Record<string, string>>;
-  /** The setting that it belongs to; undefined: to none. */
+  /** The setting that it belongs to; undefined for none. */
   readonly of?: SettingOf | undefined;
-  /** The model of which a backup was loaded into it, by its id; undefined: of none, or a setting has come since. */
+  /** The id of the model whose backup was loaded into it; undefined for none, or once a setting has replaced it. */
   readonly backupOf?: string | undefined;
 }
 
-/** A setting of the library, by its id, and what it held when it was opened or saved here last. */
+/** A setting of the library: its id, and its content when it was last opened or saved here. */
 export interface SettingOf {
   readonly id: string;
   readonly saved: TimerProgram;
 }
 
-/** A field whose text is not a value. */
+/** A field with a text that is not a value. */
 export interface UnreadableField {
   readonly field: ProgramField;
   readonly reason: UnreadableReason;
-  /** What it may mean, where it is ambiguous. */
+  /** The possible meanings of an ambiguous text. */
   readonly either?: Ambiguous['either'] | undefined;
 }
 
-/** What a text in a field says. */
+/** The value that a text has in a field. */
 export function parseValue({ functions }: Identity, field: ProgramField, text: string): TypedText {
   return field.kind === 'time' ? readTime(text, { isDt: field.slot === functions }) : parseSteps(text);
 }
 
 /**
- * A value in the form in which a pilot reads and types it. The motor stop has the form of the large figure, `10.0`. A
- * DT has not: `12` without its unit may be 12 s or 12 min.
+ * Writes a value in the form in which a pilot reads and types it. The motor stop has the form of the large figure,
+ * `10.0`. A DT does not: `12` without a unit may be 12 s or 12 min.
  */
 export function formatValue(identity: Identity, field: ProgramField, value: number): string {
   if (field.kind !== 'time') return String(value);
@@ -63,13 +62,13 @@ export function formatValue(identity: Identity, field: ProgramField, value: numb
   return isMotorStop ? figureOfTime(identity, 0, value).text : formatTime(value);
 }
 
-/** A time as a large figure, with the decimals of the step in which it is set. */
+/** A time as a large figure, with as many decimals as the step in which it is set. */
 export function figureOfTime(identity: Identity, slot: number, value: number): Figure {
   const isDt = slot === identity.functions;
   return formatFigure(value, isDt ? 100 : (manualRange(identity, slot)?.step ?? 1));
 }
 
-/** The texts that are no values, first to last field. */
+/** The texts that are not values, in the order of the fields. */
 export function unreadableIn({ working, texts }: Content): Map<string, UnreadableField> {
   const found = new Map<string, UnreadableField>();
   if (Object.keys(texts).length === 0) return found;
@@ -83,7 +82,7 @@ export function unreadableIn({ working, texts }: Content): Map<string, Unreadabl
   return found;
 }
 
-/** Whether two contents mean the same in every field: a text that is a value counts as that value. */
+/** Whether two contents mean the same in every field. A text that is a value counts as that value. */
 export function meansSame(a: Content, b: Content): boolean {
   const unreadable = (content: Content): string =>
     JSON.stringify([...unreadableIn(content).keys()].map((key) => [key, content.texts[key]]));
@@ -91,9 +90,9 @@ export function meansSame(a: Content, b: Content): boolean {
 }
 
 /**
- * The value of a text that was typed; null when it has none. One that asks what it means has none: the field is worth
- * again what it was before.
- * @param before the program before anything was typed there: on the way to `230` stood `23`.
+ * The value of a typed text; null when it has none. An ambiguous text has none, and the field goes back to its value
+ * from before.
+ * @param before the program before anything was typed there: before `230`, the text was `23` for a moment.
  */
 export function valueOfText(field: ProgramField, text: string, before: TimerProgram): number | null {
   const parsed = parseValue(before.identity, field, text);
@@ -101,17 +100,14 @@ export function valueOfText(field: ProgramField, text: string, before: TimerProg
   return 'either' in parsed ? valueAt(before, field) : null;
 }
 
-/**
- * The field in which a text stands that is not a value, where an edit would put something else without the pilot seeing
- * it.
- */
+/** The first field whose text is not a value and that an edit would change unseen. */
 export function inTheWay(unreadable: ReadonlyMap<string, unknown>, edit: EditValues): ProgramField | null {
   const { texts = {} } = edit;
   const isHidden = (key: string): boolean => unreadable.has(key) && !Object.hasOwn(texts, key);
   return edit.values.find(({ field }) => isHidden(fieldKey(field)))?.field ?? null;
 }
 
-/** What an edit makes of it; the same objects where that is what was there. */
+/** Applies an edit. Gives the same objects where nothing changes. */
 export function applied({ working, texts, of, backupOf }: Content, edit: EditValues): Content {
   const changes = edit.values.filter(({ field, value }) => valueAt(working, field) !== value);
   const replaced = edit.texts ?? {};
@@ -126,9 +122,9 @@ export function applied({ working, texts, of, backupOf }: Content, edit: EditVal
 }
 
 /**
- * What the pilot wants, on top of what the timer holds by another reading. Where he wants nothing else and the timer
- * holds something else by now, it belongs to no setting any more: it may be another timer.
- * @param held what it held by the one before.
+ * Moves the pilot's wishes onto a new reading of the timer. If he has changed nothing and the timer now holds something
+ * else, the program no longer belongs to a setting: it may be another timer.
+ * @param held what the timer held in the reading before.
  */
 export function ontoReading(content: Content, held: TimerProgram, read: TimerProgram): Content {
   const { working, texts, of, backupOf } = content;
@@ -136,7 +132,7 @@ export function ontoReading(content: Content, held: TimerProgram, read: TimerPro
     to === null ? [] : [{ field, value: to }],
   );
   const wanted = withValues(read, edits);
-  // A text that says what the timer held before must not stand for what it holds now.
+  // A text that matches the earlier reading must not stand for the new one.
   const changed = differences(read, wanted).map(({ field }) => fieldKey(field));
   const stays = new Set([...unreadableIn({ working: wanted, texts }).keys(), ...changed]);
   const drops = Object.keys(texts).filter((key) => !stays.has(key));
@@ -144,7 +140,9 @@ export function ontoReading(content: Content, held: TimerProgram, read: TimerPro
   return { working: wanted, texts: without(texts, drops), ...(isOther ? {} : { of, backupOf }) };
 }
 
-/** Fields that nobody had touched follow the timer to what it holds now, and so do texts that say what it held. */
+/**
+ * Takes over the timer's new values for fields that nobody has touched, and for texts that only repeat its old values.
+ */
 export function followed(content: Content, moved: readonly Change[], read: TimerProgram): Content {
   const { working, texts } = content;
   const untouched = moved.flatMap(({ field, from, to }): FieldValue[] =>
@@ -161,7 +159,7 @@ export function followed(content: Content, moved: readonly Change[], read: Timer
   };
 }
 
-/** Conflicts by field, after another reading: what counts is what was held when the edits were made. */
+/** Conflicts by field after another reading. `from` stays the value that the timer held when the edits were made. */
 export function conflictsWith(
   known: ReadonlyMap<string, Change>,
   changes: readonly Change[],
@@ -175,20 +173,20 @@ export function conflictsWith(
 }
 
 /**
- * What has changed in a program since it was saved as a setting. An idle throttle that was not known then, or is not
- * now, is no change.
+ * What has changed in a program since it was saved as a setting.
+ * An idle throttle that was or is unknown does not count.
  */
 export function changesSince(saved: TimerProgram, working: TimerProgram): Change[] {
   return differences(saved, working).filter(({ from, to }) => from !== null && to !== null);
 }
 
-/** Texts of fields that a program has; others, as a file may hold them, are dropped. */
+/** The texts of fields that this program has. Others, which a file may contain, are dropped. */
 export function textsFor({ identity }: TimerProgram, texts: Content['texts']): Content['texts'] {
   const keys = fieldsOf(identity).map(fieldKey);
   return Object.fromEntries(keys.filter((key) => Object.hasOwn(texts, key)).map((key) => [key, texts[key] as string]));
 }
 
-/** Texts without those of some fields; the same object when there were none. */
+/** The texts without those of some fields. The same object when there were none. */
 export function without(texts: Content['texts'], keys: readonly string[]): Content['texts'] {
   if (!keys.some((key) => Object.hasOwn(texts, key))) return texts;
   const dropped = new Set(keys);

@@ -12,7 +12,7 @@ import type { SettingOf } from './content.js';
 import type { CellField } from './grid.js';
 import type { StepName } from './history.js';
 
-/** A value for one field: a time in hundredths of a second, a position in steps. */
+/** A value for one field: times in hundredths of a second, positions in steps. */
 export interface FieldValue {
   readonly field: ProgramField;
   readonly value: number;
@@ -21,10 +21,10 @@ export interface FieldValue {
 /**
  * Why nothing was changed.
  *
- * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire could not carry the
- *   value, as the check would find.
- * - `reserved`: slot 0 of a class other than Q, which is edited only on purpose, as a field of its own.
- * - `no-interval`: the start follows nothing.
+ * - `time-not-whole`, `time-out-of-range`, `position-not-whole`, `position-out-of-range`: the wire cannot carry the
+ *   value. The check has the same codes.
+ * - `reserved`: slot 0 of a class other than Q. It can be edited only on its own.
+ * - `no-interval`: the start has no slot before it.
  */
 export type RefusalCode =
   | Extract<FindingCode, 'time-not-whole' | 'time-out-of-range' | 'position-not-whole' | 'position-out-of-range'>
@@ -33,13 +33,13 @@ export type RefusalCode =
 
 export interface Refusal {
   readonly code: RefusalCode;
-  /** The field that could not take its value. */
+  /** The field that refused its value. */
   readonly field: CellField;
-  /** What the field would have been, and its range, as in a finding of the check. */
+  /** The refused value and the range of the field, as in a finding of the check. */
   readonly params: Readonly<Record<'value' | 'min' | 'max', number>>;
 }
 
-/** Why an edit is not done: it cannot be, or a text that is not a value yet stands where it would read or write. */
+/** Why an edit cannot be done: a refused value, or a text that is not a value in a field that the edit needs. */
 export type Obstacle = Refusal | Unread<ProgramField>;
 
 /** The text in this field is not a value. */
@@ -48,39 +48,38 @@ export interface Unread<Field> {
   readonly field: Field;
 }
 
-/** What an edit does to the program, all of it as one step. */
+/** The values of an edit. All of them together are one step. */
 export interface EditValues {
-  /** What was asked for is in the list also where it is the value already, so that a text in such a field gives way. */
+  /** Includes values that equal the present ones, so that a text in such a field gives way. */
   readonly values: readonly FieldValue[];
   /**
-   * What stands in these fields afterwards, by their keys, whatever text stands there now: a text as it was typed, or
-   * null for the value. In any other field a text that is not a value is in the way of an edit: the pilot may not see
-   * that field.
+   * The text that stands in these fields afterwards, by their keys; null for none, so that the value shows. In any
+   * other field, a text that is not a value stops the edit, because the pilot may not see that field.
    */
   readonly texts?: Readonly<Record<string, string | null>>;
-  /** The setting that the program belongs to from then on. Default: the one that it belongs to. */
+  /** The setting that the program belongs to afterwards. Default: unchanged. */
   readonly of?: SettingOf | undefined;
-  /** The model whose backup it is, by its id. Default: the one that it was of. */
+  /** The model whose backup it is, by its id. Default: unchanged. */
   readonly backupOf?: string | undefined;
 }
 
-/** What an edit does, or why it does nothing. It is done whole or not at all: no value is bent to fit. */
+/** The values of an edit, or why it does nothing. It is done completely or not at all: no value is changed to fit. */
 export type EditOutcome = EditValues | { readonly refused: Obstacle };
 
-/** Something to be done to the program, and what undo calls it. {@link Editor.apply} does it. */
+/** Something to do to the program, with its name for undo. {@link Editor.apply} does it. */
 export type Edit = EditOutcome & {
   readonly name: StepName;
   /**
-   * Edits of one group that follow each other are one step, until the field is left or the handle let go. Default: a
-   * step of its own.
+   * Edits of one group in a row are one step, until the field is left or the handle released.
+   * Default: a step of its own.
    */
   readonly group?: string | undefined;
 };
 
 export interface TextOption {
   /**
-   * The keys of the fields whose text is not a value: what the program has there is not what the pilot sees. Default:
-   * none.
+   * The keys of fields whose text is not a value:
+   * there the pilot sees something else than the program has. Default: none.
    */
   readonly unreadable?: Pick<ReadonlySet<string>, 'has'> | undefined;
 }
@@ -88,7 +87,7 @@ export interface TextOption {
 export const NONE_UNREADABLE: ReadonlySet<string> = new Set();
 
 const MAX_THROTTLE = 255;
-/** The largest value that the wire carries in a kind of field. */
+/** The largest value of each kind that the wire carries. */
 export const MAX_VALUE = { time: MAX_TIME, position: MAX_POSITION, idleThrottle: MAX_THROTTLE };
 
 /** Why the wire cannot carry a value in this field; null when it can. */
@@ -101,18 +100,19 @@ export function refusal(code: RefusalCode, field: CellField, value: number): Ref
   return { code, field, params: { value, min: 0, max: MAX_VALUE[field.kind] } };
 }
 
-/** The program with these values in it. */
+/** A copy of the program with these values. */
 export function withValues(program: TimerProgram, values: readonly FieldValue[]): TimerProgram {
   return values.reduce((edited, { field, value }) => withValue(edited, field, value), program);
 }
 
-/** Values that were chosen for fields that the pilot sees: whatever text stands there gives way. */
+/** Sets values in fields that the pilot sees: any text there gives way. */
 export function setValues(name: StepName, values: readonly FieldValue[], group?: string): Edit {
   return { name, group, values, texts: noTexts(values.map(({ field }) => field)) };
 }
 
 /**
- * Puts fields back to what a program has there. One that is not known there keeps its value; a text in it gives way.
+ * Puts fields back to the values of a program. A field whose value is unknown there keeps its own;
+ * a text in it gives way.
  */
 export function putBack(name: StepName, to: TimerProgram, fields: readonly ProgramField[]): Edit {
   const values = fields.flatMap((field): FieldValue[] => {
@@ -122,7 +122,7 @@ export function putBack(name: StepName, to: TimerProgram, fields: readonly Progr
   return { name, values, texts: noTexts(fields) };
 }
 
-/** Puts a whole program in place of what the pilot wants. Both have the same layout. */
+/** Replaces everything that the pilot wants by another program of the same layout. */
 export function replaceAll(name: StepName, program: TimerProgram): Edit {
   return putBack(name, program, fieldsOf(program.identity));
 }
@@ -136,7 +136,7 @@ export interface CellValue extends FieldValue {
   readonly field: CellField;
 }
 
-/** Refused when a field would be changed to a value that the wire cannot carry. */
+/** Refused when a field would change to a value that the wire cannot carry. */
 export function checked(program: TimerProgram, values: readonly CellValue[]): EditOutcome {
   for (const { field, value } of values) {
     const refused = value === valueAt(program, field) ? null : refusalOf(field, value);

@@ -28,17 +28,17 @@ import {
 import { groupOf } from './history.js';
 
 /**
- * DT is set by the rules of a contest, not by what the model does before it: an edit of other times moves it only when
- * asked. Functions that are pushed past it are found by the check.
+ * The rules of a contest set DT, not the flight before it. So an edit of other times moves DT only on request. The
+ * check finds functions that are pushed past DT.
  */
 export interface DtOption {
   readonly moveDt?: boolean;
 }
 
 /**
- * Sets an interval: the slot keeps this distance to the one before it, and the functions after it keep theirs, as on a
- * sheet of intervals. DT stays unless it is this slot or `moveDt` is set.
- * @param interval hundredths of a second; a negative one makes times fall.
+ * Sets an interval: the slot gets this distance from the one before, and later functions keep their own intervals. DT
+ * stays, unless it is this slot or `moveDt` is set.
+ * @param interval hundredths of a second. A negative one makes times fall.
  */
 export function setInterval(
   program: TimerProgram,
@@ -59,9 +59,9 @@ function ofInterval(how: 'type' | 'step', slot: number, outcome: EditOutcome): E
 }
 
 /**
- * Moves this and all later functions. From DT only DT is moved; else it stays unless `moveDt` is set. From the motor
- * stop of a Q timer those functions go along that are at its time or later, for they follow it in flight.
- * @param by hundredths of a second, negative to earlier.
+ * Moves this and all later functions. From DT on, only DT moves; otherwise DT stays unless `moveDt` is set. From the
+ * motor stop of a Q timer, the functions at its time or later move with it, because they follow it in flight.
+ * @param by hundredths of a second; negative to earlier.
  */
 export function shiftFrom(program: TimerProgram, slot: number, by: number, options: DtOption = {}): Edit {
   return { name: { code: 'shift', params: { slot, by } }, ...shifted(program, slot, by, options) };
@@ -86,14 +86,15 @@ function shifted(program: TimerProgram, slot: number, by: number, { moveDt = fal
 }
 
 export interface StepOptions {
-  /** Ten steps at once. */
+  /** Whether to go ten steps at once. */
   readonly tenfold?: boolean;
 }
 
 /**
- * One step up or down: of a time the step that the manual gives for it, else 0.01 s; of all else 1. A value between two
- * steps goes to the next one. It ends at 0 and at the last step that the wire carries; a value past them can only come
- * back. Steps that follow each other are one to undo. A text that is not a value has no next one.
+ * Goes one step up or down. The step of a time is the one in the manual, else 0.01 s; of any other value 1. A value
+ * between two steps goes to the nearest step in that direction. Stops at 0 and at the largest value that the wire
+ * carries; from outside this range it can only come back. Several steps in a row are one step to undo. A text that is
+ * not a value cannot be stepped.
  */
 export function stepValue(
   program: TimerProgram,
@@ -106,12 +107,12 @@ export function stepValue(
   return { name: { code: 'step', params: { field: key } }, group: groupOf('step', key), values };
 }
 
-/** One step of a value: of a time what the manual gives for it, else a hundredth of a second. */
+/** The step of a value: for a time as in the manual, else a hundredth of a second; 1 for all others. */
 export function stepSize(identity: Identity, field: ProgramField): number {
   return (field.kind === 'time' && manualRange(identity, field.slot)?.step) || 1;
 }
 
-/** @returns nothing when there is no step to take. */
+/** @returns an empty list when there is no step to take. */
 function nextStep(
   program: TimerProgram,
   field: ProgramField,
@@ -128,8 +129,8 @@ function nextStep(
 }
 
 /**
- * Steps an interval as {@link stepValue} steps the time at its end, and moves what follows as {@link setInterval} does.
- * It is never stepped below 0.
+ * Steps an interval as {@link stepValue} steps the time at its end, and moves later slots as {@link setInterval} does.
+ * It never goes below 0.
  */
 export function stepInterval(
   program: TimerProgram,
@@ -155,17 +156,17 @@ function steppedInterval(
   return shifted(program, slot, Math.max(by, Math.min(0, -interval)), options);
 }
 
-/**
- * Gives one servo all positions of another. A position past the last step, as a timer may hold it, can be given to no
- * other.
- */
+/** Gives one servo all positions of another. Positions past the last step, which a timer may hold, are not copied. */
 export function copyServo(program: TimerProgram, from: number, to: number): Edit {
   const row = program.positions[from] ?? [];
   const copies = row.map((value, slot): CellValue => ({ field: { kind: 'position', servo: to, slot }, value }));
   return { name: { code: 'copy-servo', params: { from, to } }, ...checked(program, copies) };
 }
 
-/** Mirrors all positions of a servo, 130 - p, as when it works the other way round. What is no step stays as it is. */
+/**
+ * Mirrors all positions of a servo (130 - p), as for a servo that works the other way round.
+ * A position past the last step stays.
+ */
 export function reverseServo(program: TimerProgram, servo: number): Edit {
   const row = program.positions[servo] ?? [];
   const values = row.flatMap((value, slot): FieldValue[] => {
@@ -176,9 +177,9 @@ export function reverseServo(program: TimerProgram, servo: number): Edit {
 }
 
 /**
- * Puts the values of the first row of a range into its other rows: times, or intervals where no times are in it, and
- * positions. The start has neither the time of a function nor an interval to give, and DT keeps its time unless
- * `moveDt` is set. A text that is not a value has nothing to give.
+ * Copies the first row of a range into its other rows: times (or intervals, where the range has no times) and
+ * positions. The start has no function's time and no interval to copy. DT keeps its time unless `moveDt` is set. A text
+ * that is not a value cannot be copied.
  */
 export function fillDown(program: TimerProgram, range: GridRange, options: DtOption & TextOption = {}): Edit {
   const outcome = filledDown(program, range, options);
@@ -206,20 +207,20 @@ function filledDown(program: TimerProgram, range: GridRange, options: DtOption &
   return 'refused' in spaced ? spaced : checked(program, [...spaced.values, ...copies]);
 }
 
-/** What the value of a cell is read from: an interval from the time that it counts from and the one at its end. */
+/** The fields that a cell's value comes from: for an interval, the time before it and the time at its end. */
 function sourcesOf(field: GridField): CellField[] {
   const before = field.kind === 'interval' ? countedFrom(field.slot) : null;
   return before ? [before, programField(field)] : [programField(field)];
 }
 
 /**
- * The times that follow from given times and intervals, first to last: a slot takes its time, else its interval after
- * the one before, else it is moved as far as the nearest interval above moved its own slot. DT without either stays
- * unless `moveDt` is set. Only what comes out has to be carried by the wire, not what would be on the way there. No
- * interval counts from a time that cannot be read, and none moves one.
- * @param given times by slot; whether the wire carries them is not looked at.
+ * Works out the times from given times and intervals, from the first slot to the last. A slot takes its given time;
+ * else the time of the slot before plus its interval; else it moves as far as the nearest interval above moved its own
+ * slot. DT stays unless it is given or `moveDt` is set. The wire has to carry only the result. An interval never counts
+ * from a time that cannot be read, and never moves one.
+ * @param given times by slot. The wire's range is not checked here.
  * @param intervals by slot, from 1 on.
- * @returns with a refusal also `cause`, the slot of the interval that led to it.
+ * @returns the times; or a refusal with `cause`, the slot of the interval that led to it.
  */
 export function retime(
   program: TimerProgram,
@@ -258,7 +259,7 @@ export function retime(
   return { values };
 }
 
-/** The time that an interval counts from as it stands in its field: null where that is launch, or is itself given. */
+/** The time that an interval counts from, as its field shows it; null when that is launch, or is given itself. */
 export function startOf(
   slot: number,
   times: ReadonlyMap<number, number>,

@@ -5,11 +5,10 @@ import { type FieldValue, MAX_VALUE } from './edit.js';
 const OF_ORDER: ReadonlySet<Finding['code']> = new Set(['time-falls', 'time-repeats', 'position-never-reached']);
 
 /**
- * The value that a finding asks for, where there is one that a pilot would choose without thinking: the nearest that
- * the wire carries, the step that the manual gives, the limit that was passed, the next step after the function before.
- * When DT comes too early, it is as likely that another time was mistyped: nothing that lengthens the flight is
- * offered.
- * @returns null where the pilot has to decide.
+ * The value that corrects a finding, where a pilot would choose it without thinking: the nearest value that the wire
+ * carries, the step of the manual, the limit that was passed, or the next step after the function before. When DT comes
+ * too early, another time may just as well be wrong, so nothing that makes the flight longer is offered.
+ * @returns null when the pilot has to decide.
  */
 export function fixFor({ code, field, params }: Finding, program: TimerProgram): FieldValue | null {
   const value = field && valueAt(program, field);

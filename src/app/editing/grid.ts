@@ -2,15 +2,15 @@ import { fieldKey, type ProgramField, type TimerProgram } from '../../program/in
 import { type Identity, slotCount } from '../../protocol/index.js';
 
 /**
- * The program as a grid, like the table on the screen: a row for each slot of the timer, start to DT; across it the
- * time, the interval, then each servo. Rows and grid columns count from 0.
+ * A cell of the program's grid, which is like the table on the screen. Each slot has a row, from start to DT; across it
+ * stand the time, the interval, then each servo. Rows and columns count from 0.
  */
 export interface GridCell {
   readonly row: number;
   readonly column: number;
 }
 
-/** A rectangle of the grid, its edges included. */
+/** A rectangle of the grid, with its edges. */
 export interface GridRange {
   readonly top: number;
   readonly left: number;
@@ -22,9 +22,9 @@ export const TIME_COLUMN = 0;
 export const INTERVAL_COLUMN = 1;
 export const FIRST_SERVO_COLUMN = 2;
 
-/** A value of the program that stands in the grid. */
+/** A value of the program that has a cell in the grid. */
 export type CellField = Exclude<ProgramField, { kind: 'idleThrottle' }>;
-/** What stands in a cell: a value of the program, or an interval, which is a time seen from the one before it. */
+/** The content of a cell: a value of the program, or an interval, which shows a time relative to the one before. */
 export type GridField = CellField | { readonly kind: 'interval'; readonly slot: number };
 
 /** How many columns the grid has: time, interval, servos. */
@@ -32,7 +32,7 @@ export function gridColumns(identity: Identity): number {
   return FIRST_SERVO_COLUMN + identity.servos;
 }
 
-/** What stands in a cell; null outside of the grid, and for the interval of the start, which follows nothing. */
+/** The content of a cell; null outside of the grid, and for the interval of the start, which has no slot before it. */
 export function gridField(identity: Identity, { row, column }: GridCell): GridField | null {
   if (row < 0 || row >= slotCount(identity) || column < 0 || column >= gridColumns(identity)) return null;
   if (column === TIME_COLUMN) return { kind: 'time', slot: row };
@@ -40,24 +40,24 @@ export function gridField(identity: Identity, { row, column }: GridCell): GridFi
   return { kind: 'position', servo: column - FIRST_SERVO_COLUMN, slot: row };
 }
 
-/** The cell in which a value stands; null where it is none of the grid. */
+/** The cell of a value; null for a value without one. */
 export function cellFor(field: ProgramField): GridCell | null {
   if (field.kind === 'idleThrottle') return null;
   const column = field.kind === 'time' ? TIME_COLUMN : FIRST_SERVO_COLUMN + field.servo;
   return { row: field.slot, column };
 }
 
-/** The value of the program that an entry in a cell changes: for an interval the time at its end. */
+/** The value that an entry in a cell changes: for an interval, the time at its end. */
 export function programField(field: GridField): CellField {
   return field.kind === 'interval' ? { kind: 'time', slot: field.slot } : field;
 }
 
-/** Names what stands in a cell, as {@link fieldKey} names a value. */
+/** A short name of a cell's content, as {@link fieldKey} gives a value. */
 export function gridKey(field: GridField): string {
   return field.kind === 'interval' ? `interval:${field.slot}` : fieldKey(field);
 }
 
-/** The rectangle between two of its corners, in either order. */
+/** The rectangle with these two corners, in either order. */
 export function rangeBetween(a: GridCell, b: GridCell): GridRange {
   return {
     top: Math.min(a.row, b.row),
@@ -68,8 +68,8 @@ export function rangeBetween(a: GridCell, b: GridCell): GridRange {
 }
 
 /**
- * The grid columns of a range, from left to right, as far as there are any. The intervals are left out where the times
- * are in it too: one of two views of the same thing is enough.
+ * The grid columns of a range, from left to right, as far as they exist. Without the intervals where the range also has
+ * the times: they show the same.
  */
 export function columnsIn(identity: Identity, { left, right }: GridRange): number[] {
   const last = Math.min(right, gridColumns(identity) - 1);
@@ -77,13 +77,13 @@ export function columnsIn(identity: Identity, { left, right }: GridRange): numbe
   return all.filter((column) => column !== INTERVAL_COLUMN || left > TIME_COLUMN);
 }
 
-/** The rows of a range, from top to bottom, as far as there are any. */
+/** The rows of a range, from top to bottom, as far as they exist. */
 export function rowsIn(identity: Identity, { top, bottom }: GridRange): number[] {
   const last = Math.min(bottom, slotCount(identity) - 1);
   return Array.from({ length: Math.max(0, last - top + 1) }, (_, at) => top + at);
 }
 
-/** What stands in a range, row by row, without the intervals where the times are in it too. */
+/** The contents of a range, row by row. Without the intervals where the range also has the times. */
 export function fieldsIn(identity: Identity, range: GridRange): GridField[] {
   const columns = columnsIn(identity, range);
   return rowsIn(identity, range).flatMap((row) =>
@@ -92,8 +92,8 @@ export function fieldsIn(identity: Identity, range: GridRange): GridField[] {
 }
 
 /**
- * The time of a slot after the one before it, in hundredths of a second; of function 1 (or a DT without functions)
- * after launch. Negative where times fall. Null for the start: its time is the motor stop or reserved, and nothing
+ * The time from the slot before to this one, in hundredths of a second. For function 1 (or DT without functions), the
+ * time from launch. Negative where times fall. Null for the start: its time is the motor stop, or reserved, and nothing
  * counts from it.
  */
 export function intervalAt({ times }: TimerProgram, slot: number): number | null {
@@ -101,12 +101,12 @@ export function intervalAt({ times }: TimerProgram, slot: number): number | null
   return slot < 1 || time === undefined ? null : time - timeBefore(times, slot);
 }
 
-/** The field that the interval of a slot counts from; null where that is launch. */
+/** The field that a slot's interval counts from; null when it counts from launch. */
 export function countedFrom(slot: number): CellField | null {
   return slot > 1 ? { kind: 'time', slot: slot - 1 } : null;
 }
 
-/** The time that the interval of a slot counts from: that of the slot before, or launch. */
+/** The time that a slot's interval counts from: the time of the slot before, or launch. */
 export function timeBefore(times: readonly number[], slot: number): number {
   const from = countedFrom(slot);
   return from ? (times[from.slot] as number) : 0;

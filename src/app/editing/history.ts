@@ -1,4 +1,4 @@
-/** What can be done to a program in one step that can be undone. The names that a pilot reads stand in messages/. */
+/** The steps that can be done to a program and undone. messages/ has the names that a pilot reads. */
 export const STEP_CODES = [
   'type',
   'step',
@@ -27,9 +27,11 @@ export const STEP_CODES = [
 export type StepCode = (typeof STEP_CODES)[number];
 
 /**
- * What a step is called. Parameters, where a step has any: `field`, the key of a field; `slot`, `servo`, `from` and
- * `to`, counted from 0;
- * `by`, hundredths of a second; `count`, how many values it changed.
+ * The name of a step. Its parameters, where it has any:
+ * - `field`, the key of a field
+ * - `slot`, `servo`, `from` and `to`, counted from 0
+ * - `by`, hundredths of a second
+ * - `count`, how many values it changed
  */
 export interface StepName {
   readonly code: StepCode;
@@ -37,8 +39,7 @@ export interface StepName {
 }
 
 /**
- * A step, and the state on the far side of it: before it for one that can be undone, after it for one that can be
- * redone.
+ * A step with the state that it leads back to: the state before it if it can be undone, after it if it can be redone.
  */
 export interface Step<T> {
   readonly name: StepName;
@@ -46,45 +47,44 @@ export interface Step<T> {
 }
 
 /**
- * What was done, to be undone and redone. States are immutable and whole: what two of them have in common they share,
- * also when they are stored by structured clone. The present state is not in it. Plain data; after it was stored, see
- * {@link settle}.
+ * Everything that was done and undone. States are whole and immutable. What two states have in common they share, also
+ * when structured clone stores them. The present state is not in it. Plain data; after loading see {@link settle}.
  */
 export interface History<T> {
   /** Oldest first. */
   readonly past: readonly Step<T>[];
-  /** The next one to redo last. */
+  /** The last one is the next to redo. */
   readonly future: readonly Step<T>[];
-  /** The group that the last step belongs to while it can still grow; null when the next step is one of its own. */
+  /** The group of the last step, while that step can still grow; null when the next edit is a new step. */
   readonly open: string | null;
 }
 
-/** A history, and the state to show. */
+/** A history, and the state to show with it. */
 export interface Turned<T> {
   readonly history: History<T>;
   readonly state: T;
 }
 
-/** So many steps can be undone; older ones are forgotten. */
+/** How many steps can be undone. Older ones are forgotten. */
 export const MAX_STEPS = 200;
 
 export const EMPTY_HISTORY: History<never> = { past: [], future: [], open: null };
 
-/** The group of what is typed in one field, that of the steps in it, and that of one movement of its handle. */
+/** The group of typing in one field, of stepping it, or of one movement of its handle. */
 export function groupOf(how: 'type' | 'step' | 'move', field: string): string {
   return `${how} ${field}`;
 }
 
-/** Whether a handle is being moved: the last step grows with each frame. */
+/** Whether a handle is being moved: then the last step grows with each frame. */
 export function isMoving({ open }: History<unknown>): boolean {
   return open?.startsWith(groupOf('move', '')) ?? false;
 }
 
 /**
- * Something was done. What could be redone is forgotten.
+ * Adds a step. Steps that could be redone are forgotten.
  * @param before the state before it.
- * @param group steps of one group that follow each other become one, until {@link settle}: typing in one field, one
- * drag. The step then has the name that it was given last.
+ * @param group steps of one group in a row become one, with the latest name, until {@link settle}: typing in one field,
+ * one drag.
  */
 export function recordStep<T>(history: History<T>, name: StepName, before: T, group: string | null = null): History<T> {
   const last = history.past.at(-1);
@@ -95,8 +95,9 @@ export function recordStep<T>(history: History<T>, name: StepName, before: T, gr
 }
 
 /**
- * The field was left, the drag has ended, the history comes from storage: what follows is a step of its own.
- * @param isNow whether a state is like the present one: a last step that has come back to where it began was none.
+ * Ends the last step: the field was left, the drag has ended, or the history comes from storage. The next edit is a new
+ * step.
+ * @param isNow whether a state equals the present one. A last step that came back to where it began is removed.
  */
 export function settle<T>(history: History<T>, isNow: (state: T) => boolean = () => false): History<T> {
   const last = history.past.at(-1);
@@ -105,7 +106,7 @@ export function settle<T>(history: History<T>, isNow: (state: T) => boolean = ()
 }
 
 /**
- * @param now the present state, to come back to by {@link redo}.
+ * @param now the present state, which {@link redo} brings back.
  * @returns null when there is nothing to undo.
  */
 export function undo<T>({ past, future }: History<T>, now: T): Turned<T> | null {
@@ -116,7 +117,7 @@ export function undo<T>({ past, future }: History<T>, now: T): Turned<T> | null 
 }
 
 /**
- * @param now the present state, to come back to by {@link undo}.
+ * @param now the present state, which {@link undo} brings back.
  * @returns null when there is nothing to redo.
  */
 export function redo<T>({ past, future }: History<T>, now: T): Turned<T> | null {
@@ -127,8 +128,8 @@ export function redo<T>({ past, future }: History<T>, now: T): Turned<T> | null 
 }
 
 /**
- * Takes the step back that is still growing, as Escape does in a field or in a drag: it will not have been.
- * @returns null when none is.
+ * Takes back the step that is still growing, as if it had never been: Escape in a field or in a drag.
+ * @returns null when no step is growing.
  */
 export function abandon<T>({ past, future, open }: History<T>): Turned<T> | null {
   const step = past.at(-1);
@@ -138,8 +139,8 @@ export function abandon<T>({ past, future, open }: History<T>): Turned<T> | null
 }
 
 /**
- * The history with each of its states replaced, as when a timer was read that holds something else by now: undo must
- * not bring back what nobody typed.
+ * Replaces each state of the history, as after a reading in which the timer holds something else: undo must not bring
+ * back what nobody typed.
  */
 export function mapStates<T, U>(history: History<T>, map: (state: T) => U): History<U> {
   const mapped = (steps: readonly Step<T>[]): Step<U>[] =>

@@ -20,8 +20,8 @@ import { EMPTY_HISTORY, groupOf, type History, type StepName, type Turned } from
 import type { Ambiguous } from './units.js';
 
 /**
- * What the pilot wants, with what can be undone. A text that is not a value is kept as it was typed, beside the last
- * value that was one.
+ * What the pilot wants, with its undo history.
+ * A text that is not a value stays as it was typed, beside the last value of its field.
  */
 export class WorkingCopy {
   readonly #working = signal<TimerProgram | null>(null, { name: 'working' });
@@ -29,17 +29,17 @@ export class WorkingCopy {
   readonly #of = signal<SettingOf | undefined>(undefined, { name: 'of' });
   readonly #backupOf = signal<string | undefined>(undefined, { name: 'backupOf' });
   readonly #history = signal<History<Content>>(EMPTY_HISTORY, { name: 'history' });
-  /** The field in which a text is being typed. */
+  /** The field in which somebody is typing. */
   readonly #typing = signal<string | null>(null, { name: 'typing' });
 
   readonly working: ReadonlySignal<TimerProgram | null> = this.#working;
-  /** What kind of timer it is for; null when there is none. */
+  /** The kind of timer that it is for; null when there is no program. */
   readonly identity: ReadonlySignal<Identity | null> = computed(() => this.#working.value?.identity ?? null);
-  /** The setting of the library that it belongs to; undefined: to none. */
+  /** The setting of the library that it belongs to; undefined for none. */
   readonly of: ReadonlySignal<SettingOf | undefined> = this.#of;
-  /** The model whose backup it is, by its id, as far as it is one: see `Content`. */
+  /** The id of the model whose backup it is, if it is one: see `Content`. */
   readonly backupOf: ReadonlySignal<string | undefined> = this.#backupOf;
-  /** What it is now, with what was typed, and how it came to that. */
+  /** Its present content, typed texts included. */
   protected readonly content: ReadonlySignal<Content | null> = computed(() => {
     const working = this.#working.value;
     return working && { working, texts: this.#texts.value, of: this.#of.value, backupOf: this.#backupOf.value };
@@ -55,8 +55,8 @@ export class WorkingCopy {
     () => new Map(this.#unreadable.value.map((each) => [fieldKey(each.field), each])),
   );
   /**
-   * What each of these texts may mean: the pilot is asked. One that is being typed is not finished: it is not asked
-   * about.
+   * The possible meanings of each ambiguous text, which the pilot is asked about.
+   * A text that is still being typed does not count.
    */
   readonly asked: ReadonlySignal<ReadonlyMap<string, Ambiguous['either']>> = computed(() => {
     const typing = this.#typing.value;
@@ -66,7 +66,7 @@ export class WorkingCopy {
     return new Map(open);
   });
 
-  /** What would be undone, and redone, next; null when there is nothing. */
+  /** The next steps to undo and to redo; null when there is none. */
   readonly undoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.past.at(-1)?.name ?? null);
   readonly redoStep: ReadonlySignal<StepName | null> = computed(() => this.#history.value.future.at(-1)?.name ?? null);
 
@@ -79,14 +79,13 @@ export class WorkingCopy {
     return working === null || value === null ? '' : formatValue(working.identity, field, value);
   }
 
-  /** Whether a text that was typed stands in a field: it may not be finished. */
+  /** Whether a field holds a typed text, which may be unfinished. */
   isTyped(field: ProgramField): boolean {
     return this.#texts.value[fieldKey(field)] !== undefined;
   }
 
   /**
-   * Does an edit, as one step with its name. Edits of one group that follow each other become one step, until
-   * {@link settle}.
+   * Does an edit as one step with its name. Edits of one group in a row become one step, until {@link settle}.
    * @returns why it was not done; null when it was.
    */
   apply(edit: Edit): Obstacle | null {
@@ -96,15 +95,15 @@ export class WorkingCopy {
     const field = inTheWay(this.unreadable.value, edit);
     if (field) return { code: 'unreadable', field };
     const after = applied(before, edit);
-    // What changes nothing is no step.
+    // An edit that changes nothing is no step.
     if (after.working === before.working && after.texts === before.texts && after.of === before.of) return null;
     this.show(after, histories.recordStep(this.#history.value, edit.name, before, edit.group));
     return null;
   }
 
   /**
-   * A key was pressed in a field: the text is kept, and its value taken over if it has one. One step until the field is
-   * left.
+   * A key was pressed in a field: keeps the text, and takes over its value if it has one. All typing is one step until
+   * the field is left.
    */
   type(field: ProgramField, text: string): void {
     const now = this.#working.value;
@@ -120,8 +119,8 @@ export class WorkingCopy {
   }
 
   /**
-   * The field was left, or Enter was pressed in it: a text that has a value gives way to that value's usual form. One
-   * that may mean two things is asked about: see {@link asked}.
+   * The field was left, or Enter was pressed: a text with a value gets the usual form of that value. An ambiguous text
+   * is asked about: see {@link asked}.
    */
   leave(field: ProgramField): void {
     const key = fieldKey(field);
@@ -132,7 +131,7 @@ export class WorkingCopy {
     });
   }
 
-  /** What was asked about the text in a field is answered, as part of the same step: it is this value. */
+  /** The pilot has said what the text in a field means: this value. It belongs to the same step. */
   answer(field: ProgramField, value: number): void {
     batch(() => {
       if (this.endsWithTyping(field)) {
@@ -143,7 +142,7 @@ export class WorkingCopy {
     });
   }
 
-  /** Whether the last thing that was done is typing in this field. */
+  /** Whether the last edit was typing in this field. */
   protected endsWithTyping(field: ProgramField): boolean {
     const last = this.undoStep.value;
     if (last?.code !== 'type') return false;
@@ -152,8 +151,7 @@ export class WorkingCopy {
   }
 
   /**
-   * The field was left, the drag has ended: what follows is a step of its own. What has come back to where it began was
-   * none.
+   * Ends the last step: the field was left, or the drag has ended. A step that came back to where it began is removed.
    */
   settle(): void {
     const now = this.content.value;
@@ -171,7 +169,7 @@ export class WorkingCopy {
   }
 
   /**
-   * Takes the step back that is still growing, if it is of this group.
+   * Takes back the step that is still growing, if it is of this group.
    * @returns whether it was.
    */
   abandon(group: string | undefined): boolean {
@@ -185,18 +183,18 @@ export class WorkingCopy {
     if (turned) this.show(turned.state, turned.history);
   }
 
-  /** What is on the screen was saved as a setting. What undo and redo bring back of that setting knows it, too. */
+  /** The content of the screen was saved as a setting. States of that setting in the undo history are told, too. */
   saved(of: SettingOf): void {
     const now = this.content.value;
     if (!now) return;
     const history = histories.mapStates(this.#history.value, (state) =>
       state.of?.id === of.id ? { ...state, of } : state,
     );
-    // By the pilot's word it is of that setting.
+    // The pilot has said that it is of that setting.
     this.show({ ...now, of, backupOf: undefined }, history);
   }
 
-  /** Puts another content in place of all there is; null: there is none. */
+  /** Replaces the whole content; null for none. */
   protected show(content: Content | null, history: History<Content>): void {
     batch(() => {
       this.#working.value = content?.working ?? null;
@@ -208,7 +206,7 @@ export class WorkingCopy {
   }
 }
 
-/** A value that is typed in a field, or none yet. */
+/** Typing in a field, with the value of the text if it has one. */
 function typing(field: ProgramField, value: number | null): Edit {
   const key = fieldKey(field);
   const values = value === null ? [] : [{ field, value }];

@@ -8,10 +8,10 @@ import { dayOf } from './flight-list.js';
 import { flightsCsv, SEPARATORS, type Separator } from './flights-csv.js';
 import './csv-export.css';
 
-/** The separator that the pilot's spreadsheet takes. */
+/** The setting that keeps which separator the pilot's spreadsheet uses. */
 const CHOICE = 'csv-separator';
 
-/** The flights that are shown, as a table for a spreadsheet. */
+/** Saves the flights that are shown as a table for a spreadsheet. */
 export function CsvExport({ records }: { readonly records: readonly FlightRecord[] }) {
   const { csv: words } = flightMessages.value;
   const separator = useSignal<Separator>(loadSetting(CHOICE, v.picklist(SEPARATORS)) ?? ';');

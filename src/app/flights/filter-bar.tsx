@@ -11,7 +11,7 @@ interface FilterBarProps {
   readonly log: FlightLog;
 }
 
-/** What of the log is shown. */
+/** Chooses which flights of the log are shown. */
 export function FilterBar({ session, log }: FilterBarProps) {
   const { filter: words } = flightMessages.value;
   const { flights, models, settings } = session.library;

@@ -1,22 +1,22 @@
-/** Where the log is, in the address after `#library/`. */
+/** The address of the log, after `#library/`. */
 export const FLIGHTS = 'flights';
 
-/** Whose flights are looked for: all; those of one model, by its id; those of no model of the library. */
+/** Whose flights to show: all; those of one model, by its id; those of no model in the library. */
 export type ModelFilter = 'all' | 'none' | { readonly id: string };
 
 export const PERIODS = ['all', 'today', 'month', 'year', 'own'] as const;
 export type Period = (typeof PERIODS)[number];
 
-/** What of the log is shown. What is empty asks for nothing. */
+/** Which flights of the log are shown. An empty field filters nothing. */
 export interface FlightFilter {
   readonly model: ModelFilter;
-  /** A setting by its id. */
+  /** A setting by its id; null for any. */
   readonly setting: string | null;
   readonly place: string | null;
-  /** Words that have to stand somewhere in the texts of a flight. */
+  /** Words that must stand somewhere in the texts of a flight. */
   readonly text: string;
   readonly period: Period;
-  /** The first and the last day of a period of one's own, as `2026-11-22`; empty: open. */
+  /** The first and the last day of a period, as `2026-11-22`. Empty: open. */
   readonly from: string;
   readonly until: string;
 }

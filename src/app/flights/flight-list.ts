@@ -7,10 +7,10 @@ export const ROUND_MAXIMUM = 180;
 
 export interface Totals {
   readonly flights: number;
-  /** Seconds; null where no result was noted. */
+  /** Seconds; null when no flight has a result. */
   readonly best: number | null;
   readonly average: number | null;
-  /** Flights of a numbered round with a result, and those of them that reached the maximum of a round. */
+  /** How many flights of numbered rounds have a result, and how many of those reached the maximum. */
   readonly rounds: number;
   readonly maxima: number;
 }
@@ -19,14 +19,14 @@ export interface Totals {
 export interface FlightDay {
   readonly key: string;
   readonly place: string;
-  /** Of the latest flight, in milliseconds since 1970. */
+  /** The time of the latest flight, in milliseconds since 1970. */
   readonly at: number;
   readonly records: readonly FlightRecord[];
 }
 
 /**
- * Those that the filter asks for, in the order in which they are given.
- * @param now milliseconds since 1970: the periods end today.
+ * The flights that pass the filter, in the same order.
+ * @param now milliseconds since 1970, because periods end today.
  */
 export function filtered(records: readonly FlightRecord[], filter: FlightFilter, now: number): readonly FlightRecord[] {
   const { model, setting, place } = filter;
@@ -42,7 +42,7 @@ export function filtered(records: readonly FlightRecord[], filter: FlightFilter,
   });
 }
 
-/** The same flights by day and place, newest first as they are given: each place of a day stands once. */
+/** The same flights by day and place, in the given order (newest first). Each place of a day comes once. */
 export function grouped(records: readonly FlightRecord[]): readonly FlightDay[] {
   const days = new Map<string, { place: string; at: number; records: FlightRecord[] }>();
   for (const record of records) {
@@ -70,12 +70,12 @@ export function totalsOf(records: readonly FlightRecord[]): Totals {
   return { flights: records.length, best: none ? null : best, average: none ? null : sum / timed, rounds, maxima };
 }
 
-/** Whether it was a numbered round: a fly-off goes on beyond the maximum. */
+/** Whether it was a numbered round. A fly-off goes on past the maximum. */
 export function isRound({ round }: Pick<Flight, 'round'>): boolean {
   return /^\d/.test(round.trim());
 }
 
-/** The places of the log, the one flown at last first. */
+/** The places in the log, the latest first. */
 export function placesOf(records: readonly FlightRecord[]): readonly string[] {
   return [...new Set(records.map(({ flight }) => flight.place))].filter((place) => place !== '');
 }
@@ -89,13 +89,13 @@ export function modelsOf(records: readonly FlightRecord[]): ReadonlyMap<string, 
   return models;
 }
 
-/** The midnight with which a day begins, or that of some days before or after. */
+/** The midnight at which a day begins, or that of some days before or after. */
 export function midnight(at: number, days = 0): number {
   const date = new Date(at);
   return new Date(date.getFullYear(), date.getMonth(), date.getDate() + days).getTime();
 }
 
-/** The period of a filter: from the first millisecond, and before the second. A day that is none is left open. */
+/** The period of a filter: from the first millisecond to before the second. A missing day leaves it open. */
 export function rangeOf(
   { period, from, until }: Pick<FlightFilter, 'period' | 'from' | 'until'>,
   now: number,
@@ -110,7 +110,7 @@ export function rangeOf(
   return { from: begins[period], before: null };
 }
 
-/** A day as it is written in a field, with the days after it; null when it is none. */
+/** The beginning of a day as written in a field, or of a day some days after it; null when the text is no day. */
 function beginOf(day: string, after = 0): number | null {
   const [, year, month, date] = /^(\d{4,6})-(\d\d)-(\d\d)$/.exec(day) ?? [];
   if (year === undefined) return null;
@@ -118,20 +118,20 @@ function beginOf(day: string, after = 0): number | null {
   return Number.isFinite(begin) ? begin : null;
 }
 
-/** A day of the calendar as it is written in files and fields: `2026-11-22`. */
+/** A calendar day in the form of files and fields: `2026-11-22`. */
 export function dayOf(at: number): string {
   const date = new Date(at);
   const two = (part: number): string => String(part).padStart(2, '0');
   return `${String(date.getFullYear()).padStart(4, '0')}-${two(date.getMonth() + 1)}-${two(date.getDate())}`;
 }
 
-/** The time of a day: `14:05`. */
+/** A time of day: `14:05`. */
 export function timeOfDay(at: number): string {
   const date = new Date(at);
   return `${String(date.getHours()).padStart(2, '0')}:${String(date.getMinutes()).padStart(2, '0')}`;
 }
 
-/** Made once for each record: a record that changes is another one. */
+/** Worked out once for each record: a changed record is a new object. */
 const texts = new WeakMap<FlightRecord, string>();
 
 function textOf(record: FlightRecord): string {
@@ -143,7 +143,7 @@ function textOf(record: FlightRecord): string {
   return text;
 }
 
-/** Small letters without their marks, so that “Gyula” finds “GYŰLA”. */
+/** Small letters without marks, so that “Gyula” finds “GYŰLA”. */
 function plain(text: string): string {
   return text.normalize('NFD').replaceAll(/\p{M}/gu, '').toLowerCase();
 }

@@ -8,39 +8,39 @@ import { putBackDt } from '../write/put-back.js';
 import type { WriteFlow } from '../write/write-flow.js';
 import { type FlightFilter, NO_FILTER } from './flight-filter.js';
 
-/** What is flown, and by which model with which setting. */
+/** What was flown: the program, the model and the setting. */
 type Flown = Pick<Flight, 'program' | 'model' | 'modelName' | 'setting' | 'settingName'>;
 
-/** The place where the pilot was last. */
+/** The setting that keeps the pilot's last place. */
 const PLACE = 'flight-place';
 const place = v.pipe(v.string(), v.maxLength(LIMITS.place));
 
 /**
- * What is logged with one tap, and what can be done with a flight. What of the log is shown, and how a flight is
- * filled in, comes with its view: see `flight-list.ts` and `FlightForm`.
+ * Logs a flight with one tap, and changes flights. The view itself has the parts that only it needs: see
+ * `flight-list.ts` and `FlightForm`.
  */
 export class FlightLog {
-  /** What flies next by a fresh reading, never what is merely typed; null while that is not known. */
+  /** The program that flies next, by a fresh reading and without unwritten edits; null while it is not known. */
   readonly held: ReadonlySignal<TimerProgram | null>;
-  /** What can be logged now: what is held; under the result of a write also what that has verified. */
+  /** The program that can be logged now: the one above, or under the result of a write what that write has verified. */
   readonly flyable: ReadonlySignal<TimerProgram | null>;
-  /** The flight that was logged last on this page, by its key; null once it was undone. */
+  /** The key of the flight that was last logged on this page; null once it was undone. */
   readonly logged: ReadonlySignal<string | null>;
-  /** The browser was asked to keep that flight, and did not. */
+  /** Whether the browser failed to keep that flight. */
   readonly unkept: ReadonlySignal<boolean>;
-  /** The flight that is filled in; null while none is. */
+  /** The flight that is open in the form; null for none. */
   readonly filling: ReadonlySignal<string | null>;
-  /** What of the log is shown: it outlasts the view. */
+  /** Which flights of the log are shown. Outlasts the view. */
   readonly filter: ReadonlySignal<FlightFilter>;
   readonly #filter = signal(NO_FILTER, { name: 'flightFilter' });
   readonly #logged = signal<string | null>(null, { name: 'logged' });
   readonly #unkept = signal(false, { name: 'flightUnkept' });
-  /** By the write whose result is shown: the timer may have been unplugged since. */
+  /** What the write has verified whose result is shown. The timer may have been unplugged since. */
   readonly #verified = signal<Flown | null>(null, { name: 'verifiedFlown' });
   readonly #filling = signal<string | null>(null, { name: 'filling' });
   readonly #session: Session;
   readonly #write: WriteFlow;
-  /** The flight for which DT is put back: it is flown with what that write leaves. */
+  /** The flight for which DT is being put back: it will be flown with what that write leaves. */
   #puttingBack: string | null = null;
 
   constructor(session: Session, write: WriteFlow) {
@@ -63,14 +63,14 @@ export class FlightLog {
       this.#verified.value = held && untracked(() => this.#flown(held));
       if (held && this.#puttingBack !== null) void this.change(this.#puttingBack, { program: held });
       if (held || step === null) this.#puttingBack = null;
-      // What was logged before a write is not said under its result, as if that were logged.
+      // A flight that was logged before a write must not show under the result of the write.
       if (step?.step === 'review') this.#logged.value = null;
     });
   }
 
   /**
-   * What the timer holds is flown now.
-   * @returns the key of the flight; null where it is not known what flies next.
+   * Logs a flight with what the timer holds.
+   * @returns the key of the flight; null when it is not known what flies next.
    */
   flying(): string | null {
     const held = this.held.peek();
@@ -78,12 +78,12 @@ export class FlightLog {
     return flown && this.#add({ ...flown, place: this.#place() });
   }
 
-  /** The same model is flown once more, as it was: nobody has read its timer since. */
+  /** Logs one more flight of the same model with the same program: nobody has read its timer since. */
   flyAgain({ model, modelName, setting, settingName, program, place: where }: Flight): string {
     return this.#add({ model, modelName, setting, settingName, program, place: where });
   }
 
-  /** Takes the flight that was logged last out of the log. */
+  /** Removes the flight that was logged last. */
   undo(): void {
     const key = this.#logged.peek();
     if (key === null) return;
@@ -91,22 +91,22 @@ export class FlightLog {
     this.#logged.value = null;
   }
 
-  /** The result of a write was left: what was logged there is said no longer. */
+  /** The result of a write was left: its logged flight is no longer shown there. */
   forgetLogged(): void {
     this.#logged.value = null;
   }
 
-  /** Narrows or widens what of the log is shown. */
+  /** Changes some fields of the filter. */
   narrow(changes: Partial<FlightFilter>): void {
     this.#filter.value = { ...this.#filter.peek(), ...changes };
   }
 
-  /** Shows all flights of the log, or no others than these. */
+  /** Shows all flights of the log, or only those that these fields ask for. */
   showOnly(changes: Partial<FlightFilter> = {}): void {
     this.#filter.value = { ...NO_FILTER, ...changes };
   }
 
-  /** Opens a flight to be filled in. */
+  /** Opens the form of a flight. */
   fillIn(key: string): void {
     this.#filling.value = key;
   }
@@ -117,7 +117,7 @@ export class FlightLog {
 
   /**
    * Changes a flight in the log.
-   * @returns whether the browser keeps it; also true where there is no such flight.
+   * @returns whether the browser keeps it; true also when there is no such flight.
    */
   async change(key: string, changes: Partial<Flight>): Promise<boolean> {
     const { library } = this.#session;
@@ -128,14 +128,14 @@ export class FlightLog {
     return !library.flights.unsaved.peek().has(kept.key);
   }
 
-  /** Takes a flight out of the log; for some seconds that can be undone. */
+  /** Removes a flight from the log. Can be undone for some seconds. */
   remove(key: string): void {
     if (this.#filling.peek() === key) this.close();
     if (this.#logged.peek() === key) this.#logged.value = null;
     this.#session.library.flights.remove(key);
   }
 
-  /** Whether DT can be put back for a flight: it was not flown yet, and the timer holds what it says. */
+  /** Whether DT can be put back for a flight: it is not flown yet, and the timer still holds its program. */
   canPutBack({ program, result }: Flight): boolean {
     const held = this.held.value;
     const { shortDt, runner, editor } = this.#session;
@@ -143,7 +143,7 @@ export class FlightLog {
     return sameLayout(held.identity, program.identity) && differences(held, program).length === 0;
   }
 
-  /** Puts DT back by a write that is shown first. When that is verified, it is what the flight is flown with. */
+  /** Puts DT back by a write that the pilot confirms first. Once verified, the flight gets that program. */
   async putBack(key: string): Promise<void> {
     this.close();
     this.#puttingBack = (await putBackDt(this.#session, this.#write)) ? key : null;
@@ -151,7 +151,7 @@ export class FlightLog {
 
   #flown(program: TimerProgram): Flown {
     const { modelAtHand, opened, editor } = this.#session;
-    // What is on the screen and not in the timer belongs to some setting, too: that one is not flown.
+    // With unwritten changes, the setting on the screen is not the one that was flown.
     const shown = editor.changes.peek().length === 0 ? opened.shown.peek() : null;
     const setting = shown?.setting;
     const model = modelAtHand.peek() ?? shown?.model;

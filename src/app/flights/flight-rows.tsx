@@ -16,22 +16,22 @@ interface FlightRowsProps {
   readonly onOpen: (key: string) => void;
 }
 
-/** So many rows come and go together. */
+/** How many rows appear and disappear together. */
 const CHUNK = 40;
-/** How high a row and a head are about, in rem, where they have not been seen yet. */
+/** Approximate heights of a row and a heading, in rem, before they are first drawn. */
 const ABOUT = { row: 4, head: 3.4 };
 
-/** A part of a day, as long as a chunk at most. */
+/** A part of a day, at most one chunk long. */
 interface Part extends FlightDay {
-  /** It goes on with a day that has begun before. */
+  /** Whether it continues a day. */
   readonly goesOn: boolean;
   /** How many flights the whole day has. */
   readonly count: number;
 }
 
 /**
- * The flights by day and place. Of ten thousand only those near the window are in the page; the others keep their
- * place.
+ * The flights by day and place. Of ten thousand, only those near the window are in the page;
+ * the others keep their space.
  */
 export function FlightRows({ days, ...props }: FlightRowsProps) {
   return (
@@ -52,7 +52,7 @@ export function FlightRows({ days, ...props }: FlightRowsProps) {
   );
 }
 
-/** The days in turn, cut so that no chunk is long. */
+/** The days in order, cut into chunks. */
 function chunksOf(days: readonly FlightDay[]): readonly (readonly Part[])[] {
   const chunks: Part[][] = [[]];
   let room = CHUNK;
@@ -72,18 +72,18 @@ function chunksOf(days: readonly FlightDay[]): readonly (readonly Part[])[] {
 }
 
 interface NearProps {
-  /** It is drawn at once. */
+  /** Whether it is drawn at once. */
   readonly begin: boolean;
-  /** How high it is about, in rem. */
+  /** Its approximate height, in rem. */
   readonly about: number;
   readonly children: () => ComponentChildren;
 }
 
-/** What is drawn only while it is near the window. */
+/** Draws its content only while it is near the window. */
 function Near({ begin, about, children }: NearProps) {
   const box = useRef<HTMLDivElement>(null);
   const [isNear, setNear] = useState(begin);
-  /** As high as it was when it was seen. */
+  /** Its height when it was last drawn. */
   const [height, setHeight] = useState<number | null>(null);
   useEffect(() => {
     const { current: element } = box;
@@ -91,7 +91,7 @@ function Near({ begin, about, children }: NearProps) {
     const observer = new IntersectionObserver(
       ([entry]) => {
         if (!entry) return;
-        // What has the keyboard stays.
+        // Content with the keyboard focus stays.
         if (!entry.isIntersecting && element.contains(document.activeElement)) return;
         if (!entry.isIntersecting && entry.boundingClientRect.height > 0) setHeight(entry.boundingClientRect.height);
         setNear(entry.isIntersecting);
@@ -134,7 +134,7 @@ function Day({ part, ...props }: DayProps) {
 
 interface RowProps extends Omit<FlightRowsProps, 'days'> {
   readonly record: FlightRecord;
-  /** It stands under no day, but under its model or its setting. */
+  /** The list stands under a model or a setting, not under days. */
   readonly of?: 'model' | 'setting';
 }
 
@@ -142,7 +142,7 @@ export function Row({ record: { key, flight }, shortDt, onOpen, of }: RowProps) 
   const { row: words } = flightMessages.value;
   const { wind, temperature, round, result, note, program } = flight;
   const day = of && flightMessages.value.day(dayHeading(flight.at), flight.place);
-  // What all of them have in common stands above them.
+  // A name that all rows share stands above them.
   const name = of === 'setting' ? '' : of === 'model' ? flight.settingName : flight.modelName || words.noModel;
   const facts = [
     (name && day) || null,

@@ -13,12 +13,12 @@ export function resultText(seconds: number): string {
   return figure(text, units[unit]);
 }
 
-/** Whether a round was flown to its end. */
+/** Whether the flight reached the maximum of a round. */
 export function isFull({ result }: Pick<Flight, 'result'>): boolean {
   return result !== null && result >= ROUND_MAXIMUM;
 }
 
-/** What a program is known by: “DT 3:00 min”, “motor stop 10.0 s”. */
+/** The figures by which a pilot knows a program: “DT 3:00 min”, “motor stop 10.0 s”. */
 export function figuresOf(program: TimerProgram): readonly string[] {
   return keyFigures(program).map(({ label, text }) => `${label} ${text}`);
 }
@@ -30,7 +30,7 @@ export function heldText(program: TimerProgram): string {
   return flying.held(memory === null ? null : messages.value.memoryName(memory), figuresOf(program));
 }
 
-/** A day as the head of a group: “Sun 22 Nov 2026”. */
+/** A day as the heading of a group: “Sun 22 Nov 2026”. */
 export function dayHeading(at: number): string {
   const day = { weekday: 'short', day: 'numeric', month: 'short', year: 'numeric' } as const;
   return dateFormat(messages.value.locale, day).format(at);

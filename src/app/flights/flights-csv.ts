@@ -1,7 +1,7 @@
 import { type Flight, valueAt } from '../../program/index.js';
 import { dayOf, timeOfDay } from './flight-list.js';
 
-/** Between the columns: a spreadsheet takes the one that its country is used to. */
+/** Between the columns. Spreadsheets expect the one that is usual in their country. */
 export const SEPARATORS = [';', ','] as const;
 export type Separator = (typeof SEPARATORS)[number];
 
@@ -24,13 +24,13 @@ export const CSV_COLUMNS = [
 ] as const;
 export type CsvColumn = (typeof CSV_COLUMNS)[number];
 
-/** What a spreadsheet would work out instead of showing it. The wide ones are taken for the narrow by some. */
+/** Texts that a spreadsheet would calculate instead of showing. Some take the wide signs for the narrow ones. */
 const FORMULA = /^(?:'|\s*[=+\-@＝＋－＠]|[\t\r\n])/;
 
 /**
- * The flights as a table for spreadsheets (RFC 4180): UTF-8 with a mark at the start, by which Excel knows it; dates by
- * ISO 8601, numbers with a point. A text that a spreadsheet would take for a formula has an apostrophe before it, and
- * so has one that begins with an apostrophe: whoever reads it takes one away.
+ * The flights as a table for spreadsheets (RFC 4180). UTF-8 with a mark at the start, so that Excel recognises it;
+ * dates in ISO 8601; numbers with a point. A text that looks like a formula gets an apostrophe before it, and so does a
+ * text that begins with one: a reader removes one apostrophe.
  * @param heads the names of the columns, with their units.
  */
 export function flightsCsv(
@@ -81,7 +81,7 @@ function seconds(hundredths: number | null): string {
   return hundredths === null ? '' : String(hundredths / 100);
 }
 
-/** A text is in quotes, always: else the other separator would begin a cell of its own. */
+/** A text is always in quotes: otherwise the other separator would begin a new cell. */
 function text(value: string): string {
   return value === '' ? '' : quoted(FORMULA.test(value) ? `'${value}` : value);
 }

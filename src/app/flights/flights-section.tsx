@@ -11,16 +11,16 @@ import './flights-section.css';
 interface FlightsSectionProps {
   readonly session: Session;
   readonly log: FlightLog;
-  /** Whose flights: those of a model, or of a setting, by its id. */
+  /** Whose flights: those of a model or of a setting, by its id. */
   readonly of: { readonly model: string } | { readonly setting: string };
-  /** The log is to be seen. */
+  /** Opens the log. */
   readonly onAll: () => void;
 }
 
-/** So many of the latest stand on the page of a model or a setting. */
+/** How many of the latest flights stand on the page of a model or a setting. */
 const SOME = 5;
 
-/** The flights of a model or a setting: the latest, the totals, and the way to all of them. */
+/** The flights of a model or a setting: the latest, the totals, and a link to all of them. */
 export function FlightsSection({ session, log, of, onAll }: FlightsSectionProps) {
   const words = flightMessages.value;
   const { flights } = session.library;

@@ -10,20 +10,20 @@ import './flying-this.css';
 interface FlyingThisProps {
   readonly session: Session;
   readonly log: FlightLog;
-  /** The flight is to be filled in. */
+  /** Opens the form of the flight. */
   readonly onFillIn?: () => void;
-  /** Without a timer the last flight can be flown again. */
+  /** Whether the last flight can be logged again without a timer. */
   readonly again?: boolean;
 }
 
-/** One tap logs a flight with what the timer holds; then it says so, and can be undone or filled in. */
+/** One tap logs a flight with what the timer holds. Then it says so, and offers to undo it or to fill it in. */
 export function FlyingThis({ session, log, onFillIn, again = false }: FlyingThisProps) {
   const { flying: words, row } = flightMessages.value;
   const { flights } = session.library;
   const key = log.logged.value;
   const logged = flights.get(key)?.flight;
   const held = log.flyable.value;
-  // What was logged belongs to the place where it was.
+  // The note about a logged flight goes away with this part of the page.
   useEffect(() => () => log.forgetLogged(), [log]);
   if (logged) {
     const fillIn = (): void => {

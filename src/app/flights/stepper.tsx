@@ -11,7 +11,7 @@ interface StepperProps {
   readonly unit: string;
 }
 
-/** A number for cold hands: a large button down and up, and a field between them. */
+/** A number for cold hands: a field between a large button down and one up. */
 export function Stepper({ form, measure, label, unit }: StepperProps) {
   const { form: words } = flightMessages.value;
   const [id, note] = [useId(), useId()];
@@ -38,7 +38,7 @@ interface MeasureFieldProps {
   readonly form: FlightForm;
   readonly measure: Measure;
   readonly id: string;
-  /** Of what is said about it. */
+  /** The id of the text about it. */
   readonly note: string;
 }
 
@@ -46,7 +46,7 @@ export function MeasureField({ form, measure, id, note }: MeasureFieldProps) {
   return (
     <input
       type="text"
-      // A number pad without a minus or a colon is of no use here.
+      // A number pad without minus sign and colon would be useless here.
       inputMode={measure === 'wind' ? 'decimal' : 'text'}
       autocomplete="off"
       id={id}
@@ -66,7 +66,7 @@ interface MeasureProblemProps {
   readonly note: string;
 }
 
-/** Why a number was not taken. */
+/** Why a number was refused. */
 export function MeasureProblem({ form, measure, unit, note }: MeasureProblemProps) {
   const { form: words } = flightMessages.value;
   const problem = form.problems.value.get(measure);

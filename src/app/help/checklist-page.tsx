@@ -13,12 +13,12 @@ interface ChecklistPageProps {
   readonly session: Session;
 }
 
-/** What a pilot goes through before a flight, one tick after the other. */
+/** What a pilot checks before a flight, one tick after the other. */
 export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
   const ticked = checklist.ticked.value;
   const left = checklist.left.value;
   useEffect(() => checklist.enter(), [checklist]);
-  // A new version does not take the ticks away in the middle.
+  // A new version must not take the ticks away in the middle.
   useUnsaved(checklist.begun.value);
   const check = (key: string, text: string, why = '') => (
     <label class={ticked.has(key) ? 'check ticked' : 'check'}>
@@ -69,7 +69,7 @@ export function ChecklistPage({ checklist, session }: ChecklistPageProps) {
   );
 }
 
-/** What is known of the timer at hand: the memory that flies next, and its DT. */
+/** What is known about the connected timer: the memory that flies next, and its DT. */
 function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   const { memoryName } = messages.value;
   const { known } = words;
@@ -88,7 +88,7 @@ function Known({ session }: Pick<ChecklistPageProps, 'session'>) {
   const [dt] = keyFigures(held);
   const changes = editor.changes.value.length;
   const time = standing.at === null ? null : clockText(standing.at);
-  // Which one flies next is known only while the timer is there.
+  // Which memory flies next is certain only while the timer is connected.
   const flies = standing.sure === 'now' && time !== null && connection.value !== null && !nextFlight.open.value;
   const isCertain = flies && held.memory !== null;
   return (

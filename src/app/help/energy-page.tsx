@@ -5,7 +5,7 @@ import { SegmentChoice } from '../ui/segment-choice.js';
 import { allowanceFor, ENERGY_RULES, type EnergyEvent, energyOf, figureIn } from './energy.js';
 import './energy-page.css';
 
-/** A figure that is asked for, and between what it must lie. */
+/** A figure to type, and its range. */
 interface Asked {
   readonly label: string;
   readonly unit: string;
@@ -19,7 +19,10 @@ const VOLTAGE: Asked = { label: words.voltage, unit: words.volts, least: 1, most
 const CURRENT: Asked = { label: words.current, unit: words.amperes, least: 0.1, most: 200 };
 type Way = keyof typeof words.ways;
 
-/** How long the motor may run by the rules of F1Q. @param motorStop of the program on the screen, in hundredths. */
+/**
+ * How long the motor may run by the rules of F1Q. @param motorStop of the program on the screen, in hundredths of a
+ * second.
+ */
 export function EnergyPage({ motorStop }: { readonly motorStop: number | null }) {
   const event = useSignal<EnergyEvent>('rounds');
   const way = useSignal<Way>('watts');

@@ -7,10 +7,10 @@ import './field-words.css';
 
 type Field = keyof typeof words.fields;
 const FIELDS = Object.keys(words.fields) as Field[];
-/** What stands only where a motor is. */
+/** Fields that only a timer with a motor has. */
 const MOTOR: ReadonlySet<Field> = new Set(['motorStop', 'idleThrottle']);
 
-/** What each value is, in full. */
+/** Explains each value in full. */
 export function WordsPage() {
   return (
     <dl class="field-words">
@@ -35,15 +35,15 @@ export function WordsPage() {
 interface WordsDialogProps {
   readonly help: Help;
   readonly session: Session;
-  /** All of it is to be shown. */
+  /** Opens the full explanation. */
   readonly onMore: () => void;
 }
 
-/** The same in short, over the table that it is about. */
+/** The same in short, over the table that it explains. */
 export function WordsDialog({ help, session, onMore }: WordsDialogProps) {
   const titleId = useId();
   const isOpen = help.explaining.value;
-  // While it is shut, another program does not draw it.
+  // While it is closed, a change of program must not draw it.
   const hasMotor = isOpen && session.editor.identity.value?.timerClass === 'Q';
   const close = (): void => help.explain(false);
   return (

@@ -35,7 +35,7 @@ export function FirstStepsCard({ steps }: { readonly steps: FirstSteps }) {
   );
 }
 
-/** All of them, to be read again. */
+/** All first steps, to read again. */
 export function FirstStepsPage() {
   return (
     <ol class="steps-page">

@@ -2,7 +2,7 @@ import { guide } from '../messages/en-guide.js';
 import { HELP_PAGES, type HelpPage } from './help.js';
 import './help-nav.css';
 
-/** From one page of the help to another. */
+/** Links from one page of the help to the others. */
 export function HelpNav({ shown }: { readonly shown: HelpPage }) {
   return (
     <nav class="help-nav" aria-label={guide.nav}>

@@ -3,7 +3,7 @@ import type { Session } from '../session/session.js';
 import { Checklist } from './checklist.js';
 import { FirstSteps } from './first-steps.js';
 
-/** What help there is, in the order in which it stands there; the first is shown where none is named. */
+/** The pages of the help, in their order. The first is shown when an address names none. */
 export const HELP_PAGES = ['checklist', 'trouble', 'words', 'energy', 'steps'] as const;
 export type HelpPage = (typeof HELP_PAGES)[number];
 
@@ -17,13 +17,13 @@ export class Help {
   readonly steps = new FirstSteps();
   readonly checklist: Checklist;
   readonly #explaining = signal(false, { name: 'explaining' });
-  /** Whether it is told what the columns and rows of the program are. */
+  /** Whether the explanation of the program's columns and rows is open. */
   readonly explaining: ReadonlySignal<boolean> = this.#explaining;
 
   constructor({ editor, connection, link }: Session) {
     this.checklist = new Checklist(computed(() => editor.identity.value?.timerClass ?? null));
     effect(() => {
-      // Whoever has reached a timer needs to be told no more of how that is done.
+      // A pilot who has reached a timer no longer needs to be told how.
       if (connection.value && !link.simulated.value) this.steps.end();
     });
   }
@@ -32,6 +32,6 @@ export class Help {
     this.#explaining.value = open;
   }
 
-  /** Always the same function: a table that is given it is not drawn anew. */
+  /** Always the same function, so that a table with it is not drawn again. */
   readonly explainNow = (): void => this.explain(true);
 }

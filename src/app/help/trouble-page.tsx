@@ -6,8 +6,8 @@ export type Symptom = keyof typeof words.symptoms;
 const SYMPTOMS = Object.keys(words.symptoms) as Symptom[];
 
 /**
- * What to do, by what a pilot sees.
- * @param connection what is told about the connection, where a symptom has to do with it.
+ * What to do, sorted by what a pilot sees.
+ * @param connection the help about the connection, for symptoms that come from it.
  */
 export function TroublePage({ connection }: { readonly connection: (symptom: Symptom) => ComponentChildren }) {
   return (

@@ -28,7 +28,9 @@ interface ArrangeProps<T extends { readonly key: string }> {
   readonly children: (item: T) => ComponentChildren;
 }
 
-/** A list whose rows can be put into another order: by their handles, with mouse or finger, and by their arrows. */
+/**
+ * A list whose rows can be put into another order: by their handles, with mouse or finger, and by their arrow buttons.
+ */
 export function Arrange<T extends { readonly key: string }>(props: ArrangeProps<T>) {
   const { on, items, nameOf, onMove, after, children, class: name } = props;
   const { arrange: words } = libraryMessages.value;

@@ -3,31 +3,31 @@ import type { Library } from '../session/library.js';
 import type { ModelRecord, SettingRecord } from '../storage/index.js';
 import { foldedText, hasAll, searchWords } from './search.js';
 
-/** So many rows are drawn at first, and so many more each time the end of a list comes near. */
+/** How many rows are drawn at first, and how many more each time the end of the list comes near. */
 const FIRST = 60;
 const MORE = 200;
-/** So many of those that were changed last are shown. */
+/** How many of the settings that were changed last are shown. */
 const LATEST = 12;
 
-/** How the library is looked at: it outlasts its view. */
+/** What the pilot looks at in the library. Outlasts the view. */
 export class Browse {
   readonly #text = signal('');
   readonly #archive = signal(false);
   readonly #arranging = signal(false);
   readonly #room = signal(FIRST);
-  /** What is searched for; empty: nothing is. */
+  /** The text to search for. Empty: no search. */
   readonly text: ReadonlySignal<string> = this.#text;
-  /** Whether what was put away is shown, too. */
+  /** Whether archived entries are shown, too. */
   readonly archive: ReadonlySignal<boolean> = this.#archive;
   /** Whether rows can be moved. */
   readonly arranging: ReadonlySignal<boolean> = this.#arranging;
   /** How many rows of a list of settings are drawn. */
   readonly room: ReadonlySignal<number> = this.#room;
-  /** The settings of each model, by its id; of none under null. What is in the archive is in it. */
+  /** The settings of each model, by its id; those of no model under null. Archived ones are included. */
   readonly byModel: ReadonlySignal<ReadonlyMap<string | null, readonly SettingRecord[]>>;
-  /** The settings that are searched for; null while nothing is. */
+  /** The settings that the search finds; null without a search. */
   readonly found: ReadonlySignal<readonly SettingRecord[] | null>;
-  /** What was changed last, of all models; nothing of the archive. */
+  /** The settings that were changed last, of all models. Without archived ones. */
   readonly latest: ReadonlySignal<readonly SettingRecord[]>;
   /** The models that are shown. */
   readonly models: ReadonlySignal<readonly ModelRecord[]>;
@@ -38,7 +38,7 @@ export class Browse {
       const known = new Set(models.list.value.map(({ key }) => key));
       const map = new Map<string | null, SettingRecord[]>();
       for (const record of settings.list.value) {
-        // A setting whose model is gone is still there.
+        // A setting stays visible when its model is gone.
         const model = record.setting.model !== null && known.has(record.setting.model) ? record.setting.model : null;
         const list = map.get(model);
         if (list) list.push(record);
@@ -76,12 +76,12 @@ export class Browse {
     this.#arranging.value = on;
   }
 
-  /** The end of a list has come near. */
+  /** The end of a list has come near: draws more of it. */
   showMore(): void {
     this.#room.value += MORE;
   }
 
-  /** Another list is shown. */
+  /** Another list is shown: begins with few rows again. */
   anotherList(): void {
     this.#room.value = FIRST;
     this.#arranging.value = false;

@@ -5,7 +5,7 @@ import type { Library, LibraryClash } from '../session/library.js';
 import { Modal } from '../ui/modal.js';
 import './clash-dialog.css';
 
-/** Two tabs have saved something else in the same place, a moment apart: the pilot says which of them it is. */
+/** Two tabs have saved different things in the same place at nearly the same time. The pilot chooses one. */
 export function ClashDialog({ library }: { readonly library: Library }) {
   const id = useId();
   const { clash: words } = libraryMessages.value;
@@ -35,7 +35,7 @@ export function ClashDialog({ library }: { readonly library: Library }) {
   );
 }
 
-/** Texts and numbers as they were typed. */
+/** Fields that are shown as they were typed. */
 const READ: readonly string[] = [
   ...['name', 'note', 'tags', 'memoryNames'],
   ...['place', 'round', 'result', 'wind', 'temperature', 'modelName', 'settingName'],
@@ -49,7 +49,7 @@ interface DisagreedProps {
   readonly mine: Fields;
 }
 
-/** What can be read at a glance is shown; of all else it is said that it differs. */
+/** Shows values that can be read at a glance. Of all others it only says that they differ. */
 function Disagreed({ field, theirs, mine }: DisagreedProps) {
   const { clash: words } = libraryMessages.value;
   const [there, here] = [theirs[field], mine[field]].map((value) => [value ?? '–'].flat().join(', '));

@@ -7,12 +7,12 @@ import { SegmentChoice } from '../ui/segment-choice.js';
 const NONE = '';
 
 interface ClassChoiceProps {
-  /** A class that is none of the usual ones is offered beside them. */
+  /** An unusual class is offered beside the usual ones. */
   readonly value: string | null;
   readonly onChange: (timerClass: string | null) => void;
 }
 
-/** Of which class the timer of a model is. */
+/** The class of a model's timer. */
 export function ClassChoice({ value, onChange }: ClassChoiceProps) {
   const { model: words } = libraryMessages.value;
   const { classNames, unknownClass } = messages.value;

@@ -23,7 +23,7 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
     const place = canvas.current;
     if (!place || photo === null) return;
     let isOld = false;
-    // What cannot be drawn any more is said; it stays where it is.
+    // When a picture cannot be drawn any more, the page says so. The picture stays in the library.
     void drawPhoto(photo, place, () => isOld)
       .catch(() => 'unreadable' as const)
       .then((found) => {
@@ -57,7 +57,7 @@ export function ModelPhoto({ model, onChange }: ModelPhotoProps) {
           onChange={(event) => {
             const input = event.currentTarget;
             void take(input.files?.[0]).finally(() => {
-              // The same file can be chosen again.
+              // So that the same file can be chosen again.
               input.value = '';
             });
           }}

@@ -59,7 +59,7 @@ export function ModelServos({ session, record, onChange }: ModelServosProps) {
   );
 }
 
-/** A program of the model, to guess from. */
+/** A program of the model, from which to guess. */
 function programOf({ library }: Session, { key, verified }: ModelRecord): TimerProgram | null {
   const setting = library.settings.list.value.find((each) => each.setting.model === key);
   return setting?.setting.program ?? verified[0]?.program ?? null;

@@ -5,7 +5,7 @@ interface NameFieldProps {
   readonly label: string;
   readonly value: string;
   readonly placeholder?: string;
-  /** It has the focus when its dialog opens. Default: yes. */
+  /** Whether it gets the focus when its dialog opens. Default true. */
   readonly first?: boolean;
   readonly onChange: (text: string) => void;
 }

@@ -2,11 +2,13 @@ import { LIMITS } from '../../program/index.js';
 import { decodedPicture, type PictureFault } from '../browser/picture.js';
 import { tried } from '../browser/services.js';
 
-/** The longer side of a picture that is kept, in pixels; smaller ones where that takes too much room. */
+/** The longer side of a kept picture in pixels. Smaller sizes are tried when a larger one takes too much room. */
 const SIDES = [1280, 1024, 800, 640, 480] as const;
 const QUALITIES = [0.82, 0.7, 0.55];
 
-/** A picture as it is kept: scaled down, as base64 of a JPEG file within the limit of a model; or why there is none. */
+/**
+ * A picture in its kept form: scaled down, as base64 of a JPEG file within the limit of a model. Or why there is none.
+ */
 export async function scaledPhoto(file: Blob): Promise<{ readonly photo: string } | { readonly fault: PictureFault }> {
   const picture = await decodedPicture(file, SIDES[0]);
   if (typeof picture === 'string') return { fault: picture };
@@ -27,9 +29,9 @@ export async function scaledPhoto(file: Blob): Promise<{ readonly photo: string 
 }
 
 /**
- * Draws a picture that was kept, perhaps from a file of somebody else.
- * @param isOld asked when it was read, which takes its time: whether another one has taken its place.
- * @returns why nothing was drawn.
+ * Draws a kept picture, which may come from somebody else's file.
+ * @param isOld asked after reading, which takes time: whether another picture has taken its place.
+ * @returns why nothing was drawn; null when it was.
  */
 export async function drawPhoto(
   photo: string,
@@ -50,7 +52,7 @@ function draw(picture: ImageBitmap, canvas: HTMLCanvasElement, side: number): vo
   canvas.height = Math.max(1, Math.round(picture.height * scale));
   const pen = canvas.getContext('2d');
   if (!pen) throw new Error('nothing can be drawn here');
-  // A picture may be clear in places; a JPEG is not.
+  // A picture may be transparent in places; a JPEG cannot be.
   pen.fillStyle = 'white';
   pen.fillRect(0, 0, canvas.width, canvas.height);
   pen.drawImage(picture, 0, 0, canvas.width, canvas.height);

@@ -1,21 +1,19 @@
 /**
- * Where one is in the library, as it stands in the address after `#library/`:
- *
+ * A place in the library. In the address, after `#library/`:
  * - nothing: all models
  * - `ID`: a model
  * - `ID/ID`: a model and one of its settings
  * - `none`, `none/ID`: the settings that belong to no model
  *
- * An id of letters alone may come in a file, and could be such a word, or the address of the flights: `/` before it
- * tells it apart.
+ * A file may bring an id that equals such a word, or the address of the flights. A `/` before it tells them apart.
  */
 export interface LibraryPlace {
-  /** `NO_MODEL` for the settings that belong to none; null where none is chosen. */
+  /** `NO_MODEL` for the settings without a model; null when none is chosen. */
   readonly model: string | null;
   readonly setting: string | null;
 }
 
-/** In the place of a model's id, and no id. */
+/** Stands in place of a model's id, and can be no id itself. */
 export const NO_MODEL = ' none';
 const NONE = 'none';
 

@@ -5,11 +5,11 @@ import type { SaveSetting } from './save-setting.js';
 interface SaveButtonsProps {
   readonly session: Session;
   readonly saveSetting: SaveSetting;
-  /** Where there is little room: only what keeps changes of the open setting. */
+  /** Where there is little room: shows only the button that saves the open setting. */
   readonly brief?: boolean;
 }
 
-/** Keeps the program on the screen: as what it was opened from, or as a new setting. */
+/** Saves the program on the screen: to the setting that it was opened from, or as a new setting. */
 export function SaveButtons({ session, saveSetting, brief = false }: SaveButtonsProps) {
   const { save: words } = libraryMessages.value;
   const { opened } = session;

@@ -4,21 +4,21 @@ import { emptyModel, newId } from '../session/library.js';
 import type { Session } from '../session/session.js';
 
 /**
- * The dialog that keeps what is on the screen.
- * - `name`: as what, and under which model.
- * - `elsewhere`: another tab has saved the open setting meanwhile: what shall be kept?
+ * The dialog that saves the program on the screen.
+ * - `name`: under which name and model?
+ * - `elsewhere`: another tab has saved the open setting in the meantime; which version stays?
  */
 export type SaveStep = { readonly step: 'name' } | { readonly step: 'elsewhere'; readonly theirs: Setting };
 
-/** What the pilot has said of a new setting. */
+/** The pilot's choices for a new setting. */
 export interface Named {
   readonly name: string;
   readonly note: string;
-  /** The id of a model; null: none; or the name of a new one. */
+  /** The id of a model; null for none; or the name of a new one. */
   readonly model: string | null | { readonly name: string };
 }
 
-/** Keeps the program on the screen in the library. */
+/** Saves the program on the screen in the library. */
 export class SaveSetting {
   readonly #current = signal<SaveStep | null>(null, { name: 'saveSetting' });
   readonly current: ReadonlySignal<SaveStep | null> = this.#current;
@@ -28,12 +28,12 @@ export class SaveSetting {
     this.#session = session;
   }
 
-  /** Asks as what the program shall be kept. */
+  /** Asks for the name of the new setting. */
   open(): void {
     if (this.#session.editor.working.peek()) this.#current.value = { step: 'name' };
   }
 
-  /** Saves the open setting; asks where another tab has saved it, and where none is open. */
+  /** Saves the open setting. Asks first when another tab has saved it, or when none is open. */
   async save(): Promise<void> {
     const { shown, unsaved, savable } = this.#session.opened;
     const setting = shown.peek()?.setting;
@@ -43,27 +43,27 @@ export class SaveSetting {
     this.#askIfElsewhere();
   }
 
-  /** Another tab may have saved the open setting just before, or while it was saved here. */
+  /** Another tab may have saved the open setting just before, or during the save here. */
   #askIfElsewhere(): void {
     const { shown, unsaved } = this.#session.opened;
     const theirs = shown.peek()?.setting;
     if (theirs && unsaved.peek()?.elsewhere) this.#current.value = { step: 'elsewhere', theirs };
   }
 
-  /** What another tab has saved gives way. */
+  /** Replaces what another tab has saved. */
   async replace(): Promise<void> {
     this.#current.value = null;
     await this.#session.opened.save();
     this.#askIfElsewhere();
   }
 
-  /** What another tab has saved comes to the screen, as a step that undo takes back. */
+  /** Takes what another tab has saved onto the screen, as a step that can be undone. */
   take(): void {
     this.#current.value = null;
     this.#session.opened.takeSaved();
   }
 
-  /** @returns once the browser has kept it, or has not; it is in the library at once. */
+  /** @returns once the browser has saved it, or failed to. It is in the library at once. */
   async saveAs({ name, note, model }: Named): Promise<void> {
     const { library, opened, editor } = this.#session;
     const timerClass = editor.identity.peek()?.timerClass ?? null;

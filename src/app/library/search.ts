@@ -1,14 +1,14 @@
-/** A text as it is compared: without capitals, and without marks on its letters. */
+/** A text in the form for comparison: small letters without marks. */
 export function foldedText(text: string): string {
   return text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
 }
 
-/** The words that are searched for. */
+/** The words to search for. */
 export function searchWords(text: string): string[] {
   return foldedText(text).split(/\s+/).filter(Boolean);
 }
 
-/** Whether each of the words stands somewhere in a text. */
+/** Whether a text contains each of the words. */
 export function hasAll(folded: string, words: readonly string[]): boolean {
   return words.every((word) => folded.includes(word));
 }

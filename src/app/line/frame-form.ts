@@ -12,26 +12,26 @@ import {
 import type { TimerConnection } from '../../serial/index.js';
 import type { Session } from '../session/session.js';
 
-/** Why what was typed is no byte, or no data. */
+/** Why a typed text is no byte, or no data. */
 export type FrameFault = 'not-hex' | 'odd-digits' | 'not-a-byte' | 'too-long';
 
-/** Edited; or asked for, and to be confirmed; or under way. */
+/** `edit`: being edited. `confirm`: the pilot has to confirm it. `sending`: on its way. */
 export type FrameStep = 'edit' | 'confirm' | 'sending';
 
-/** What became of the frame that was sent last: its reply, or null when none came. */
+/** The result of the last frame: its reply, or null when none came. */
 export interface FrameResult {
   readonly reply: Frame | null;
 }
 
-/** A frame that is sent by hand. What may do more than read is asked for twice, and goes out once. */
+/** A frame that the pilot sends by hand. A frame that may do more than read needs a confirmation, and goes out once. */
 export class FrameForm {
   readonly #command = signal<CommandName | null>('GETSWVER', { name: 'command' });
   readonly #letter = signal('', { name: 'letter' });
   readonly #data = signal('', { name: 'data' });
-  /** The connection on which it was asked for once. Another one may be to another timer. */
+  /** The connection on which the first click came. Another connection may be another timer. */
   readonly #asking = signal<TimerConnection | null>(null, { name: 'asking' });
   readonly #result = signal<FrameResult | null>(null, { name: 'result' });
-  /** A command, or null for a letter of one's own. */
+  /** A command; null for any other letter. */
   readonly command: ReadonlySignal<CommandName | null> = this.#command;
   readonly letter: ReadonlySignal<string> = this.#letter;
   readonly data: ReadonlySignal<string> = this.#data;
@@ -48,7 +48,7 @@ export class FrameForm {
     const parsed = parseHex(this.data.value);
     return typeof parsed === 'string' ? parsed : null;
   });
-  /** The frame as it stands in the form; null while something in it is wrong. */
+  /** The frame in the form; null while something in it is wrong. */
   readonly frame: ReadonlySignal<Frame | null> = computed(() => {
     const data = parseHex(this.data.value);
     if (this.letterFault.value || typeof data === 'string') return null;
@@ -63,7 +63,7 @@ export class FrameForm {
   readonly effect: ReadonlySignal<Command['effect']> = computed(() =>
     this.frame.value ? effectOf(this.frame.value) : 'unknown',
   );
-  /** Whether there is a frame, and a wire that is free for it. */
+  /** Whether there is a frame, and the wire is free for it. */
   readonly ready: ReadonlySignal<boolean> = computed(
     () => this.frame.value !== null && this.#session.runner.ready.value,
   );
@@ -73,13 +73,13 @@ export class FrameForm {
     this.#session = session;
   }
 
-  /** What is known of the timer: how frames are to be read. */
+  /** What is known about the timer and decides how frames are read. */
   get layout(): LayoutOptions {
     const client = this.#session.connection.value?.client;
     return client ? { identity: client.identity ?? undefined, quirks: client.quirksAssumed } : {};
   }
 
-  /** Takes what was chosen or typed. Whatever was asked for before is asked for no longer. */
+  /** Takes over what was chosen or typed. A confirmation that was asked for ends. */
   edit(change: { readonly command?: CommandName | null; readonly letter?: string; readonly data?: string }): void {
     if (this.step.value === 'sending') return;
     batch(() => {
@@ -91,7 +91,7 @@ export class FrameForm {
     });
   }
 
-  /** Sends a frame that only reads; asks to confirm any other. */
+  /** Sends a frame that only reads. Asks for a confirmation of any other. */
   async send(): Promise<void> {
     if (!this.ready.value || this.step.value !== 'edit') return;
     if (this.effect.value === 'reads') return await this.#send();
@@ -101,12 +101,12 @@ export class FrameForm {
     });
   }
 
-  /** Sends, once, what was asked for. */
+  /** Sends the confirmed frame once. */
   async confirm(): Promise<void> {
     if (this.ready.value && this.step.value === 'confirm') await this.#send();
   }
 
-  /** Takes back what was asked for. */
+  /** The pilot does not confirm. */
   cancel(): void {
     this.#asking.value = null;
   }
@@ -124,19 +124,19 @@ export class FrameForm {
         this.#asking.value = null;
         this.#result.value = null;
         if (mayStore) editor.sent();
-        // Until the reading below has said which memory is current it is not known which one flies next.
+        // Until the reading below has told the current memory, nobody knows which one flies next.
         if (maySelect) nextFlight.leave(null);
       });
       const answer = client.send(frame.code, frame.data);
       if (effect !== 'reads') servoMoves.mayMove();
       this.#result.value = { reply: await answer };
     });
-    // What is on the screen may be out of date, also when no reply came.
+    // The screen may be out of date, even when no reply came.
     if (mayStore && connection.value === before) await this.#session.reader.read();
   }
 }
 
-/** What a frame may do; a request that only reads does so when it is as the table has it. */
+/** What a frame may do. A request that only reads must look exactly as the table says. */
 function effectOf({ code, data }: Frame): Command['effect'] {
   const command = commandOf(code);
   if (command?.direction !== 'request') return 'unknown';

@@ -14,7 +14,7 @@ export interface LinePanelProps {
   readonly form: FrameForm;
 }
 
-/** Everything that was on the line, or in a recording of one. */
+/** Everything that was on the line, or in a recording. */
 export function LinePanel({ session, view, form }: LinePanelProps) {
   const unused = view.unused.value;
   return (
@@ -30,7 +30,7 @@ export function LinePanel({ session, view, form }: LinePanelProps) {
     >
       <h1>{messages.value.line.title}</h1>
       <LineTools session={session} view={view} />
-      {/* Above the log, which goes on as long as one scrolls. */}
+      {/* Above the log, which can be very long. */}
       {!unused && <SendFrame form={form} connected={session.connection.value !== null} />}
       <RecordingBar session={session} view={view} />
       {unused ? <p class="hint">{messages.value.line.unused}</p> : <LineTable view={view} />}

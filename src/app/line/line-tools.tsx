@@ -9,7 +9,7 @@ import { captureText } from './recording.js';
 import { captureNotes } from './report.js';
 import './line-tools.css';
 
-/** What can be done with the log: stop and go, empty, copy, save, load; what is shown of it. */
+/** The tools of the log: pause, clear, copy, save, load, filter. */
 export function LineTools({ session, view }: { readonly session: Session; readonly view: LineView }) {
   const { line } = messages.value;
   const used = !view.unused.value;
@@ -98,7 +98,7 @@ function LoadButton({ view }: { view: LineView }) {
         onChange={({ currentTarget }) => {
           const file = currentTarget.files?.[0];
           if (file) void view.load(file);
-          // The same file again is to be read again.
+          // So that the same file can be chosen again.
           currentTarget.value = '';
         }}
       />
@@ -111,6 +111,6 @@ function save(view: LineView): void {
   const records = view.toSave();
   const identity = records.at(-1)?.layout.identity;
   const kind = identity ? `${identity.timerClass}${identity.firmware}` : line.unidentified;
-  // A class may be any printable character.
+  // The letter of a class may be any printable character.
   saveFile(line.fileName(kind.replaceAll(/[^a-z0-9]/gi, '_')), captureText(records, captureNotes(records)));
 }

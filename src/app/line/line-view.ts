@@ -4,44 +4,46 @@ import type { LineRecord } from '../session/line-record.js';
 import { type Recording, RecordingError, readRecording } from './recording.js';
 import { rowText } from './row-text.js';
 
-/** Which entries are shown: all, frames and pieces of one direction, or what was damaged. */
+/** Which entries are shown: all, those of one direction, or damaged ones. */
 export type LineFilter = 'all' | 'out' | 'in' | 'damaged';
 
-/** So many entries are shown at first, and so many more whenever their end is reached: more than are in sight. */
+/** How many entries are shown at first, and how many more each time their end is reached: more than fit on a screen. */
 const STEP = 32;
-/** So many stand in one group: a new entry moves the groups below it, and has those of its own alone drawn again. */
+/** How many entries are in a group. A new entry moves the older groups, but only its own group is drawn again. */
 const GROUP = 8;
 
-/** Entries that stand together, newest first. It is the same object for as long as nothing in it changes. */
+/** Some entries in a row, newest first. The object stays the same while nothing in it changes. */
 export interface LineGroup {
-  /** Tells it from the others. */
+  /** The key by which the page knows the group. */
   readonly key: number;
   readonly records: readonly LineRecord[];
 }
 
-/** What of the line is looked at: live, standing still, or a recording; all of it or what is searched for. */
+/** What the line view shows: the live line, a paused one, or a recording; everything, or what a filter finds. */
 export class LineView {
   readonly filter: ReadonlySignal<LineFilter>;
-  /** What names, meanings or bytes must contain. */
+  /** The text that names, meanings or bytes must contain. */
   readonly search: ReadonlySignal<string>;
   readonly recording: ReadonlySignal<Recording | null>;
-  /** Why the file that was given last is no recording. */
+  /** Why the last file is no recording. */
   readonly fault: ReadonlySignal<RecordingError | null>;
   readonly paused: ReadonlySignal<boolean> = computed(() => this.#still.value !== null);
-  /** How many entries came since the picture stands still. */
+  /** How many entries have come since the pause. */
   readonly came: ReadonlySignal<number> = computed(() =>
     this.#still.value ? this.#log.newest.value - this.#still.value.newest : 0,
   );
-  /** All entries of the picture, oldest first. */
+  /** All entries, oldest first. */
   readonly all: ReadonlySignal<readonly LineRecord[]> = computed(
     () => this.#recording.value?.records ?? this.#still.value?.entries ?? this.#log.entries.value,
   );
-  /** Those of them that are asked for, oldest first. */
+  /** The entries that pass the filter, oldest first. */
   readonly found: ReadonlySignal<readonly LineRecord[]> = computed(() => {
     const isAskedFor = test(this.#filter.value, this.#search.value);
     return this.all.value.filter(isAskedFor);
   });
-  /** The newest of them, as many as there is room for, newest first. What has not changed is not drawn again. */
+  /**
+   * The newest of these, as many as there is room for, newest first. A group that has not changed is not drawn again.
+   */
   readonly shown: ReadonlySignal<readonly LineGroup[]> = computed(() => {
     const before = new Map(this.#drawn.map((group) => [group.key, group]));
     this.#drawn = groupsOf(this.found.value.slice(-this.#room.value)).map((group) => {
@@ -50,11 +52,11 @@ export class LineView {
     });
     return this.#drawn;
   });
-  /** How many of those that are asked for are shown. */
+  /** How many of these entries are shown. */
   readonly shownCount: ReadonlySignal<number> = computed(() => Math.min(this.#room.value, this.found.value.length));
-  /** There is nothing to look at yet: nothing was ever on the line, and no recording was loaded. */
+  /** Whether there is nothing to look at yet: the line was never used, and no recording is loaded. */
   readonly unused: ReadonlySignal<boolean> = computed(() => !this.#recording.value && !this.#log.used.value);
-  /** How much was on the line since the log is kept. */
+  /** How much was on the line since the log began. */
   readonly counts: LineLog['counts'];
   readonly #log: LineLog;
   readonly #room = signal(STEP, { name: 'room' });
@@ -88,12 +90,12 @@ export class LineView {
     });
   }
 
-  /** Shows older entries too. */
+  /** Shows more of the older entries. */
   showOlder(): void {
     this.#room.value = this.shownCount.peek() + STEP;
   }
 
-  /** Lets the picture stand still while the log goes on. */
+  /** Pauses the view while the log goes on. */
   pause(): void {
     this.#still.value = { entries: this.#log.entries.value, newest: this.#log.newest.value };
   }
@@ -109,7 +111,7 @@ export class LineView {
     });
   }
 
-  /** Shows the recording in a file in place of the line, or says why it is none. */
+  /** Shows the recording in a file in place of the line, or says why the file is none. */
   async load(file: File): Promise<void> {
     this.#fault.value = null;
     try {
@@ -124,7 +126,7 @@ export class LineView {
     }
   }
 
-  /** Forgets that a file was refused. */
+  /** Clears the message about a refused file. */
   dismissFault(): void {
     this.#fault.value = null;
   }
@@ -134,7 +136,7 @@ export class LineView {
     this.#recording.value = null;
   }
 
-  /** All that is kept of the line, with what a replay of it needs. */
+  /** The whole log of the line, with everything that a replay needs. */
   toSave(): readonly LineRecord[] {
     return this.#log.introduced(this.all.value);
   }
@@ -156,13 +158,13 @@ function says(record: LineRecord, words: string, hex: string | null): boolean {
   return text.words.includes(words) || (hex !== null && text.bytes.includes(hex));
 }
 
-/** Whole bytes in hex, however they are spaced; null for anything else. */
+/** Whole bytes in hex, with any spacing; null for any other text. */
 function hexIn(text: string): string | null {
   const digits = text.replaceAll(/\s/g, '');
   return /^(?:[0-9a-f]{2})+$/.test(digits) ? (digits.match(/../g) ?? []).join(' ') : null;
 }
 
-/** By their numbers, so that a new entry changes the first group alone. @param records oldest first. */
+/** Groups by number, so that a new entry changes only the first group. @param records oldest first. */
 function groupsOf(records: readonly LineRecord[]): LineGroup[] {
   const groups: { readonly key: number; readonly records: LineRecord[] }[] = [];
   for (const record of [...records].reverse()) {

@@ -3,7 +3,7 @@ import type { Session } from '../session/session.js';
 import type { LineView } from './line-view.js';
 import './recording-bar.css';
 
-/** What is looked at when it is not the line, and what can be done with it; or why a file is no recording. */
+/** Names the recording that is shown, and what can be done with it; or says why a file is no recording. */
 export function RecordingBar({ session, view }: { readonly session: Session; readonly view: LineView }) {
   const { line, dismiss } = messages.value;
   const recording = view.recording.value;

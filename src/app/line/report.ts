@@ -14,15 +14,15 @@ import { captureText } from './recording.js';
 /** How many of the last entries go into a report. */
 const ENTRIES = 60;
 
-/** What is known of the port. Nothing in it tells one adapter, or its owner, from another of its kind. */
+/** What is known about the port. Nothing in it identifies one adapter, or its owner. */
 export interface PortFacts {
   readonly kind: PortKind;
-  /** The name under which settings are remembered, such as `usb:0403:6001`. */
+  /** The name by which settings are remembered, such as `usb:0403:6001`. */
   readonly key: string;
   readonly settings: OpenedSettings;
 }
 
-/** What a maintainer needs to know, and nothing about a person: no names, no dates, no places. */
+/** What a maintainer needs to know, and nothing about a person: no names, dates or places. */
 export interface ReportFacts {
   readonly version: string;
   /** Names and versions of the browser. */
@@ -37,19 +37,19 @@ export interface ReportFacts {
   readonly quirksFound: ReadonlyMap<QuirkCode, QuirkParams>;
   readonly quirksAssumed: AssumedQuirks;
   readonly counts: LineCounts;
-  /** Errors of the line on this connection, by kind. */
+  /** Line errors on this connection, by kind. */
   readonly lineErrors: ReadonlyMap<LineErrorKind, number>;
-  /** How many requests went out again on this connection; null without one. */
+  /** How many requests were repeated on this connection; null without one. */
   readonly repeats: number | null;
   /** How many frames came on this connection that nobody asked for. */
   readonly strays: number;
   /** See `TimerClient.delay`. */
   readonly delay: number | null;
-  /** What was last on the line, oldest first. */
+  /** The last entries of the line, oldest first. */
   readonly entries: readonly LineRecord[];
 }
 
-/** The report: a capture with all else as comments, so that it can be loaded and replayed as it is. */
+/** The report: a capture with everything else as comments, so it can be loaded and replayed as it is. */
 export function reportText(facts: ReportFacts): string {
   const { report, name, line } = messages.value;
   const { port, identity, counts } = facts;
@@ -69,14 +69,14 @@ export function reportText(facts: ReportFacts): string {
   return captureText(facts.entries, notes);
 }
 
-/** What stands at the top of a saved line: enough to read it by. */
+/** The top of a saved line: what a reader needs to understand it. */
 export function captureNotes(records: readonly LineRecord[]): string[] {
   const { report, name } = messages.value;
   const identity = records.at(-1)?.layout.identity;
   return [report.program(name, version), report.timer(identity ? identityText(identity) : null)];
 }
 
-/** The facts of this session, of the browser and of the page. */
+/** The facts of this session, the browser and the page. */
 export function gatherFacts({ log, link, connection: { value: connection } }: Session): ReportFacts {
   const client = connection?.client;
   const kept = log.entries.value;
@@ -98,7 +98,7 @@ export function gatherFacts({ log, link, connection: { value: connection } }: Se
   };
 }
 
-/** What newer Chromiums tell of themselves in parts. */
+/** What newer Chromium browsers say about themselves, in parts. */
 interface UserAgentData {
   readonly brands: readonly { readonly brand: string; readonly version: string }[];
   readonly platform: string;
@@ -107,7 +107,7 @@ interface UserAgentData {
 function browserFacts(): Pick<ReportFacts, 'browser' | 'platform'> {
   const { userAgent, platform, userAgentData } = nameplate() as Navigator & { readonly userAgentData?: UserAgentData };
   if (!userAgentData) return { browser: userAgent, platform };
-  // A brand that is none is always among them, to keep pages from relying on the list.
+  // The list always has one invented brand, so that pages do not rely on it.
   const brands = userAgentData.brands.filter(({ brand }) => !/not.*brand/i.test(brand));
   return {
     browser: brands.map(({ brand, version: number }) => `${brand} ${number}`).join(', '),
@@ -115,7 +115,7 @@ function browserFacts(): Pick<ReportFacts, 'browser' | 'platform'> {
   };
 }
 
-/** `9600 8N1, DTR low`: the lines only where they are not left to the browser. */
+/** `9600 8N1, DTR low`: names a line only where it is not left to the browser. */
 function settingsText({ baudRate, dataBits, parity, stopBits, dtr, rts }: OpenedSettings): string {
   const form = `${baudRate} ${dataBits}${parity.charAt(0).toUpperCase()}${stopBits}`;
   const lines = Object.entries({ DTR: dtr, RTS: rts }).filter(([, level]) => level !== null);

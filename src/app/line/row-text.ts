@@ -3,22 +3,22 @@ import { describeFrame, frameName, hexOf } from '../messages/frame-text.js';
 import { messages } from '../messages/index.js';
 import type { LineRecord } from '../session/line-record.js';
 
-/** What an entry of the line says, in words and in hex. */
+/** What an entry of the line means, in words and in hex. */
 export interface RowText {
   readonly name: string;
   readonly meaning: string;
   readonly bytes: string;
-  /** Name and meaning as they are searched. */
+  /** Name and meaning in the form for searching. */
   readonly words: string;
 }
 
-/** An entry never changes, and a key of a search asks for all of them: each is put into words once. */
+/** An entry never changes, and each key of a search needs all of them. So each is put into words only once. */
 const said = computed(() => {
   void messages.value;
   return new WeakMap<LineRecord, RowText>();
 });
 
-/** What an entry says, in the language of the page. */
+/** What an entry means, in the language of the page. */
 export function rowText(record: LineRecord): RowText {
   const texts = said.value;
   const known = texts.get(record);

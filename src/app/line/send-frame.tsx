@@ -5,10 +5,10 @@ import { messages } from '../messages/index.js';
 import type { FrameForm } from './frame-form.js';
 import './send-frame.css';
 
-/** The choice that is no command. */
+/** The choice for a letter that is no command. */
 const OTHER = 'other';
 
-/** A frame of the pilot's own, for finding out what a timer does. */
+/** Sends a frame of the pilot's own, to find out what a timer does. */
 export function SendFrame({ form, connected }: { readonly form: FrameForm; readonly connected: boolean }) {
   const { send } = messages.value.line;
   return (
@@ -86,7 +86,7 @@ interface HexFieldProps {
   readonly id: string;
   readonly label: string;
   readonly value: string;
-  /** Why what was typed cannot be sent. */
+  /** Why the typed text cannot be sent. */
   readonly fault: string | null;
   readonly onType: (text: string) => void;
 }
@@ -118,7 +118,7 @@ function HexField({ id, label, value, fault, onType }: HexFieldProps) {
   );
 }
 
-/** The frame as it goes out, and what it says. */
+/** The frame as it would go out, and its meaning. */
 function Preview({ form }: { form: FrameForm }) {
   const { send } = messages.value.line;
   const frame = form.frame.value;
@@ -131,12 +131,12 @@ function Preview({ form }: { form: FrameForm }) {
   );
 }
 
-/** What may happen, and the one button that lets it. */
+/** What may happen, and the button that sends it. */
 function Confirm({ form, onLeave }: { form: FrameForm; onLeave: () => void }) {
   const { send } = messages.value.line;
   const box = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    // Not a button: a key that is held down would press it.
+    // Not on the button: a key that is held down would press it.
     box.current?.focus();
     return onLeave;
   }, []);

@@ -9,13 +9,13 @@ import './backups-panel.css';
 interface BackupsPanelProps {
   readonly session: Session;
   readonly memories: Memories;
-  /** The servos follow what is edited: a backup that is loaded would be stored at once. */
+  /** Whether the servos follow edits: a loaded backup would be stored at once. */
   readonly following: boolean;
-  /** A backup stands in the table. */
+  /** Shows the table with the loaded backup. */
   readonly onLoad: () => void;
 }
 
-/** What was kept of timers, newest first; memories that were backed up together stand together. */
+/** The backups of timers, newest first. Memories that were backed up together stand together. */
 export function BackupsPanel({ session, ...props }: BackupsPanelProps) {
   const { backups: words } = messages.value;
   const sets = together(session.backups.list.value);
@@ -95,7 +95,7 @@ function BackupRow({ session, memories, set, following, onLoad }: BackupRowProps
   );
 }
 
-/** Newest first; those of one job over the memories share the time at which they were kept. */
+/** Newest first. The backups of one job over the memories share their time. */
 function together(backups: readonly Backup[]): Backup[][] {
   const sets: Backup[][] = [];
   for (const backup of backups) {

@@ -8,10 +8,7 @@ import type { WriteFlow } from '../write/write-flow.js';
 import type { Leaving } from './leaving.js';
 import { nextFlightText } from './next-flight-line.js';
 
-/**
- * Says once more, before the connection ends, which memory will fly where it is not the one of the time of connect, and
- * that its DT is a short one.
- */
+/** Before the connection ends: warns when another memory than at connect will fly, or one with a short DT. */
 export function LeaveDialog({ session, leaving }: { readonly session: Session; readonly leaving: Leaving }) {
   const question = leaving.question.value;
   return (
@@ -100,7 +97,7 @@ function Question({ session, leaving }: { readonly session: Session; readonly le
   );
 }
 
-/** Under the result of the write that has put DT back: the pilot was about to disconnect. */
+/** Under the result of the write that has put DT back: the pilot wanted to disconnect. */
 export function GoOn({ write, leaving }: { readonly write: WriteFlow; readonly leaving: Leaving }) {
   if (!leaving.puttingBack.value) return null;
   const goOn = (): void => {

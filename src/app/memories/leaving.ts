@@ -7,20 +7,20 @@ import type { Memories } from './memories.js';
 
 /** What the pilot is asked before the connection ends. */
 export interface LeavingQuestion {
-  /** The memory of the time of connect is being made current again. */
+  /** Whether the memory of the time of connecting is being made current again. */
   readonly goingBack: boolean;
-  /** That was tried, and did not come to its end. */
+  /** Whether that was tried and failed. */
   readonly failed: boolean;
 }
 
 /** Jobs that select memories. */
 const SELECTING: ReadonlySet<JobKind> = new Set(['select', 'look', 'memories']);
 
-/** Ends the connection, and not before the pilot knows which memory will fly, and whether its DT is a short one. */
+/** Ends the connection only after the pilot knows which memory will fly and whether its DT is short. */
 export class Leaving {
   /** Null while there is nothing to ask. */
   readonly question: ReadonlySignal<LeavingQuestion | null>;
-  /** The pilot wanted to go, and puts DT back first: the write that is shown now is for that. */
+  /** Whether the pilot wanted to leave, and the write on the screen puts DT back first. */
   readonly puttingBack: ReadonlySignal<boolean>;
   readonly #question = signal<LeavingQuestion | null>(null, { name: 'leaving' });
   readonly #puttingBack = signal(false, { name: 'puttingBack' });
@@ -42,17 +42,17 @@ export class Leaving {
     });
   }
 
-  /** Disconnects; asks before where another memory flies next than at connect, or one with a short DT. */
+  /** Disconnects. Asks first when another memory than at connect flies next, or one with a short DT. */
   async disconnect(): Promise<void> {
     const { runner } = this.#session;
     const job = runner.job.value;
-    // What has selected another memory is given the time to come back: the port would be closed on its way.
+    // A job that has selected another memory gets the time to come back; otherwise the port would close on its way.
     if (job && SELECTING.has(job.kind) && !job.stopping) await runner.stop();
     if (this.#hasToAsk()) this.#question.value = { goingBack: false, failed: false };
     else await this.#session.timer.disconnect();
   }
 
-  /** Makes the memory of the time of connect current again, and disconnects when the timer has said that it is. */
+  /** Makes the memory of the time of connecting current again, and disconnects once the timer confirms it. */
   async backAndDisconnect(): Promise<void> {
     const { nextFlight } = this.#session;
     const { original } = nextFlight;
@@ -60,7 +60,7 @@ export class Leaving {
     this.#question.value = { goingBack: true, failed: false };
     await this.#memories.fly(original.value);
     if (!this.#hasToAsk()) await this.#session.timer.disconnect();
-    // The connection may have ended meanwhile.
+    // The connection may have ended in the meantime.
     else if (this.#question.value) {
       this.#question.value = { goingBack: false, failed: nextFlight.word.value !== null };
     }
@@ -71,29 +71,29 @@ export class Leaving {
     if (this.#question.value?.goingBack === false) await this.#session.timer.disconnect();
   }
 
-  /** Puts a short DT back by a write that is shown first; after it the pilot can go on. */
+  /** Puts a short DT back by a write that the pilot confirms first. Afterwards the pilot can disconnect. */
   async putBack(): Promise<void> {
     if (this.#question.value?.goingBack !== false) return;
     this.#question.value = null;
     this.#puttingBack.value = await putBackDt(this.#session, this.#write);
   }
 
-  /** Stays connected; while the way back is under way, stops it. */
+  /** Stays connected. Stops the way back to the first memory. */
   stay(): void {
     if (this.#question.value?.goingBack) void this.#session.runner.stop();
     else this.#question.value = null;
   }
 
   /**
-   * Escape was pressed. Where a short DT alone is in question it disconnects, as was wanted: in a hurry nothing holds
-   * anybody here. Where another memory would fly it stays connected.
+   * Escape was pressed. If only a short DT is in question it disconnects as the pilot wanted: this must not hold up
+   * anybody in a hurry. If another memory would fly, it stays connected.
    */
   async escape(): Promise<void> {
     if (this.#session.nextFlight.word.value || this.#question.value?.goingBack) this.stay();
     else await this.disconnectAsItIs();
   }
 
-  /** While a write is under way its end decides: nothing is said of the DT before that. */
+  /** During a write its end decides; before that nothing is said about the DT. */
   #hasToAsk(): boolean {
     const { nextFlight, shortDt, runner } = this.#session;
     return nextFlight.word.value !== null || (shortDt.held.value !== null && !runner.writing.value);

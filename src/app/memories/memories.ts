@@ -12,18 +12,19 @@ export interface Compared {
 }
 
 /**
- * The memories of the timer at hand: which one is looked at, and which one flies next. Only when the pilot asks for it.
+ * The memories of the connected timer: which one the pilot looks at, and which flies next.
+ * Acts only when the pilot asks for it.
  */
 export class Memories {
-  /** Back up all of them, copy one to another, restore several. */
+  /** Back up all memories, copy one to another, restore several. */
   readonly jobs: MemoryJobs;
-  /** A memory that is not the current one and that the pilot looks at, by what was last read of it; null: none. */
+  /** The memory that the pilot looks at, if it is not the current one; null for none. */
   readonly looking: ReadonlySignal<number | null> = computed(() => {
     const { nextFlight, editor } = this.#session;
     const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
     return this.#picked.value === current ? null : this.#picked.value;
   });
-  /** Two memories that are compared, by what was last read of them; null: none. */
+  /** The two memories that are compared, by their last readings; null for none. */
   readonly compared: ReadonlySignal<Compared | null>;
   readonly #picked = signal<number | null>(null, { name: 'picked' });
   readonly #compared = signal<Compared | null>(null, { name: 'compared' });
@@ -42,23 +43,23 @@ export class Memories {
     });
   }
 
-  /** Shows what was last read of a memory, and sends nothing; of the current one the program itself. */
+  /** Shows the last reading of a memory, and sends nothing. For the current memory it shows the program. */
   show(memory: number): void {
     this.#picked.value = memory;
   }
 
-  /** Puts two memories side by side; null: no longer. */
+  /** Compares two memories; null ends it. */
   compare(compared: Compared | null): void {
     this.#compared.value = compared;
   }
 
-  /** Reads a memory, makes the one current again that was, and shows what was read. */
+  /** Reads a memory, restores the current one, and shows what was read. */
   async look(memory: number): Promise<void> {
     this.#picked.value = memory;
     await this.readOnce(memory);
   }
 
-  /** Reads a memory and makes the one current again that was. */
+  /** Reads a memory and restores the current one. */
   async readOnce(memory: number): Promise<void> {
     const work = async (connection: TimerConnection, options: JobContext): Promise<void> => {
       await this.#roundTrip.read(connection, { ...options, memories: [memory] });
@@ -67,7 +68,7 @@ export class Memories {
     await this.#session.reader.readIfOpen();
   }
 
-  /** Makes a memory the one that flies next, and shows it. Edits of the one that is left are kept. */
+  /** Makes a memory fly next, and shows it. Edits of the memory before are kept. */
   async fly(memory: number): Promise<boolean> {
     const good = await this.#session.reader.selectMemory(memory);
     this.#picked.value = null;

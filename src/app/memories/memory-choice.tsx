@@ -7,14 +7,14 @@ import { PlaneIcon } from '../ui/plane-icon.js';
 import type { Memories } from './memories.js';
 import './memory-choice.css';
 
-/** Which memory flies next, in words, and which one is shown. To choose one only shows it: nothing is sent. */
+/** Which memory flies next, in words, and which one is shown. Choosing one only shows it: nothing is sent. */
 export function MemoryChoice({ session, memories }: { readonly session: Session; readonly memories: Memories }) {
   const { program, memoryName, nextFlight } = messages.value;
   const { editor, nextFlight: next, connection, runner } = session;
   const name = useId();
   const identity = editor.identity.value;
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
-  // A program that was made here is for whatever timer comes.
+  // A program that was made here is for any timer.
   if (!identity || editor.madeAt.value !== null) return null;
   const isConnected = connection.value !== null;
   const job = runner.job.value;

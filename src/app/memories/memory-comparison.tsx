@@ -14,7 +14,7 @@ interface MemoryComparisonProps {
   readonly compared: Compared;
 }
 
-/** Two memories: what differs, in figures and over time, and the one into the other. */
+/** Compares two memories: what differs, in figures and over time. Offers to copy one into the other. */
 export function MemoryComparison({ session, memories, compared }: MemoryComparisonProps) {
   const { overview: words, memories: all, look, memoryName } = messages.value;
   const { first, second } = compared;
@@ -74,7 +74,7 @@ interface ChoiceProps {
   readonly label: string;
   readonly count: number;
   readonly chosen: number;
-  /** It cannot be compared with itself. */
+  /** This memory cannot be chosen, because it is the other one. */
   readonly other: number;
   readonly onChoose: (memory: number) => void;
 }

@@ -23,16 +23,13 @@ export type MemoriesStep =
   | {
       readonly step: 'review';
       readonly plan: Plan;
-      /** On this connection, or not at all. */
+      /** The job runs on this connection, or not at all. */
       readonly connection: TimerConnection;
       readonly changes: readonly MemoryChange[];
-      /** The backups that are restored are of another model. */
+      /** Set when the backups to restore are of another model. */
       readonly crossing: Crossing | null;
     }
-  /**
-   * Where the browser does not keep a copy of what a memory holds, the job asks the pilot before anything is written
-   * into it.
-   */
+  /** Where the browser cannot keep a copy of a memory, the job asks the pilot before it writes into it. */
   | { readonly step: 'running'; readonly plan: Plan }
   | {
       readonly step: 'done';
@@ -44,7 +41,7 @@ export type MemoriesStep =
 
 type Review = Extract<MemoriesStep, { step: 'review' }>;
 
-/** How a job ended: with what it gave, or by what stopped it. */
+/** The end of a job: its result, or what stopped it. */
 type Ended<T> = { readonly value: T; readonly stopped: null } | { readonly stopped: Stopped };
 type Stopped = NonNullable<MemoriesOutcome['stopped']>;
 
@@ -52,19 +49,18 @@ type Stopped = NonNullable<MemoriesOutcome['stopped']>;
 interface Done {
   saved: number;
   notHeld: boolean;
-  /** The memories in which the write has begun. */
+  /** The memories in which writing has begun. */
   readonly begun: Set<number>;
 }
 
 /**
- * Back up all memories, copy one to another, restore several: shows the difference, does it, and says what became of
- * it.
+ * Backs up all memories, copies one to another, restores several: shows the difference, does it, reports the result.
  */
 export class MemoryJobs extends JobDialog<MemoriesStep> {
   readonly #crossed = signal(false, { name: 'crossedMemories' });
-  /** The pilot wants backups of one model in the timer of another. */
+  /** Whether the pilot agrees to put backups of one model into the timer of another. */
   readonly crossed: ReadonlySignal<boolean> = this.#crossed;
-  /** Whether what is shown may begin: reading changes nothing, only a write asks whether the model is held. */
+  /** Whether the shown plan may begin. Only a write needs the word that the model is held: reading changes nothing. */
   readonly ready: ReadonlySignal<boolean> = computed(() => {
     const step = this.current.value;
     if (step?.step !== 'review') return false;
@@ -82,7 +78,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     this.#roundTrip = roundTrip;
   }
 
-  /** Shows what is about to be done: what a copy or a restoring changes is read for that. */
+  /** Shows what is about to happen. Reads first what a copy or a restore would change. */
   async open(plan: Plan): Promise<void> {
     const { connection, runner, servoMoves } = this.#session;
     if (!connection.value || runner.busy.value) return;
@@ -106,16 +102,16 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     await this.#session.reader.readIfOpen();
   }
 
-  /** The pilot wants backups of one model in the timer of another, or takes that back. */
+  /** The pilot agrees to put backups of one model into the timer of another, or no longer agrees. */
   cross(wanted: boolean): void {
     this.#crossed.value = wanted;
   }
 
-  /** Does what was shown, on the connection where it was shown. */
+  /** Does what was shown, on the connection on which it was shown. */
   async start(): Promise<void> {
     const { value: shown } = this.current;
     if (shown?.step !== 'review' || !this.ready.value) return;
-    // The names have changed, or another model was found meanwhile: asked anew.
+    // The names have changed, or the model turned out to be another one: asks again.
     const crossing = this.#crossingOf(shown.plan);
     if (!sameCrossing(crossing, shown.crossing)) {
       this.#crossed.value = false;
@@ -135,11 +131,11 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
       const { memory } = change;
       return endOf(memory, knowledge.of(memory), change, begun.has(memory));
     });
-    // What stopped a backup stands in the notice of the page.
+    // The notice of the page says what stopped a backup.
     if (plan.kind === 'back-up' && saved === 0) this.show(null);
     else if (plan.kind !== 'back-up' && stopped === 'aborted' && begun.size === 0) this.#nothingWritten();
     else this.show({ step: 'done', plan, outcome: { saved, ends, stopped, notHeld }, kept: this.#kept });
-    // What was written may be what is on the screen.
+    // One of the written memories may be the one on the screen.
     if (begun.size > 0) nextFlight.doubt();
     await this.#session.reader.readIfOpen();
   }
@@ -152,7 +148,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     return step.step === 'done' && !isGood(step.outcome);
   }
 
-  /** Runs a job, and says by code what stopped it. */
+  /** Runs a job. Gives the code of what stopped it. */
   async #run<T>(plan: Plan, work: Work<T>): Promise<Ended<T>> {
     const { runner, connection } = this.#session;
     const began = connection.value;
@@ -165,7 +161,7 @@ export class MemoryJobs extends JobDialog<MemoriesStep> {
     return connection.value === began ? { value: end.value, stopped: null } : { stopped: 'closed' };
   }
 
-  /** What the plan would change, by a fresh reading of all that is part of it. */
+  /** What the plan would change, by a fresh reading of its memories. */
   async #compare(plan: WritingPlan, connection: TimerConnection, options: JobContext): Promise<Review> {
     const programs = await this.#roundTrip.read(connection, { ...options, memories: memoriesOf(plan) });
     const changes = changesBy(plan, programs);

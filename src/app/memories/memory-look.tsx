@@ -16,14 +16,14 @@ interface MemoryLookProps {
   readonly memory: number;
 }
 
-/** A memory that is not the current one: what was last read of it, to be looked at only, and the two ways to it. */
+/** Shows the last reading of a memory that is not current, and the two ways to it. */
 export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   const { look: words, memoryName } = messages.value;
   const { editor, nextFlight, runner } = session;
   const name = memoryText(session, memory);
   const known = session.knowledge.of(memory);
   const current = nextFlight.open.value ? null : (editor.baseline.value?.memory ?? null);
-  // Not while a job runs; but the focus stays, which a disabled button would lose.
+  // Not during a job. A disabled button would lose the focus, so it stays enabled.
   const isBusy = !runner.ready.value;
   const noWayBack = !nextFlight.open.value && current === null;
   return (
@@ -75,7 +75,7 @@ export function MemoryLook({ session, memories, memory }: MemoryLookProps) {
   );
 }
 
-/** What was last read of a memory over time, with nothing to take hold of. */
+/** The last reading of a memory over time, without handles. */
 export function MemoryPicture({ knowledge, memory }: { readonly knowledge: Knowledge; readonly memory: number }) {
   const { look: words, memoryName } = messages.value;
   const known = knowledge.of(memory);

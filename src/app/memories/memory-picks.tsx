@@ -9,7 +9,7 @@ interface PicksProps {
   readonly onPick: (memory: number) => void;
 }
 
-/** One of several memories, in one row. */
+/** Chooses one of several memories, in one row. */
 export function Picks({ label, picks, disabled, nameOf, onPick }: PicksProps) {
   const { memoryName } = messages.value;
   return (

@@ -15,7 +15,7 @@ interface NextFlightProps {
 export function NextFlightNotes({ session, memories }: NextFlightProps) {
   const { program } = messages.value;
   const { editor, nextFlight, runner, connection } = session;
-  // Not drawn again with each key.
+  // So that it is not drawn again with each key.
   const hasProgram = useComputed(() => editor.working.value !== null && editor.madeAt.value === null).value;
   const memory = useComputed(() => editor.working.value?.memory ?? null).value;
   const isOpen = nextFlight.open.value && !runner.busy.value && connection.value !== null;
@@ -28,12 +28,12 @@ export function NextFlightNotes({ session, memories }: NextFlightProps) {
   );
 }
 
-/** Says that another memory flies next than at connect, or that it is not known which; with the way back. */
+/** Says that another memory than at connect flies next, or that nobody knows which; with a button to go back. */
 function NextFlightLine({ session, memories }: NextFlightProps) {
   const { nextFlight: words } = messages.value;
   const word = session.nextFlight.word.value;
   const isConnected = session.connection.value !== null;
-  // While a job goes from memory to memory there is nothing to say yet. What an interrupted job left says so itself.
+  // During a job over memories there is nothing to say yet. An interrupted job has its own message.
   if (!word || session.runner.busy.value || session.recovery.offer.value?.kind === 'memories') return null;
   const { original } = word;
   return (
@@ -51,9 +51,9 @@ function NextFlightLine({ session, memories }: NextFlightProps) {
 }
 
 /**
- * The same in words.
- * @param when `now`: what the timer has said. `will`: what it leads to. `last`: what it had said before the connection
- * went.
+ * The same as a sentence.
+ * @param when `now`: what the timer says. `will`: what will follow. `last`: what it said before the connection was
+ * lost.
  */
 export function nextFlightText(session: Session, word: NextFlightWord, when: 'now' | 'will' | 'last'): string {
   const { nextFlight: words } = messages.value;

@@ -5,19 +5,19 @@ import type { TimerConnection } from '../../serial/index.js';
 import type { JobContext } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 
-/** Away from the memory that is current and back to it: what is noted on the way, and what is known at its end. */
+/** A memory round trip: notes on the way which memory to restore, and at the end what is known. */
 export class NotedRoundTrip {
-  /** Whether the browser has kept which memory to come back to. */
+  /** Whether the browser has kept which memory to restore. */
   kept = true;
   readonly #session: Session;
-  /** The memory to come back to, while it is left. */
+  /** The memory to restore, while another one is selected. */
   #original: number | null = null;
 
   constructor(session: Session) {
     this.#session = session;
   }
 
-  /** Reads some memories, or all; the one that was current is so again. */
+  /** Reads some or all memories, then restores the current one. */
   async read(
     { client, identity }: TimerConnection,
     options: JobContext & { readonly memories?: readonly number[] },
@@ -35,19 +35,19 @@ export class NotedRoundTrip {
     return programs;
   }
 
-  /** Another memory is about to be selected: the one to come back to is noted. */
+  /** Another memory is about to be selected: notes the one to restore. */
   async leave(identity: Identity, original: number): Promise<void> {
     const { recovery, simulated, nextFlight } = this.#session;
     this.#original = original;
-    // A job that has not come back before is remembered until its own original is current again.
+    // An earlier round trip that has not come back is remembered until its own original is current again.
     const isNoted = recovery.offer.value?.kind === 'memories';
     if (!isNoted && !(await recovery.leave(identity, original, simulated.value))) this.kept = false;
     nextFlight.leave(null);
   }
 
   /**
-   * The memory that was current is so again, by the timer's own word, unless it could not be selected, or another timer
-   * answers by now.
+   * Notes that the original is current again, as the timer says;
+   * not if it could not be selected, or another timer answers.
    */
   async wasRestored(identity: Identity, original: number | null, stopped: unknown): Promise<void> {
     const { recovery, simulated, nextFlight, editor } = this.#session;

@@ -3,16 +3,16 @@ import { type Change, differences, sameKind, type TimerProgram } from '../../pro
 import type { Known } from '../session/known.js';
 import type { Backup } from '../storage/index.js';
 
-/** What is to be done with several memories, before it is done. */
+/** What to do with several memories. */
 export type Plan = { readonly kind: 'back-up' } | WritingPlan;
 
 /** A plan that writes. */
 export type WritingPlan =
-  /** The content of a memory, as it is read for that, into another one. */
+  /** Copies the content of a memory, read for this purpose, into another one. */
   | { readonly kind: 'copy'; readonly from: number; readonly to: number }
   | { readonly kind: 'restore'; readonly backups: readonly Backup[] };
 
-/** What is to be written into one memory, as the dialog shows it. */
+/** What will be written into one memory, as the dialog shows it. */
 export interface MemoryChange {
   /** Counted from 0. */
   readonly memory: number;
@@ -22,13 +22,13 @@ export interface MemoryChange {
   readonly changes: readonly Change[];
 }
 
-/** What one memory holds at the end of a job, by what is known of it then. */
+/** What one memory holds at the end of a job, as far as it is known. */
 export interface MemoryEnd {
   /** Counted from 0. */
   readonly memory: number;
   /**
    * `untouched`: nothing was written into it. `differs`: it was read back and holds something else. `unknown`: nobody
-   * has read it since.
+   * has read it since the write.
    */
   readonly state: 'verified' | 'untouched' | 'differs' | 'unknown';
   readonly known: Known;
@@ -36,7 +36,7 @@ export interface MemoryEnd {
   readonly change: MemoryChange | null;
 }
 
-/** What became of a job over several memories. */
+/** The result of a job over several memories. */
 export interface MemoriesOutcome {
   /** How many memories were read and kept. */
   readonly saved: number;
@@ -44,16 +44,16 @@ export interface MemoriesOutcome {
   readonly ends: readonly MemoryEnd[];
   /** What stopped it; null when nothing did. */
   readonly stopped: TimerErrorCode | 'unexpected' | null;
-  /** Positions were not kept, perhaps because the servos did not move. */
+  /** Whether positions were not kept, perhaps because the servos did not move. */
   readonly notHeld: boolean;
 }
 
-/** Whether there is nothing to be said but that it was done. */
+/** Whether everything went well. */
 export function isGood({ stopped, ends }: MemoriesOutcome): boolean {
   return stopped === null && ends.every(({ state }) => state === 'verified');
 }
 
-/** The memories that have to be read to say what a plan would change: those into which it writes first. */
+/** The memories to read before it is known what a plan would change. Those that it writes come first. */
 export function memoriesOf(plan: WritingPlan): readonly number[] {
   return plan.kind === 'copy' ? [...targetsOf(plan), plan.from] : targetsOf(plan);
 }
@@ -67,7 +67,7 @@ export function targetsOf(plan: WritingPlan): readonly number[] {
 /**
  * What a plan would change.
  * @param programs what the memories of {@link memoriesOf} hold, in that order.
- * @returns null when a backup is of another kind of timer.
+ * @returns null when a backup comes from another kind of timer.
  */
 export function changesBy(plan: WritingPlan, programs: readonly TimerProgram[]): readonly MemoryChange[] | null {
   const pairs = targetsOf(plan).map((memory, index) => {
@@ -88,8 +88,8 @@ export function changesBy(plan: WritingPlan, programs: readonly TimerProgram[]):
 
 /**
  * What a memory holds at the end of a job.
- * @param known what is known of it by then.
- * @param begun whether the write into it had begun.
+ * @param known what is known about it then.
+ * @param begun whether writing into it had begun.
  */
 export function endOf(memory: number, known: Known, change: MemoryChange | null, begun: boolean): MemoryEnd {
   return { memory, known, change, state: begun && change ? stateOf(known, change) : 'untouched' };

@@ -6,10 +6,10 @@ const restWorks = 'Everything but the connection works here too.';
 /** What an Android phone needs. */
 const android = `Chrome ${FIRST_VERSIONS.android} or later (${FIRST_VERSIONS.androidBluetooth} to ${FIRST_VERSIONS.android - 1} over Bluetooth only); a cable needs Android ${FIRST_VERSIONS.androidCable}`;
 
-/** What an adapter on a cable needs on a phone. */
+/** What a phone needs for an adapter on a cable. */
 export const cableOnAndroid = `An adapter on a cable needs Android ${FIRST_VERSIONS.androidCable} and Chrome ${FIRST_VERSIONS.android} or later. Without them, use a Bluetooth adapter or a computer.`;
 
-/** Where a timer can be reached: for every browser of which no more is known. */
+/** Where a timer can be reached. For every browser about which nothing more is known. */
 export const unsupportedHere: Said = {
   title: 'This browser cannot reach a timer.',
   advice: `On a computer, use Chrome or Edge ${FIRST_VERSIONS.chrome}, Opera ${FIRST_VERSIONS.opera}, Firefox ${FIRST_VERSIONS.firefox}, or a later version. On Android, use ${android}. ${restWorks}`,
@@ -22,7 +22,7 @@ function tooOld(name: string, first: number, more = ''): Said {
   };
 }
 
-/** In the place of the sentence for every browser, where the name of this one tells more. */
+/** Replaces the sentence above where the browser's name tells more. */
 export const unsupported: Record<UnsupportedReason, Said> = {
   'chrome-old': tooOld('Chrome', FIRST_VERSIONS.chrome),
   'edge-old': tooOld('Edge', FIRST_VERSIONS.edge),

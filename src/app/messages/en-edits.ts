@@ -6,7 +6,7 @@ import type { UnreadableReason } from '../editing/units.js';
 
 type Params = Readonly<Record<string, string>>;
 
-/** What a step is called after “Undo” and “Redo”. */
+/** The name of a step after “Undo” and “Redo”. */
 const steps: Record<StepCode, (params: Params) => string> = {
   type: ({ field }) => `typing in ${field}`,
   step: ({ field }) => `stepping ${field}`,
@@ -32,7 +32,7 @@ const steps: Record<StepCode, (params: Params) => string> = {
   'take-across': ({ field }) => `taking ${field} over`,
 };
 
-/** What stands in the way of an edit or of a pasted cell, beyond what the checks and the fields say themselves. */
+/** What prevents an edit, or a pasted cell, besides the reasons of the checks and the fields. */
 const refused: Record<
   Exclude<RefusalCode | PasteProblemCode, FindingCode | UnreadableReason>,
   (params: Params) => string
@@ -57,7 +57,7 @@ export const edits = {
   redo: (step: string) => `Redo ${step}`,
   steps,
   refused,
-  /** A text in a field of the table is in the way of an edit of many. */
+  /** The text of one field prevents an edit of many. */
   unreadable: 'The text in this field is not a value. Correct it first.',
   beforeLaunch: 'This would be before launch.',
   nothingDone: 'Nothing was changed.',
@@ -68,7 +68,7 @@ export const edits = {
     putBack: (field: string) => `Put back ${field}`,
     signs: { putBack: '↺' },
   },
-  /** The keys for a finger. */
+  /** The sheet of keys for touch screens. */
   sheet: {
     title: (field: string) => `Keys for ${field}`,
     up: (amount: string) => `+${amount}`,
@@ -77,7 +77,7 @@ export const edits = {
     erase: 'Delete the last digit',
     putBack: 'Put back',
     selectRange: 'Select range',
-    /** What the focus goes to: in the row, or in the row above or below. */
+    /** Where the focus goes: in the same row, or in the row above or below. */
     goTo: (name: string) => `Go to ${name}`,
     before: (name: string) => `‹ ${name}`,
     after: (name: string) => `${name} ›`,
@@ -115,10 +115,10 @@ export const edits = {
   },
   shift: {
     open: 'Shift…',
-    /** What is shifted: a row and what comes after it; DT is the last. */
+    /** What is shifted: a row and all rows after it. DT is the last. */
     from: (row: string, isLast: boolean) => (isLast ? row : `${row} and all after`),
     by: 'By, in seconds',
-    /** By how much one press shifts. */
+    /** How far one press shifts. */
     step: (seconds: number, later: boolean) => `${later ? '+' : '−'}${seconds.toFixed(1)} s`,
     earlier: 'Earlier',
     later: 'Later',
@@ -128,7 +128,7 @@ export const edits = {
   pasting: {
     title: 'Paste',
     lead: (count: number) => (count === 0 ? 'This changes nothing.' : `This changes ${cells(count)}.`),
-    /** Tables are taken at their word, which is said where it may have been another. */
+    /** In a table, an ambiguous text is read in one way only, so the page says which. */
     reading: (field: string, text: string, time: string) => `${field}: “${text}” is read as ${time}.`,
     ignored: (count: number) => `${cells(count)} ${count === 1 ? 'has' : 'have'} no place here and will be left out.`,
     problems: 'This cannot be pasted',

@@ -11,12 +11,12 @@ const portNames: Record<PortKind, string> = {
   other: 'Serial port',
 };
 
-/** From ports to a timer that answers. */
+/** From the ports to a timer that answers. */
 export const link = {
   portNames,
   portNumbers: (vendor: string, product: string) => `${vendor}:${product}`,
   lastRate: (rate: number) => `last at ${rate} baud`,
-  /** What has the stage until a timer answers: what is under way, and what to do. */
+  /** Large, while connecting: what is happening, and what to do. */
   stages: {
     choosing: {
       title: 'Choose the adapter of the timer',
@@ -26,11 +26,11 @@ export const link = {
     looking: (rate: number) => ({ title: 'Looking for the timer', advice: `Asking at ${rate} baud.` }),
     reading: { title: 'Reading the timer', advice: 'Hold it as it is.' },
     closing: { title: 'Closing the port', advice: '' },
-    /** While it is asked: changes with each second. */
+    /** While waiting for an answer. Changes with each second. */
     noAnswer: (seconds: number) => `No answer for ${seconds} s.`,
     silent: 'This page keeps asking and goes on by itself.',
     open: 'The adapter is open',
-    /** `now`: the one to take, large. `text`: as one of the list. */
+    /** `now`: the step to take, large. `text`: the same step in the list. */
     steps: {
       switch: {
         now: 'Press the switch of the timer briefly',
@@ -51,7 +51,7 @@ export const link = {
     advice:
       'This page tries again for 15 seconds. Another program may have the port. On Linux, ModemManager often holds a new adapter for a moment.',
   },
-  /** Something comes, and it is no timer's. */
+  /** Bytes come that are not from a timer. */
   heard: {
     text: (sample: string, rate: number) => ({
       title: 'Something else talks on this port.',
@@ -68,7 +68,7 @@ export const link = {
     }),
   },
   chooseAnother: 'Choose another port',
-  /** What came in place of an answer. */
+  /** The bytes that came in place of an answer. */
   itSaid: (bytes: string, text: string) => `What came: ${bytes} (“${text}”).`,
   trySelectBare: 'Try it without a correct checksum',
   away: {
@@ -92,7 +92,7 @@ export const link = {
   stop: 'Stop',
 };
 
-/** The ports that are known, and how they are opened. */
+/** The known ports, and how they are opened. */
 export const ports = {
   title: 'Known adapters',
   connectTo: (name: string) => `Connect to ${name}`,
@@ -129,7 +129,7 @@ const quirkNames: Record<QuirkCode, string> = {
   'idle-throttle-malformed': 'Its reply about the idle throttle has no value.',
 };
 
-/** What is known of the timer at hand. */
+/** What is known about the connected timer. */
 export const about = {
   title: 'About this timer',
   kind: 'Timer',
@@ -161,7 +161,7 @@ export const about = {
   assumed: 'What is known to differ',
   assumedHint: 'Remembered for this port and this kind of timer, as a first guess the next time.',
   nothingAssumed: 'Nothing.',
-  /** A kind of timer at a port, as it is remembered. */
+  /** A remembered kind of timer on a port. */
   kindAt: (timer: string, port: string) => `${timer} at ${port}`,
   not: ': no',
   forget: 'Forget what is known to differ',

@@ -1,4 +1,4 @@
-/** The flight as the program has it, and what the servos of the model move. */
+/** The flight of the program, and what the servos of the model move. */
 export const preview = {
   title: 'Flight preview',
   honest: 'Not to scale.',
@@ -16,7 +16,7 @@ export const preview = {
   launch: 'Launch',
   at: (what: string, time: string) => `${what} at ${time}`,
   sketch: 'The model from the side, and its rudder from above',
-  /** Whether it runs. */
+  /** Whether the motor runs. */
   motor: { true: 'Climb, motor runs', false: 'Glide, motor stopped' },
   flies: 'In flight',
   comesDown: 'DT: the model comes down',
@@ -39,7 +39,7 @@ export const preview = {
     high: (servo: string) => `${servo}, other end in steps`,
     to: 'to',
     sense: (servo: string) => `${servo}, what more steps do`,
-    /** Whether it is the other way round. */
+    /** Whether the servo works the other way round. */
     otherSense: { false: 'up is more', true: 'down is more' },
     rudderSense: { false: 'right is more', true: 'left is more' },
     guessAgain: 'Guess again',

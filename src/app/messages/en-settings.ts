@@ -1,7 +1,7 @@
 /** How the page looks. */
 export const theme = { title: 'Colours', names: { system: 'System', light: 'Light', dark: 'Dark', sun: 'Sun' } };
 
-/** What a pilot has set once. */
+/** The settings of the page. */
 export const settings = {
   title: 'Settings',
   help: 'Help: checklist, trouble, values, energy',
@@ -12,7 +12,7 @@ export const settings = {
   kept: 'What this device keeps',
 };
 
-/** How high the rows of the program are. */
+/** The height of the rows of the program. */
 export const density = {
   title: 'Rows',
   names: { system: 'As the screen is', dense: 'Dense', comfortable: 'Comfortable' },

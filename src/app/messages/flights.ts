@@ -1,8 +1,8 @@
 import { signal } from '@preact/signals';
 import { flights } from './en-flights.js';
 
-/** What every language must give for the log of flights. */
+/** Every language must have these sentences about the log of flights. */
 export type FlightMessages = typeof flights;
 
-/** The words of the log in the language in force, apart from the others: they come with the log. */
+/** The sentences about the log in the current language. They are loaded with the log. */
 export const flightMessages = signal<FlightMessages>(flights);

@@ -14,10 +14,10 @@ import {
 import { formatTime } from '../editing/units.js';
 import { messages, slotLabel, timerName } from './index.js';
 
-/** As much of what passed on the line as its words need. */
+/** The parts of a line entry that its words need. */
 export type Seen = Pick<LineEntry, 'direction' | 'frame' | 'rejected' | 'error'>;
 
-/** What passed on the line, by name: “Write a position · SETSERVO”, “Damaged: checksum”. */
+/** The name of a line entry: “Write a position · SETSERVO”, “Damaged: checksum”. */
 export function frameName({ direction, frame, rejected, error }: Seen): string {
   const { line } = messages.value;
   if (error) return line.errors[error];
@@ -29,8 +29,8 @@ export function frameName({ direction, frame, rejected, error }: Seen): string {
 }
 
 /**
- * What passed on the line, in words: “Function 4, S2: 70 steps”. Empty for a request that says no more than its name.
- * @param layout what is known of the timer.
+ * The meaning of a line entry: “Function 4, S2: 70 steps”. Empty for a request whose name says everything.
+ * @param layout what is known about the timer.
  */
 export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOptions): string {
   const { line } = messages.value;
@@ -44,18 +44,18 @@ export function describeFrame({ frame, rejected, error }: Seen, layout: LayoutOp
   }
 }
 
-/** What a timer says of itself: “F1Q, firmware 536, 10 functions, 4 memories, 3 servos”. */
+/** The identity of a timer: “F1Q, firmware 536, 10 functions, 4 memories, 3 servos”. */
 export function identityText(identity: Identity): string {
   const { firmware, functions, memories, servos } = identity;
   return messages.value.line.identity(timerName(identity), firmware, functions, memories, servos);
 }
 
-/** A byte as two digits in hex, as in the table of commands. */
+/** A byte as two hex digits, as in the table of commands. */
 export function letterOf(code: number): string {
   return code.toString(16).padStart(2, '0').toUpperCase();
 }
 
-/** Bytes in hex, as they stand in a capture. */
+/** Bytes in hex, as in a capture. */
 export function hexOf(bytes: Iterable<number>): string {
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join(' ');
 }
@@ -117,7 +117,7 @@ function timesText(identity: Identity, times: readonly number[]): string {
   ].join(', ');
 }
 
-/** Which slot is DT, and what time 0 is, hangs on what the timer said of itself. */
+/** The identity decides which slot is DT, and what time 0 is. */
 function known(identity: Identity | undefined): Identity {
   if (!identity) throw new CodecError('identity-needed', 'identity', 'the timer has not said what it is');
   return identity;

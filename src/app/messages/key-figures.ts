@@ -2,7 +2,7 @@ import { type ProgramField, slotKind, type TimerProgram, valueAt } from '../../p
 import type { Identity } from '../../protocol/index.js';
 import { figureText, messages } from './index.js';
 
-/** A value that a pilot looks at first. */
+/** A figure that a pilot looks at first. */
 export interface KeyFigure {
   readonly field: ProgramField;
   /** “DT”, “motor stop”. */
@@ -11,13 +11,13 @@ export interface KeyFigure {
   readonly text: string;
 }
 
-/** What a pilot looks at first: DT, and on class Q the motor stop. */
+/** The fields that a pilot looks at first: DT, and on class Q the motor stop. */
 export function keyFields({ timerClass, functions }: Identity): ProgramField[] {
   const dt: ProgramField = { kind: 'time', slot: functions };
   return timerClass === 'Q' ? [dt, { kind: 'time', slot: 0 }] : [dt];
 }
 
-/** What such a field is called in a sentence: “DT”, “motor stop”; null for any other. */
+/** The name of such a field inside a sentence: “DT”, “motor stop”; null for any other field. */
 export function keyName(identity: Identity, field: ProgramField): string | null {
   const { knowledge: words } = messages.value;
   if (field.kind !== 'time') return null;

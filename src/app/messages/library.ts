@@ -1,8 +1,8 @@
 import { signal } from '@preact/signals';
 import { library } from './en-library.js';
 
-/** What every language must give of the library. */
+/** Every language must have these sentences about the library. */
 export type LibraryMessages = typeof library;
 
-/** The sentences of the library in the language in force: they are fetched with the parts that show them. */
+/** The sentences of the library in the current language. They are loaded with the parts that show them. */
 export const libraryMessages = signal<LibraryMessages>(library);

@@ -2,11 +2,11 @@ import { type Filler, type Measured, paginate } from './paginate.js';
 import type { Leaf } from './paper.js';
 import { type Sheet, servoGroups } from './sheet.js';
 
-/** What the pilot wants on the sheet beside the table. */
+/** The parts of a sheet that the pilot can choose besides the table. */
 export const SHEET_PARTS = ['timeline', 'notes', 'lines', 'code'] as const;
 export type SheetPart = (typeof SHEET_PARTS)[number];
 
-/** A part of a sheet that is set by itself. */
+/** A part of a sheet that is laid out as one block. */
 export type Section =
   | { readonly kind: 'head' }
   | { readonly kind: 'table' | 'timeline'; readonly group: readonly number[] }
@@ -14,7 +14,7 @@ export type Section =
   | { readonly kind: 'warnings'; readonly lines: readonly string[] }
   | { readonly kind: 'notes'; readonly lines: readonly string[] };
 
-/** What a sheet consists of, from above. */
+/** The sections of a sheet, from top to bottom. */
 export function sectionsOf(sheet: Sheet, { servos }: Leaf, parts: ReadonlySet<SheetPart>): readonly Section[] {
   const groups = servoGroups(sheet.program.positions.length, servos);
   const hasNotes = parts.has('notes') && sheet.note.some((line) => line !== '');
@@ -30,7 +30,7 @@ export function sectionsOf(sheet: Sheet, { servos }: Leaf, parts: ReadonlySet<Sh
   ];
 }
 
-/** A section on one page, with the rows that stand there. */
+/** The rows of a section that stand on one page. */
 export interface Piece {
   readonly section: Section;
   readonly from: number;
@@ -41,28 +41,28 @@ export interface Piece {
 export interface SetLeaf {
   readonly sheet: Sheet;
   readonly leaf: Leaf;
-  /** From 1. */
+  /** The page number, from 1. */
   readonly page: number;
   readonly pages: number;
   readonly pieces: readonly Piece[];
-  /** So many empty rows are at its foot. */
+  /** How many empty rows stand at its foot. */
   readonly empty: number;
 }
 
-/** Fewer lines to write on are not worth it; more nobody flies in a day. */
+/** Fewer lines to write on are not worth it; nobody flies more often in a day. */
 const LINES = { least: 3, most: 12 };
 
 export interface Copy {
   readonly sheet: Sheet;
   readonly leaf: Leaf;
   readonly sections: readonly Section[];
-  /** Whether it ends with room to write. */
+  /** Whether the sheet ends with lines to write on. */
   readonly hasLines: boolean;
 }
 
 /**
- * Sets a sheet on pages, as it was drawn in one piece. Where nothing is laid out it is one page.
- * @param galley what was drawn: an element for each section, then one with one empty row; and the room of a page.
+ * Lays a sheet out on pages, from its drawing in one piece. Without a layout (as in a test) it is one page.
+ * @param galley the drawing: an element for each section, then one with one empty row, and the size of a page.
  */
 export function setSheet(galley: Element, { sheet, leaf, sections, hasLines }: Copy): readonly SetLeaf[] {
   const room = heightOf(galley.querySelector('.leaf-room')) || Number.MAX_VALUE;
@@ -86,10 +86,10 @@ export function setSheet(galley: Element, { sheet, leaf, sections, hasLines }: C
   }));
 }
 
-/** The rows of what can be cut. */
+/** The rows of a section that may continue on the next page. */
 const ROWS = 'tbody > tr, .leaf-lines > p';
 
-/** A section with the heights of its rows; notes come in the lines in which they are to be printed. */
+/** A section with the heights of its rows. Notes are split into the lines in which they will be printed. */
 function broken(section: Section, drawn: Element | undefined): { section: Section; measured: Measured } {
   const whole = heightOf(drawn);
   const rows = drawn ? [...drawn.querySelectorAll(ROWS)] : [];
@@ -113,7 +113,7 @@ function fillerOf(drawn: Element | undefined): Filler {
   return { head: heightOf(drawn) - row, row, ...LINES };
 }
 
-/** The lines in which a browser has set a paragraph. */
+/** The lines into which a browser has broken a paragraph. */
 export function linesIn(paragraph: Element): string[] {
   const node = paragraph.firstChild;
   const text = node?.textContent ?? '';
@@ -128,7 +128,7 @@ export function linesIn(paragraph: Element): string[] {
   for (let start = 0; start < text.length; ) {
     const { top, bottom } = place(start);
     const middle = (top + bottom) / 2;
-    // The first character of the next line, found by halving: what follows is never above.
+    // The first character of the next line, found by halving: later characters never stand higher.
     let next = text.length;
     for (let last = start; next - last > 1; ) {
       const at = Math.floor((last + next) / 2);

@@ -1,7 +1,7 @@
 import { print } from '../messages/en-print.js';
 import './leaf-flights.css';
 
-/** Empty rows for what is written by hand. */
+/** Empty rows to write flights into by hand. */
 export function LeafFlights({ rows }: { readonly rows: number }) {
   return (
     <table class="leaf-flights">

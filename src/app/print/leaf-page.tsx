@@ -67,8 +67,8 @@ function SheetPiece({ sheet, leaf, section, from, until }: SheetPieceProps) {
 }
 
 /**
- * Sheets set on pages: drawn once where nobody sees it, measured, and dealt out.
- * @returns the pages; and what has to be in the document for that.
+ * Lays sheets out on pages: draws each once out of sight, measures it, and cuts it into pages.
+ * @returns the pages, and the drawing that must be in the document for this.
  */
 export function useLeaves(copies: readonly Copy[]): {
   readonly leaves: readonly SetLeaf[];
@@ -83,7 +83,7 @@ export function useLeaves(copies: readonly Copy[]): {
       leaves.value = copies.flatMap((copy, at) => setSheet(current.children[at] as Element, copy));
     };
     set();
-    // The letters may come later than the words. While it is printed there is nothing to measure.
+    // The font may load later than the text. While it prints, nothing can be measured.
     const observer = new ResizeObserver(() => current.offsetWidth > 0 && set());
     for (const body of current.querySelectorAll('.leaf-body')) observer.observe(body);
     return () => observer.disconnect();

@@ -1,9 +1,11 @@
-/** Something to be printed, as high as it was measured: rows that go on on the next page, below their head again. */
+/**
+ * A section with its measured heights. Rows that continue on the next page stand below the head of the section again.
+ */
 export interface Measured {
-  /** 0 where there is none. */
+  /** The height of the head; 0 without one. */
   readonly head: number;
   readonly rows: readonly number[];
-  /** It may begin at the foot of a page, as running text does; a table that fits on one page is not cut. */
+  /** Whether it may begin at the foot of a page, as running text does. A table that fits on one page is not cut. */
   readonly loose?: boolean;
 }
 
@@ -11,12 +13,12 @@ export interface Measured {
 export interface Filler {
   readonly head: number;
   readonly row: number;
-  /** With fewer rows than this it goes to a page of its own. */
+  /** With room for fewer rows, they go to a page of their own. */
   readonly least: number;
   readonly most: number;
 }
 
-/** Rows of one section on one page: `from` up to, and without, `until`. */
+/** Rows of one section on one page: from `from` to before `until`. */
 export interface PagePart {
   readonly section: number;
   readonly from: number;
@@ -25,15 +27,15 @@ export interface PagePart {
 
 export interface Pages {
   readonly pages: readonly (readonly PagePart[])[];
-  /** The empty rows on the last page. */
+  /** How many empty rows stand on the last page. */
   readonly empty: number;
 }
 
-/** No row stands alone at the foot of a page, or at the head of the next. */
+/** The fewest rows that stand together at the foot of a page, and at the head of the next. */
 const TOGETHER = 2;
 
 /**
- * Deals rows out to pages: none is cut.
+ * Distributes rows over pages. No row is cut.
  * @param room the height of a page, in the unit of all heights.
  */
 export function paginate(sections: readonly Measured[], room: number, filler: Filler | null): Pages {
@@ -55,7 +57,7 @@ export function paginate(sections: readonly Measured[], room: number, filler: Fi
         turn();
         continue;
       }
-      // What is higher than a page stands on one all the same: there is no better place.
+      // A row that is higher than a page still goes on one: there is no better place.
       const count = Math.max(1, taken);
       page.push({ section: at, from, until: from + count });
       used += head + sum(rows.slice(from, from + count));
@@ -71,7 +73,7 @@ export function paginate(sections: readonly Measured[], room: number, filler: Fi
   return { pages, empty: Math.max(filler.least, emptyIn(room)) };
 }
 
-/** A little more than nothing: heights that were measured do not add up exactly. */
+/** Measured heights do not add up exactly. */
 const SLACK = 0.5;
 
 function countFitting(rows: readonly number[], from: number, space: number): number {

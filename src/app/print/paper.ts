@@ -1,15 +1,15 @@
-/** One page that is read: a sheet of paper, or half of one. Millimetres. */
+/** One page for the reader: a sheet of paper, or half of one. In millimetres. */
 export interface Leaf {
-  /** Chooses the styles. */
+  /** Selects the styles. */
   readonly name: 'a5' | 'a4' | 'letter' | 'half-letter';
   readonly width: number;
-  /** How many servos have room beside each other in the table. */
+  /** How many servos fit beside each other in the table. */
   readonly servos: number;
-  /** The heights of a lane of the timeline: of one that is alone, and of many. */
+  /** The height of a lane of the timeline: `most` for a single lane, `least` among many. */
   readonly lane: { readonly most: number; readonly least: number };
 }
 
-/** Around what is printed, in millimetres: no printer reaches the edge. As in leaf.css. */
+/** The margin around the print, in millimetres: no printer reaches the edge. The same as in leaf.css. */
 export const MARGIN = 10;
 
 const SMALL = { servos: 8, lane: { most: 13, least: 7 } } as const;
@@ -21,7 +21,7 @@ const LEAVES = {
   'half-letter': { name: 'half-letter', width: 139.7, ...SMALL },
 } as const satisfies Record<string, Leaf>;
 
-/** What can be in the printer; with `-two` two leaves lie side by side on a sheet of paper. */
+/** The papers in the printer. With `-two`, two pages lie side by side on one sheet. */
 export const PAPERS = ['a5', 'a4', 'letter', 'a4-two', 'letter-two'] as const;
 export type Paper = (typeof PAPERS)[number];
 
@@ -33,17 +33,17 @@ const LEAF_OF: Readonly<Record<Paper, Leaf>> = {
   'letter-two': LEAVES['half-letter'],
 };
 
-/** What a sheet is set on. */
+/** The page that a paper gives. */
 export function leafOf(paper: Paper): Leaf {
   return LEAF_OF[paper];
 }
 
-/** How many leaves lie on one sheet of paper. */
+/** How many pages lie on one sheet of paper. */
 export function leavesOn(paper: Paper): 1 | 2 {
   return paper.endsWith('-two') ? 2 : 1;
 }
 
-/** A length on paper in the pixels of a picture: a browser counts 96 of them to the inch. */
+/** Converts a length on paper to CSS pixels: 96 to the inch. */
 export function pixelsOf(millimetres: number): number {
   return (millimetres * 96) / 25.4;
 }

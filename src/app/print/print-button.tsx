@@ -1,12 +1,12 @@
 import { messages } from '../messages/index.js';
 
 interface PrintButtonProps {
-  /** Of the settings. */
+  /** The keys of the settings to print. */
   readonly keys: readonly string[];
   readonly onPrint: (keys: readonly string[]) => void;
 }
 
-/** Leads to the sheets of settings. */
+/** Opens the print view with these settings. */
 export function PrintButton({ keys, onPrint }: PrintButtonProps) {
   return (
     <button type="button" disabled={keys.length === 0} onClick={() => onPrint(keys)}>

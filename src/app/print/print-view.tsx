@@ -19,7 +19,7 @@ export interface PrintViewProps {
   readonly onPrint: () => void;
 }
 
-/** Setting sheets as they will come out of the printer. */
+/** The setting sheets as the printer will print them. */
 export function PrintView({ session, order, onPrint }: PrintViewProps) {
   const print = useMemo(() => new Print(session, order, location.href), [session, order]);
   const { leaves, galley } = useLeaves(print.copies.value);
@@ -67,7 +67,7 @@ export function PrintView({ session, order, onPrint }: PrintViewProps) {
   );
 }
 
-/** The leaves that lie on each sheet of paper. */
+/** The pages on each sheet of paper. */
 function onPaper(leaves: readonly SetLeaf[], each: number): readonly (readonly SetLeaf[])[] {
   return Array.from({ length: Math.ceil(leaves.length / each) }, (_, at) => leaves.slice(at * each, (at + 1) * each));
 }
@@ -78,7 +78,7 @@ interface PreviewProps {
   readonly printed: string;
 }
 
-/** The pages, as large as there is room for. */
+/** The pages, as large as the room allows. */
 function Preview({ pages, paper, printed }: PreviewProps) {
   const frame = useRef<HTMLElement>(null);
   useLayoutEffect(() => {

@@ -13,13 +13,13 @@ import { leafOf, PAPERS, type Paper } from './paper.js';
 import { ON_SCREEN, type PrintOrder } from './print-order.js';
 import { type SheetSource, sheetOf } from './sheet.js';
 
-/** A code takes room that most would rather write on. */
+/** Without the code: most pilots would rather write in its place. */
 const USUAL_PARTS: readonly SheetPart[] = ['timeline', 'notes', 'lines'];
 
-/** More are not set at once: each takes a moment, and a pilot who wants them all prints them in turn. */
+/** How many sheets are laid out at once. Each takes a moment; a pilot who wants more prints in several steps. */
 const MOST_SHEETS = 100;
 
-/** What is printed, and on what. */
+/** What to print, and on which paper. */
 export class Print {
   readonly #session: Session;
   readonly #page: string;
@@ -32,19 +32,19 @@ export class Print {
   readonly order: PrintOrder;
   readonly paper: ReadonlySignal<Paper> = this.#paper;
   readonly parts: ReadonlySignal<ReadonlySet<SheetPart>> = this.#parts;
-  /** What is searched for among the settings. */
+  /** The text of the search among the settings. */
   readonly search: ReadonlySignal<string> = this.#search;
-  /** What is to be set on pages. */
+  /** The sheets to lay out on pages. */
   readonly copies: ReadonlySignal<readonly Copy[]>;
-  /** How many of the chosen ones are too many for one print. */
+  /** How many of the chosen settings are too many for one print. */
   readonly left: ReadonlySignal<number>;
-  /** How many of the chosen ones are not in the library: another tab may have deleted them. */
+  /** How many of the chosen settings are missing: another tab may have deleted them. */
   readonly missing: ReadonlySignal<number>;
-  /** The settings that the search finds, those of one model together. */
+  /** The settings that the search finds, sorted by model. */
   readonly found: ReadonlySignal<readonly SettingRecord[]>;
   readonly hasProgram: ReadonlySignal<boolean>;
 
-  /** @param page its address, for the codes. */
+  /** @param page the address of the page, for the codes. */
   constructor(session: Session, order: PrintOrder, page: string) {
     this.#session = session;
     this.#page = page;
@@ -79,12 +79,12 @@ export class Print {
     });
   }
 
-  /** Reads the library, unless that is done. */
+  /** Reads the library, unless it is read already. */
   async load(): Promise<void> {
     await this.#session.library.load();
   }
 
-  /** What a setting is called where those of several models stand together: “Lancer 07 · calm”. */
+  /** The name of a setting among those of other models: “Lancer 07 · calm”. */
   nameOf({ setting }: SettingRecord): string {
     const model = this.#session.library.models.get(setting.model)?.model.name ?? words.noModel;
     return words.continued(model, setting.name);
@@ -152,13 +152,13 @@ export class Print {
     };
   }
 
-  /** Without the note, which would make a code of many small squares. */
+  /** Without the note, which would make the code too fine. */
   #linkOf(shared: Omit<SharedSetting, 'note'>): string | null {
     if (!this.#parts.value.has('code')) return null;
     return tried(() => qrLinkOf({ ...shared, note: '' }, this.#page)?.link);
   }
 
-  /** How the program on the screen stands to the timer, on paper: nothing of it changes any more. */
+  /** What is known about the screen's program and the timer. On paper nothing of it changes any more. */
   #standing(): string {
     const { editor, standing } = this.#session;
     const { screen } = words;

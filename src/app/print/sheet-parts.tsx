@@ -5,10 +5,10 @@ import { messages } from '../messages/index.js';
 import { QrCode } from '../ui/qr-code.js';
 import type { Sheet, SheetRow } from './sheet.js';
 
-/** A name that is longer than this would take half of the page. */
+/** A name with more characters would take half of the page. */
 const LONG = 24;
 
-/** What the sheet is of, and the figures that decide. */
+/** The name of the setting, and its key figures. */
 export function SheetHead({ sheet }: { readonly sheet: Sheet }) {
   return (
     <div class="leaf-head">
@@ -57,12 +57,12 @@ function Blank({ label, text }: { readonly label: string; readonly text: string 
   );
 }
 
-/** More servos than this have their names below the table: beside each other they have no room for them. */
+/** With more servos their names stand below the table: above the columns there is no room. */
 const NAMED_IN_HEAD = 4;
 
 interface SheetTableProps {
   readonly sheet: Sheet;
-  /** The servos that stand in it. */
+  /** The servos in this table. */
   readonly group: readonly number[];
   readonly rows: readonly SheetRow[];
 }
@@ -113,7 +113,7 @@ export function SheetTable({ sheet, group, rows }: SheetTableProps) {
   );
 }
 
-/** Under a table: the units, and what the servos move where the head has no room for it. */
+/** Under a table: the units, and what the servos move if the head has no room for it. */
 function SheetLegend({ sheet, group }: { readonly sheet: Sheet; readonly group: readonly number[] }) {
   const { program, servoName } = messages.value;
   const names = group.flatMap((servo) => (sheet.servos[servo] ? [`${servoName(servo)} ${sheet.servos[servo]}`] : []));
@@ -128,7 +128,7 @@ function SheetLegend({ sheet, group }: { readonly sheet: Sheet; readonly group: 
   );
 }
 
-/** Sentences below a heading: all of them, or those that a page has room for. */
+/** Sentences below a heading: all of them, or as many as the page has room for. */
 export function SheetLines(props: { readonly title: string; readonly lines: readonly ComponentChildren[] }) {
   return (
     <div class="leaf-lines">
@@ -140,7 +140,7 @@ export function SheetLines(props: { readonly title: string; readonly lines: read
   );
 }
 
-/** The way back from paper: a phone reads it, and shows the setting. */
+/** The way back from paper: a phone reads the code and shows the setting. */
 export function SheetCode({ link }: { readonly link: string }) {
   return (
     <div class="leaf-code">

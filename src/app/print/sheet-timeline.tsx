@@ -12,26 +12,26 @@ import './sheet-timeline.css';
 
 interface SheetTimelineProps {
   readonly program: TimerProgram;
-  /** The servos that have a lane, and what each of all moves. */
+  /** The servos with a lane, and what each servo moves. */
   readonly servos: readonly number[];
   readonly names: readonly string[];
   readonly leaf: Leaf;
 }
 
-/** Pixels: the numbers of the marks above the lanes; the motor and the times below them; the names beside them. */
+/** Pixels: the numbers of the marks above the lanes, the motor and the times below them, the names beside them. */
 const TOP = 16;
 const MOTOR = 13;
 const TIMES = 15;
 const NAMES = { none: 26, some: 74 };
 const RIGHT = 10;
-/** The least distances of two numbers of marks, two times, and of a position from the next step. */
+/** The smallest distances between two numbers of marks, between two times, and from a position to the next step. */
 const NUMBER_GAP = 12;
 const TIME_GAP = 36;
 const POSITION_ROOM = 17;
-/** A name that is longer is written narrower, to stay beside its lane. */
+/** A longer name is drawn narrower, so that it stays beside its lane. */
 const NAME_FITS = 11;
 
-/** A program over time in black on white: each lane says its name, so that no colour has to. */
+/** A program over time in black and white. Each lane has its name, so no colour is needed. */
 export function SheetTimeline({ program, servos, names, leaf }: SheetTimelineProps) {
   const id = useId();
   const { timeline, servoName } = messages.value;
@@ -130,7 +130,7 @@ interface MarksProps {
   readonly layout: Layout;
 }
 
-/** The uprights of the functions and DT, with their numbers as far as there is room for them. */
+/** The vertical lines of the functions and DT, with as many numbers as fit. */
 function Marks({ program, stages, layout }: MarksProps) {
   const { left, right, top, bottom } = layout.box;
   const marks = stages.slice(1);
@@ -165,7 +165,7 @@ interface PositionsProps {
   readonly layout: Layout;
 }
 
-/** Where a servo stands, beside its line wherever it has moved and there is room for it. */
+/** The positions of a servo, beside its line after each movement, where there is room. */
 function Positions({ row, stages, lane, layout }: PositionsProps) {
   const { from: upper = 0 } = layout.lanes[lane] ?? {};
   return (
@@ -187,7 +187,7 @@ function Positions({ row, stages, lane, layout }: PositionsProps) {
   );
 }
 
-/** What the name of the motor stop needs beside it, in pixels. */
+/** The width of the words for the motor stop beside it, in pixels. */
 const MOTOR_NAME = 110;
 
 interface MotorNameProps {

@@ -4,31 +4,31 @@ import { formatInterval, formatTime } from '../editing/units.js';
 import { dutyName, fieldLabel, findingText, messages, slotLabel, timerName } from '../messages/index.js';
 import { type KeyFigure, keyFigures } from '../messages/key-figures.js';
 
-/** What a sheet is made of. */
+/** The source of a sheet. */
 export interface SheetSource {
   /** Unique among the sheets of one print. */
   readonly key: string;
   readonly program: TimerProgram;
   readonly model: Pick<Model, 'name' | 'servos' | 'memoryNames'> | null;
-  /** Of the setting; empty where it has none. */
+  /** The name of the setting; empty without one. */
   readonly name: string;
   readonly note: string;
-  /** Where the values come from and when: “Kept 12 Nov 2026, 14:32”. */
+  /** Where the values come from, and when: “Kept 12 Nov 2026, 14:32”. */
   readonly origin: string;
   readonly simulated: boolean;
-  /** All of it but the note as a link, for a QR code; null where none is wanted, or it cannot be one. */
+  /** Everything but the note as a link, for a QR code. Null when no code is wanted, or none is possible. */
   readonly link: string | null;
 }
 
-/** A row of the table: a slot, or the motor stop, which stands where it comes in the order of time. */
+/** A row of the table: a slot, or the motor stop at its place in the order of time. */
 export interface SheetRow {
   readonly key: string;
   readonly kind: 'start' | 'function' | 'dt' | 'motor';
   readonly label: string;
   readonly time: string;
-  /** The time since the row above; empty where there is none. */
+  /** The time since the row above; empty without one. */
   readonly after: string;
-  /** The positions, of all servos; none beside the motor stop. */
+  /** The positions of all servos; none for the motor stop. */
   readonly positions: readonly string[];
 }
 
@@ -36,30 +36,30 @@ export interface SheetRow {
 export interface Sheet {
   readonly key: string;
   readonly program: TimerProgram;
-  /** Empty where the model is not known: there is room to write it. */
+  /** Empty when the model is not known: there is room to write its name. */
   readonly model: string;
   readonly setting: string;
   /** “F1Q”. */
   readonly timer: string;
   readonly firmware: string;
-  /** “M1 “calm””; empty where that is not known. */
+  /** “M1 “calm””; empty when it is not known. */
   readonly memory: string;
   readonly origin: string;
   readonly simulated: boolean;
   readonly link: string | null;
   readonly figures: readonly (KeyFigure & { readonly isShort: boolean })[];
-  /** What stands beside the table: the idle throttle, where the timer has said it; a time that means nothing. */
+  /** Values beside the table: the idle throttle, if the timer has told it, and times without a meaning. */
   readonly others: readonly { readonly label: string; readonly text: string }[];
   readonly rows: readonly SheetRow[];
-  /** What each servo moves, by the pilot's word; empty texts where that was not said. */
+  /** What each servo moves, as the pilot says; empty texts otherwise. */
   readonly servos: readonly string[];
   /** What may cost a model, in sentences. */
   readonly warnings: readonly string[];
-  /** Its paragraphs. */
+  /** The paragraphs of the note. */
   readonly note: readonly string[];
 }
 
-/** @param shortDt a DT below this is called short, in hundredths of a second. */
+/** @param shortDt a DT below this counts as short, in hundredths of a second. */
 export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
   const { program, model } = source;
   const { identity, memory } = program;
@@ -72,7 +72,7 @@ export function sheetOf(source: SheetSource, shortDt?: number): Sheet {
     model: model?.name ?? '',
     setting: source.name,
     timer: timerName(identity),
-    // What was made here is of no firmware.
+    // A program that was made here has no firmware.
     firmware: identity.firmware === '000' ? '' : identity.firmware,
     memory: memory === null ? '' : memoryText(memory, model?.memoryNames[memory] ?? ''),
     origin: source.origin,
@@ -136,7 +136,7 @@ function rowsOf(program: TimerProgram): SheetRow[] {
   });
   const [stop = 0] = times;
   if (identity.timerClass !== 'Q') return slots;
-  // A function at its very time comes after it, as in the table on the screen.
+  // A function at the same time comes after it, as in the table on the screen.
   const next = times.findIndex((time, slot) => slot > 0 && time >= stop);
   const motor: SheetRow = {
     key: 'motor',
@@ -150,7 +150,7 @@ function rowsOf(program: TimerProgram): SheetRow[] {
   return [...slots.slice(0, at), motor, ...slots.slice(at)];
 }
 
-/** The servos that stand beside each other in one table: as few tables as may be, all about as wide. */
+/** Divides the servos into tables: as few as possible, and of about equal width. */
 export function servoGroups(servos: number, most: number): readonly (readonly number[])[] {
   const tables = Math.max(1, Math.ceil(servos / most));
   const each = Math.ceil(servos / tables);

@@ -14,7 +14,7 @@ interface ColumnMenuProps {
   readonly servo: number;
 }
 
-/** What can be done to all positions of a servo at once. */
+/** Edits of all positions of a servo at once. */
 export function ColumnMenu({ editor, identity, servo }: ColumnMenuProps) {
   const { edits, servoName } = messages.value;
   const open = useSignal(false);

@@ -15,7 +15,7 @@ import { eraseLast, typeInto } from './sheet-typing.js';
 import { WasText } from './was-text.js';
 import './edit-sheet.css';
 
-/** What is being edited in one place of the page, and by what. */
+/** The field that is being edited in one place of the page, and by what. */
 export function useHand(): Hand {
   const hand = useMemo(() => new Hand(media('(pointer: coarse)')?.matches ?? false), []);
   useEffect(() => hand.follow(document), [hand]);
@@ -29,8 +29,8 @@ interface EditSheetProps {
 }
 
 /**
- * In place of the keyboard of the screen, for the field that a finger has tapped: steps of the class, digits, the old
- * value, and the way to the next field. The focus stays in the field, which comes in sight.
+ * Replaces the screen keyboard for a field that a finger has tapped: steps, digits, the old value, and keys to other
+ * fields. The focus stays in the field, which scrolls into sight.
  */
 export function EditSheet({ identity, standing, hand }: EditSheetProps) {
   const held = hand.field.value;
@@ -47,7 +47,7 @@ function Sheet({ identity, standing, held }: SheetProps) {
   const { sheet: words } = messages.value.edits;
   const { input, label, value, selection } = held;
   const element = useRef<HTMLDivElement>(null);
-  /** Whether the next digit begins the value anew: after a step it is not the last digit that is wrong. */
+  /** Whether the next digit begins a new value. After a step, the last digit is not what was wrong. */
   const isWhole = useRef(false);
   useSheetPlace(element, input);
   useEffect(() => onBackKey(() => input.blur()), [input]);
@@ -182,7 +182,7 @@ interface StepKeyProps {
   readonly act: (work: () => void) => void;
 }
 
-/** A step, and more of them while it is held. */
+/** A step key. It repeats while it is held. */
 function StepKey({ value, direction, tenfold = false, act }: StepKeyProps) {
   const { sheet: words } = messages.value.edits;
   const repeat = useMemo(() => new RepeatPress(), []);

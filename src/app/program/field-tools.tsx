@@ -7,12 +7,12 @@ import './field-tools.css';
 
 export type OnStep = (direction: 1 | -1, options?: StepOptions) => void;
 
-/** So far a wheel turns for one step, in the pixels that browsers count in: half a notch of most mice. */
+/** How far a wheel turns for one step, in pixels: half a notch of most mice. */
 const NOTCH = 50;
 
 /**
- * The wheel with Alt steps the field that has the focus, ten steps with Shift. Without Alt, and over any other field,
- * it moves the page: who only wants to see what is further down changes no value.
+ * The wheel with Alt steps the focused field, with Shift ten steps at once. Without Alt, and over any other field, it
+ * scrolls the page, so that scrolling never changes a value.
  */
 export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
   const latest = useRef(onStep);
@@ -23,19 +23,19 @@ export function useWheel(input: RefObject<HTMLInputElement | null>, onStep: OnSt
     const turn = (event: WheelEvent): void => {
       if (!event.altKey || event.ctrlKey || document.activeElement !== current) return;
       event.preventDefault();
-      // Browsers turn the wheel sideways while Shift is held.
+      // With Shift, browsers report the wheel as sideways.
       turned += event.deltaY || event.deltaX;
       if (Math.abs(turned) < NOTCH) return;
       latest.current(turned < 0 ? 1 : -1, { tenfold: event.shiftKey });
       turned = 0;
     };
-    // Preact would listen passively, and the page would move too.
+    // Preact would add a passive listener, and the page would scroll, too.
     current?.addEventListener('wheel', turn, { passive: false });
     return () => current?.removeEventListener('wheel', turn);
   }, [input]);
 }
 
-/** Alt with an arrow steps a field, ten steps with Shift. @returns whether this key did. */
+/** Alt with an arrow steps a field, with Shift ten steps at once. @returns whether this key did. */
 export function stepByKey(event: KeyboardEvent, onStep: OnStep, alone = false): boolean {
   const direction = event.key === 'ArrowUp' ? 1 : event.key === 'ArrowDown' ? -1 : 0;
   if (direction === 0 || !(event.altKey || alone) || event.ctrlKey || event.metaKey) return false;
@@ -49,7 +49,7 @@ interface FieldToolsProps {
   readonly value: EditedValue;
 }
 
-/** At the field that has the focus, which stays there: back to what the timer holds. */
+/** Beside the focused field: puts it back to what the timer holds. The focus stays in the field. */
 export function FieldTools({ label, value }: FieldToolsProps) {
   const { putBack, signs } = messages.value.edits.field;
   if (!value.canPutBack.value) return null;

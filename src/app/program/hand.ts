@@ -3,27 +3,27 @@ import type { StepOptions } from '../editing/edits.js';
 import type { Ambiguous, Figure } from '../editing/units.js';
 import type { Selection } from './selection.js';
 
-/** A value while it is edited: what is seen of it, and what can be done to it without letters. */
+/** A value that is being edited: what it shows, and what can be done to it without a keyboard. */
 export interface EditedValue {
   readonly text: ReadonlySignal<string>;
   readonly unit: ReadonlySignal<Figure['unit'] | null>;
-  /** The value that the timer held, where it was another and is known. */
+  /** The old value in the timer, if it differs and is known. */
   readonly was: ReadonlySignal<string | null>;
-  /** Whether there is something to put back. */
+  /** Whether there is anything to put back. */
   readonly canPutBack: ReadonlySignal<boolean>;
-  /** What the text may mean, where it is asked which. */
+  /** The possible meanings of an ambiguous text; null for any other. */
   readonly either: ReadonlySignal<Ambiguous['either'] | null>;
-  /** What is to be said about it. */
+  /** The notes about it, as one text. */
   readonly notes: ReadonlySignal<string>;
   readonly kind: 'time' | 'steps';
-  /** One step: hundredths of a second for a time. */
+  /** The size of one step; for a time in hundredths of a second. */
   readonly stepSize: ReadonlySignal<number>;
   step(direction: 1 | -1, options?: StepOptions): void;
   putBack(): void;
   answer(value: number): void;
   /**
-   * The text is meant as it stands.
-   * @returns false where it has to be asked first what it means.
+   * The pilot has finished the text.
+   * @returns false when the page must first ask what it means.
    */
   finish(): boolean;
 }
@@ -33,13 +33,13 @@ export interface HeldField {
   readonly input: HTMLInputElement;
   readonly label: string;
   readonly value: EditedValue;
-  /** Of the table that the field stands in; absent elsewhere. */
+  /** The selection of the field's table; absent outside of a table. */
   readonly selection?: Selection | undefined;
 }
 
 /**
- * Which field is being edited, and by what: a finger has no keys, so that a sheet of them stands in for the keyboard of
- * the screen; who has come by keys or by mouse needs none.
+ * Which field is being edited, and by what. A finger has no keys, so a sheet of keys replaces the screen keyboard.
+ * Keyboard and mouse need none.
  */
 export class Hand {
   readonly #held = signal<HeldField | null>(null);
@@ -47,15 +47,15 @@ export class Hand {
 
   /** Whether a finger or a pen was used last. */
   readonly isTouch: ReadonlySignal<boolean> = this.#isTouch;
-  /** The field that the sheet is for; null while there is no sheet. */
+  /** The field of the sheet; null while there is no sheet. */
   readonly field: ReadonlySignal<HeldField | null> = computed(() => (this.isTouch.value ? this.#held.value : null));
 
-  /** @param isTouch what is likely before anything was done. */
+  /** @param isTouch what is likely before the pilot has done anything. */
   constructor(isTouch: boolean) {
     this.#isTouch.value = isTouch;
   }
 
-  /** Notes what the pilot works with. @returns a function that ends it. */
+  /** Follows what the pilot works with. @returns a function that ends this. */
   follow({ documentElement }: Document): () => void {
     const point = ({ pointerType }: PointerEvent): void => {
       this.#isTouch.value = pointerType !== 'mouse';

@@ -8,21 +8,21 @@ import { type Ambiguous, type Figure, formatInterval, readInterval } from '../ed
 import { messages, obstacleText } from '../messages/index.js';
 import type { EditedValue } from './hand.js';
 
-/** What was last done in the field. */
+/** The last entry in the field. */
 interface Entry {
-  /** As it was typed; null when it was a step. */
+  /** The text as it was typed; null for a step. */
   readonly text: string | null;
   /** Why it changed nothing; null when it was done. */
   readonly problem: string | null;
-  /** What it may mean, where it is asked which: nothing was done. */
+  /** The possible meanings of an ambiguous text, which changed nothing. */
   readonly either?: Ambiguous['either'] | undefined;
-  /** The interval after it. When that has changed, as by undo, the entry counts no more. */
+  /** The interval after the entry. Once that has changed, as by undo, the entry no longer counts. */
   readonly interval: number | null;
 }
 
 /**
- * One interval while it is edited. What is typed moves this function and those after it. A text that is no interval, or
- * asks what it means, changes nothing, and the interval stands there again when the field is left.
+ * An interval that is being edited. What is typed moves this function and later ones. A text that is no interval, or is
+ * ambiguous, changes nothing; when the field is left, the interval is shown again.
  */
 export class IntervalModel implements EditedValue {
   readonly #editor: Editor;
@@ -76,7 +76,7 @@ export class IntervalModel implements EditedValue {
     if (!working) return;
     const parsed = readInterval(text, { isDt: this.#slot === working.identity.functions });
     const problem = 'unreadable' in parsed ? messages.value.unreadable[parsed.unreadable] : this.#set(parsed.value);
-    // What it began with may have been an interval.
+    // The beginning of the text may have been an interval.
     if (problem) this.#editor.abandon(this.#typing);
     const either = 'either' in parsed ? parsed.either : undefined;
     this.#enter(text, either ? null : problem, either);
@@ -88,12 +88,12 @@ export class IntervalModel implements EditedValue {
     else this.takeBack();
   }
 
-  /** The text gives way to the interval. */
+  /** Shows the interval in place of the text. */
   takeBack(): void {
     this.#entered.value = null;
   }
 
-  /** What was typed last, or stepped last, since the field was entered will not have been. */
+  /** Takes back what was typed or stepped since the field was entered. */
   escape(): void {
     const hadProblem = this.notes.value !== '';
     this.takeBack();
@@ -109,7 +109,7 @@ export class IntervalModel implements EditedValue {
     return this.either.value === null;
   }
 
-  // There is no one value that an interval was: it lies between two that may both have changed.
+  // An interval has no single old value: it lies between two times that may both have changed.
   putBack(): void {}
 
   #find(): number | null {

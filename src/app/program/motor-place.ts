@@ -3,13 +3,13 @@ import { slotCount } from '../../protocol/index.js';
 import type { Editor } from '../editing/editor.js';
 
 /**
- * Where the motor stop of a Q stands among the rows: in the order of time. A function at its very time comes after it,
- * for it goes along when the motor stop is shifted.
+ * Where the motor stop of a Q stands among the rows: in the order of time. A function at the same time comes after it,
+ * because it moves with the motor stop.
  */
 export class MotorPlace {
   readonly #held = signal<number | null>(null);
   readonly #due: ReadonlySignal<number | null>;
-  /** The slot before whose row it stands, one more than the last where it comes after DT; null on other classes. */
+  /** The slot before whose row it stands; one more than the last slot when it comes after DT. Null on other classes. */
   readonly before: ReadonlySignal<number | null>;
 
   constructor({ identity, working }: Editor) {
@@ -23,12 +23,12 @@ export class MotorPlace {
     this.before = computed(() => (this.#due.value === null ? null : (this.#held.value ?? this.#due.value)));
   }
 
-  /** From here on nothing moves under the finger, until this is called again or it is released. */
+  /** Holds the place, so that nothing moves under the finger, until the next call or a release. */
   hold(): void {
     this.#held.value = this.#due.value;
   }
 
-  /** As it stands now, also where it is held already. */
+  /** Holds the present place, even if another one is held. */
   keep(): void {
     this.#held.value = this.before.value;
   }

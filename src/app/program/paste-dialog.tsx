@@ -9,23 +9,23 @@ import { Modal } from '../ui/modal.js';
 import { UncertainNote } from '../write/uncertain-band.js';
 import './paste-dialog.css';
 
-/** A text that is to be pasted, and where. */
+/** A text to paste, and where. */
 export interface Pasting {
   readonly range: GridRange;
   readonly text: string;
 }
 
-/** So many problems are told one by one. */
+/** How many problems are named. */
 const TOLD = 8;
 
 interface PasteDialogProps {
   readonly session: Session;
-  /** What is to be pasted; null while the dialog is closed. */
+  /** The text to paste; null while the dialog is closed. */
   readonly pasting: ReadonlySignal<Pasting | null>;
   readonly onClose: () => void;
 }
 
-/** What a paste would do, before it does it. */
+/** Shows what a paste would do, and asks. */
 export function PasteDialog({ session, pasting: { value }, onClose }: PasteDialogProps) {
   const { pasting: words } = messages.value.edits;
   return (
@@ -56,7 +56,7 @@ function Preview({ editor, pasting: { range, text }, close }: PreviewProps) {
   const { identity } = working;
   const servos = Array.from({ length: identity.servos }, (_, servo) => servoName(servo));
   const headings = [program.time, edits.table.interval, ...servos];
-  // The program may change while the dialog is open, as when a timer comes back: what is shown is what will be done.
+  // The program may change while the dialog is open, as when a timer comes back. What is shown is what will be done.
   const preview = previewPaste(working, range, text, { headings, unreadable: editor.unreadable.value });
   const { changes, problems, readings, ignored } = preview;
   const apply = (): void => {

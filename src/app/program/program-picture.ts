@@ -2,18 +2,20 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import { Player } from '../timeline/preview/player.js';
 import { TimelineModel } from '../timeline/view-model.js';
 
-/** What lies behind the program: what the timer holds, nothing, or a backup by its key. */
+/** What the picture compares with: what the timer holds, nothing, or a backup by its key. */
 export const HELD = 'held';
 export const NOTHING = 'nothing';
 
-/** How the pilot looks at the program on the screen. It outlasts the view: who comes back finds it as it was left. */
+/**
+ * How the pilot looks at the program on the screen. Outlasts the view, so a pilot who comes back finds it as it was.
+ */
 export class ProgramPicture {
   readonly timeline = new TimelineModel();
   readonly player = new Player();
   readonly #behind = signal(HELD);
   readonly behind: ReadonlySignal<string> = this.#behind;
   readonly #shiftAsked = signal<number | null>(null);
-  /** The slot whose tools were asked for from outside of the table; null when they are open, or none was. */
+  /** The slot whose tools were asked for outside of the table; null once they are open, or when none was. */
   readonly shiftAsked: ReadonlySignal<number | null> = this.#shiftAsked;
 
   /** @param key {@link HELD}, {@link NOTHING}, or that of a backup. */
@@ -21,7 +23,7 @@ export class ProgramPicture {
     this.#behind.value = key;
   }
 
-  /** @param slot null: the table has opened them. */
+  /** @param slot null once the table has opened them. */
   askShift(slot: number | null): void {
     this.#shiftAsked.value = slot;
   }

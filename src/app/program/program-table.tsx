@@ -21,17 +21,17 @@ import './program-table.css';
 import './table-box.css';
 
 interface ProgramTableProps extends Pick<ProgramRowProps, 'session' | 'bench' | 'follow' | 'marked'> {
-  /** Those of the rows, where they are opened from elsewhere too. Default: its own. */
+  /** The tools of the rows, when something outside opens them, too. Default: its own. */
   readonly tools?: RowTools;
-  /** Tells what the values are. */
+  /** Explains the values. */
   readonly onExplain: () => void;
 }
 
-/** More rows or columns than these are looked at in a part, with the heads in sight. */
+/** With more rows or columns, the table scrolls inside itself and keeps its headings in sight. */
 const MOST_SLOTS = 12;
 const MOST_SERVOS = 4;
 
-/** Start to DT as rows; time, interval and servos as columns. It is worked with like a spreadsheet. */
+/** Rows from start to DT; columns for time, interval and servos. It works like a spreadsheet. */
 export function ProgramTable({ session, bench, follow, marked, tools: given, onExplain }: ProgramTableProps) {
   const { editor } = session;
   const { program, edits } = messages.value;
@@ -41,7 +41,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   const tools = useMemo(() => given ?? new RowTools(editor), [given, editor]);
   const pasting = useSignal<Pasting | null>(null);
   const obstacle = useSignal<string | null>(null);
-  /** Whether intervals are shown where there is no room for the times beside them. */
+  /** Whether intervals are shown in place of times, where there is no room for both. */
   const intervals = useSignal(false);
   const table = useRef<HTMLTableElement>(null);
   const foot = useRef<HTMLDivElement>(null);
@@ -52,7 +52,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   const say = (text: string | null): void => {
     obstacle.value = text;
   };
-  /** A single cell is filled from the one above it. */
+  /** A single cell takes the value of the cell above it. */
   const fill = (): void => {
     const { working } = editor;
     const range = selection.range.value;
@@ -81,7 +81,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
       else place.keep();
     },
   });
-  /** Whoever came to the buttons by keys goes back to the cell; a thumb does not want its keyboard. */
+  /** With the keyboard, the focus goes back to the cell. A thumb does not want the screen keyboard. */
   const done = (): void => {
     const { value: cell } = selection.active;
     const byKeys = foot.current?.contains(document.activeElement);
@@ -108,7 +108,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
           {...listeners}
           onFocusOut={({ target, relatedTarget, currentTarget }) => {
             const stays = relatedTarget instanceof Node && currentTarget.contains(relatedTarget);
-            // A window that is left comes back with its focus.
+            // A window that was left comes back with its focus.
             if (!stays && target !== document.activeElement) place.release();
           }}
           onCopy={copy}
@@ -161,7 +161,7 @@ export function ProgramTable({ session, bench, follow, marked, tools: given, onE
   );
 }
 
-/** What a range brings stands in its place, so that little moves. */
+/** The bar of a range takes the same place, so that little moves. */
 function KeysHint({ selection }: { readonly selection: Selection }) {
   return (
     <p class="hint keys-hint" id="table-keys" hidden={selection.shown.value !== null}>

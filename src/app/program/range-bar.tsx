@@ -8,14 +8,14 @@ import './range-bar.css';
 interface RangeBarProps {
   readonly identity: Identity;
   readonly selection: Selection;
-  /** What is copied. */
+  /** The text to copy. */
   readonly text: () => string;
   readonly onPaste: () => void;
   readonly onFill: () => void;
   readonly onDone: () => void;
 }
 
-/** What is selected in the table, and what can be done to it: what the keys do, for a thumb. The focus stays. */
+/** The selected range, and buttons for what the keys do. The focus stays in the table. */
 export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }: RangeBarProps) {
   const { range: words, selected } = messages.value.edits.table;
   const range = selection.shown.value;
@@ -54,7 +54,7 @@ export function RangeBar({ identity, selection, text, onPaste, onFill, onDone }:
   );
 }
 
-/** “3 functions, 2 columns”; rows where start or DT is among them. */
+/** “3 functions, 2 columns”; “rows” when start or DT is among them. */
 function sizeOf({ functions }: Identity, { top, left, bottom, right }: GridRange): string {
   const { size } = messages.value.edits.table.range;
   return size(bottom - top + 1, right - left + 1, top > 0 && bottom < functions);

@@ -1,6 +1,6 @@
 /**
- * A field gives its text to no drag and takes none: both would change a value without a key being pressed, and one that
- * is carried from field to field changes two. Spread it on what surrounds the field.
+ * Props that stop a field from giving or taking text by drag and drop: both would change values without a key press,
+ * and a drag from field to field would change two. Spread them on an element around the field.
  */
 export const refuseDrag = {
   onDragStart: (event: DragEvent): void => event.preventDefault(),

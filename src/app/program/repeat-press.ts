@@ -1,8 +1,8 @@
-/** So many milliseconds a key is held before it repeats itself, and between one time and the next. */
+/** How long a key is held before it repeats, and the time between repeats, in milliseconds. */
 const BEFORE = 450;
 const BETWEEN = 90;
 
-/** A key that does something once when it is pressed, and again and again while it is held. */
+/** A key that acts once when it is pressed, and repeatedly while it is held. */
 export class RepeatPress {
   #timer: ReturnType<typeof setTimeout> | undefined;
   #repeated = false;
@@ -19,12 +19,12 @@ export class RepeatPress {
     this.#timer = setTimeout(again, BEFORE);
   }
 
-  /** The key was let go, or the finger has left it. */
+  /** The key was released, or the finger has left it. */
   release(): void {
     clearTimeout(this.#timer);
   }
 
-  /** The press counts as one, also without a finger; one that has repeated itself is over. */
+  /** A click counts as one press, also without a pointer. A press that has repeated itself does not count again. */
   click(work: () => void): void {
     this.release();
     if (!this.#repeated) work();

@@ -9,19 +9,21 @@ import type { Selection } from './selection.js';
 export interface RowSources {
   readonly editor: Editor;
   readonly selection: Selection;
-  /** The field whose handle is meant in the timeline. */
+  /** The field whose handle is used in the timeline. */
   readonly marked: ReadonlySignal<ProgramField | null>;
 }
 
-/** What one row of the table shows around its fields. Each part tells of its own changes alone, as in `FieldModel`. */
+/**
+ * What one row of the table shows around its fields. Each signal changes only with its own content, as in `FieldModel`.
+ */
 export class RowModel {
-  /** What is to be said about its fields. */
+  /** The notes about its fields. */
   readonly notes: ReadonlySignal<readonly FieldNote[]>;
   readonly isChanged: ReadonlySignal<boolean>;
-  /** The first and the last column of the selection; no column where the row is not in it. */
+  /** The first and the last selected column; none when the row is not in the selection. */
   readonly selectedFrom: ReadonlySignal<number>;
   readonly selectedTo: ReadonlySignal<number>;
-  /** The column of the field that is meant in the timeline; null where it is in another row. */
+  /** The column of the field that is used in the timeline; null when it is in another row. */
   readonly markedAt: ReadonlySignal<number | null>;
 
   constructor({ editor, selection, marked }: RowSources, slot: number, fields: readonly ProgramField[]) {
@@ -43,7 +45,7 @@ export class RowModel {
   }
 }
 
-/** What a cell of a row carries: its place in the grid, and whether it is selected, or meant in the timeline. */
+/** The attributes of a cell: its place in the grid, and whether it is selected, or used in the timeline. */
 export function cellProps(
   { selectedFrom, selectedTo, markedAt }: RowModel,
   column: number,

@@ -5,25 +5,25 @@ import { shiftFrom } from '../editing/edits.js';
 import { parseInterval } from '../editing/units.js';
 import { messages, obstacleText } from '../messages/index.js';
 
-/** What is shifted by with one press, in hundredths of a second. */
+/** How far one press shifts, in hundredths of a second. */
 export const SHIFTS = [10, 30, 100];
 
-/** The tools of a row: which one has them open, and what its shift is set to. The setting stays from row to row. */
+/** The tools of a row: which row has them open, and how far to shift, which stays the same from row to row. */
 export class RowTools {
   readonly #editor: Editor;
   readonly #open = signal<number | 'start' | null>(null);
   readonly #amount = signal('0.10');
   readonly #moveDt = signal(false);
-  /** The program when they were opened. */
+  /** The program when the tools were opened. */
   readonly #before = signal<TimerProgram | null>(null);
   readonly #problem = signal<string | null>(null);
 
-  /** The slot whose tools are open; 0 is the motor stop on a Q, beside which the start has no time. */
+  /** The slot whose tools are open. 0 is the motor stop of a Q; `start` is the start, which has no time. */
   readonly open: ReadonlySignal<number | 'start' | null> = this.#open;
-  /** By how much is shifted, as it was typed. */
+  /** How far to shift, as it was typed. */
   readonly amount: ReadonlySignal<string> = this.#amount;
   readonly moveDt: ReadonlySignal<boolean> = this.#moveDt;
-  /** How far all was shifted since the tools were opened, in hundredths of a second. */
+  /** How far everything has moved since the tools were opened, in hundredths of a second. */
   readonly moved: ReadonlySignal<number> = computed(() => {
     const slot = this.#open.value;
     const step = this.#editor.undoStep.value;
@@ -46,7 +46,9 @@ export class RowTools {
     });
   }
 
-  /** Those of the row in hand; with none, or at the start, those of the motor stop or, without one, of function 1. */
+  /**
+   * Opens the tools of this field's row; without one, or at the start, those of the motor stop or else of function 1.
+   */
   showFor(field: ProgramField | null): void {
     const slot = field && 'slot' in field ? field.slot : 0;
     const isStart = slot === 0 && this.#editor.identity.value?.timerClass !== 'Q';
@@ -66,14 +68,14 @@ export class RowTools {
     this.#moveDt.value = on;
   }
 
-  /** Moves the open slot and all after it by the amount that was typed, to later or to earlier. */
+  /** Moves the open slot and all later ones by the typed amount, to later or to earlier. */
   shift(direction: 1 | -1): void {
     const parsed = parseInterval(this.#amount.value);
     if ('unreadable' in parsed) this.#problem.value = messages.value.unreadable[parsed.unreadable];
     else this.shiftBy(direction * parsed.value);
   }
 
-  /** @param by hundredths of a second; below 0 to earlier. */
+  /** @param by hundredths of a second; negative to earlier. */
   shiftBy(by: number): void {
     const slot = this.#open.value;
     const working = this.#editor.working.value;

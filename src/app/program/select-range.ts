@@ -4,7 +4,7 @@ import type { GridCell } from '../editing/grid.js';
 import { cellOf, cellUnder, isSameCell } from './table-cells.js';
 import { onTableKey, type TableKeys } from './table-keys.js';
 
-/** What a table listens to, so that cells are selected in it by mouse, by finger and by keys. */
+/** The listeners of a table by which cells are selected with mouse, finger and keys. */
 export interface RangeListeners {
   readonly onKeyDown: (event: KeyboardEvent) => void;
   readonly onFocusIn: (event: TargetedFocusEvent<HTMLTableElement>) => void;
@@ -15,13 +15,13 @@ export interface RangeListeners {
 }
 
 interface RangeUser extends TableKeys {
-  /** Is called when the focus comes to anything in the table; null where that is no cell. */
+  /** Called when something in the table gets the focus. Null when that is no cell. */
   readonly onFocus: (cell: GridCell | null) => void;
 }
 
 /**
- * Cells are selected as in a spreadsheet: from the one that is pressed to the one under the mouse, or to the next one
- * with Shift, or after “Select range”; by keys with Shift and an arrow. A finger scrolls: it selects with two taps.
+ * Selects cells as in a spreadsheet: from the pressed cell to the one under the mouse, or to the next one with Shift or
+ * after “Select range”; with the keyboard by Shift and an arrow. A finger scrolls, so it selects with two taps.
  */
 export function useSelectRange(user: RangeUser): RangeListeners {
   const latest = useRef(user);
@@ -35,8 +35,8 @@ function selectRange(user: () => RangeUser): { readonly listeners: RangeListener
   let dragging = new AbortController();
 
   /**
-   * The range follows the mouse by where it is and not by what it enters: the text in a field is marked, and a browser
-   * that takes hold of it would carry it to another cell, and tell of nothing on its way.
+   * The range follows the position of the mouse, not the events of cells: a browser that drags the selected text of a
+   * field reports nothing on the way.
    */
   const follow = (table: HTMLTableElement, pointerId: number): void => {
     dragging.abort();
@@ -45,7 +45,7 @@ function selectRange(user: () => RangeUser): { readonly listeners: RangeListener
     const move = (event: PointerEvent): void => {
       if (event.pointerId !== pointerId) return;
       const { selection } = user();
-      // One without a field that has the focus would be a range that no key reaches.
+      // Without a focused field no key would reach the range.
       const cell = cellOf(document.activeElement) && cellUnder(table, event);
       if (cell && !isSameCell(cell, selection.corner.value)) selection.extendTo(cell);
       if (event.type !== 'pointermove' || (event.buttons & 1) === 0) dragging.abort();
@@ -54,7 +54,7 @@ function selectRange(user: () => RangeUser): { readonly listeners: RangeListener
       if (event.pointerId === pointerId) dragging.abort();
     };
     document.addEventListener('pointermove', move, { signal });
-    // The last move may have been where it is let go; a release outside of the window is told of here, too.
+    // The last move may be where the button is released. A release outside of the window comes here, too.
     document.addEventListener('pointerup', move, { signal });
     document.addEventListener('pointercancel', cancel, { signal });
   };
@@ -67,13 +67,13 @@ function selectRange(user: () => RangeUser): { readonly listeners: RangeListener
       onFocus(cell);
       if (!cell) return;
       if (selection.picking.value) {
-        // It came in some other way, as by a long press or from a screen reader.
+        // The focus came in another way, as by a long press or from a screen reader.
         selection.extendTo(cell);
         if (target instanceof HTMLElement) target.blur();
       } else if (!isSameCell(cell, selection.active.value)) selection.enter(cell);
     },
     onInput: () => user().selection.collapse(),
-    // A finger that taps is told of here, too.
+    // The tap of a finger comes here, too.
     onMouseDown: (event) => {
       const { selection } = user();
       const cell = cellOf(event.target);

@@ -1,13 +1,13 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { type GridCell, type GridRange, rangeBetween } from '../editing/grid.js';
 
-/** Which cells of the table are meant: the one that is being edited, and those up to another corner. */
+/** The selected cells of the table: from the one that is being edited to another corner. */
 export class Selection {
   readonly #active = signal<GridCell | null>(null);
   readonly #corner = signal<GridCell | null>(null);
   readonly #picking = signal(false);
 
-  /** The cell with the focus; null before any had it. */
+  /** The focused cell; null before the first focus. */
   readonly active: ReadonlySignal<GridCell | null> = this.#active;
 
   readonly range: ReadonlySignal<GridRange | null> = computed(() => {
@@ -19,16 +19,16 @@ export class Selection {
     const range = this.range.value;
     return range !== null && (range.top !== range.bottom || range.left !== range.right);
   });
-  /** Whether the next cell that is tapped is the other corner, for those who have no Shift. */
+  /** Whether the next tapped cell becomes the other corner, for pilots without a Shift key. */
   readonly picking: ReadonlySignal<boolean> = this.#picking;
-  /** What is shown as selected; null while it is no more than the cell with the focus. */
+  /** The range to show; null while it is only the focused cell. */
   readonly shown: ReadonlySignal<GridRange | null> = computed(() =>
     this.isWide.value || this.picking.value ? this.range.value : null,
   );
-  /** The corner that moves when the range is extended. */
+  /** The corner that moves when the range grows or shrinks. */
   readonly corner: ReadonlySignal<GridCell | null> = computed(() => this.#corner.value ?? this.active.value);
 
-  /** This cell alone. */
+  /** Selects only this cell. */
   enter(cell: GridCell): void {
     batch(() => {
       this.#active.value = cell;
@@ -36,17 +36,17 @@ export class Selection {
     });
   }
 
-  /** The next cell that is tapped is the other corner. */
+  /** The next tapped cell becomes the other corner. */
   pick(): void {
     this.#picking.value = true;
   }
 
-  /** From the active cell to this one. */
+  /** Selects from the active cell to this one. */
   extendTo(cell: GridCell): void {
     if (this.active.value) this.#corner.value = cell;
   }
 
-  /** The active cell alone; no other corner is waited for. */
+  /** Selects only the active cell, and waits for no other corner. */
   collapse(): void {
     batch(() => {
       this.#corner.value = null;

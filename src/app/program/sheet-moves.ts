@@ -4,14 +4,14 @@ import { FIRST_SERVO_COLUMN, type GridCell, INTERVAL_COLUMN, TIME_COLUMN } from 
 import { messages } from '../messages/index.js';
 import { cellOf } from './table-cells.js';
 
-/** A field to which the focus can go from another one. */
+/** A field to which the focus can go. */
 export interface Goal {
   readonly input: HTMLInputElement;
-  /** What tells it from where the focus is: a column of the same row, or another row. */
+  /** How it differs from the present field: a column of the same row, or another row. */
   readonly name: string;
 }
 
-/** Where the focus can go: along the row and on into the next one, and within the column. */
+/** Where the focus can go: along the row and into the next one, and up and down the column. */
 export interface Goals {
   readonly before: Goal | null;
   readonly after: Goal | null;
@@ -19,7 +19,7 @@ export interface Goals {
   readonly below: Goal | null;
 }
 
-/** What can be edited beside a field: in its table, else what stands with it. */
+/** The editable fields beside a field: in its table, or else in its group. */
 export function goalsFrom(identity: Identity, from: HTMLInputElement): Goals {
   const inputs = editedIn(from.closest('table') ?? from.closest('.figures'));
   const cell = cellOf(from);
@@ -36,7 +36,7 @@ export function goalsFrom(identity: Identity, from: HTMLInputElement): Goals {
   };
 }
 
-/** What can be edited and is in sight, in the order in which it is read. */
+/** The editable and visible fields, in reading order. */
 function editedIn(place: Element | null): HTMLInputElement[] {
   return [...(place?.querySelectorAll<HTMLInputElement>('.value > input') ?? [])].filter(
     (input) => !input.readOnly && (input.checkVisibility?.() ?? true),
@@ -56,7 +56,7 @@ function columnName({ column }: GridCell): string {
 }
 
 function rowName(identity: Identity, { row, column }: GridCell): string {
-  // The time of the start is the motor stop there, and stands in a row of its own.
+  // The time of the start is the motor stop here, which has its own row.
   if (row === 0 && column === TIME_COLUMN && identity.timerClass === 'Q') return messages.value.program.motor;
   return messages.value.slotShort(row, slotKind(identity, row));
 }

@@ -1,18 +1,18 @@
 import type { RefObject } from 'preact';
 import { useLayoutEffect } from 'preact/hooks';
 
-/** What stays in sight while a field is edited: its row, or what stands with it. */
+/** What stays in sight while a field is edited: its row, or its group. */
 const AROUND = 'tr, .figure';
 
-/** Lays a sheet above all, makes room for it, and keeps in sight what is edited: nothing covers it. */
+/** Lays a sheet above everything, makes room for it, and keeps the edited field in sight. */
 export function useSheetPlace(sheet: RefObject<HTMLElement | null>, input: HTMLInputElement): void {
   useLayoutEffect(() => {
     const { documentElement } = document;
-    // Also above a dialog; where a browser cannot, the styles have to do.
+    // Also above a dialog. Where a browser has no popover, the styles do what they can.
     sheet.current?.showPopover?.();
     documentElement.setAttribute('data-sheet', '');
     return () => {
-      // What has put it away is a tap, which ends where it began: nothing moves under it.
+      // A tap has put the sheet away. It must end where it began, so nothing moves under it yet.
       requestAnimationFrame(() => {
         if (document.querySelector('.edit-sheet')) return;
         documentElement.removeAttribute('data-sheet');
@@ -25,7 +25,8 @@ export function useSheetPlace(sheet: RefObject<HTMLElement | null>, input: HTMLI
     if (!current) return;
     const around = input.closest(AROUND) ?? input;
     const place = (): void => {
-      // What lies beside it is not in its way. It may still be on its way up: how high it is tells no place of it.
+      // A field beside the sheet is not covered. The sheet may still be sliding up, so its present position does not
+      // count, only its height.
       const covers = around.getBoundingClientRect().right > current.getBoundingClientRect().left;
       document.documentElement.style.setProperty('--sheet', `${covers ? current.offsetHeight : 0}px`);
       around.scrollIntoView({ block: 'nearest' });

@@ -1,10 +1,10 @@
-/** Puts a text into a field as a keyboard would: in the place of what is marked, else at the caret. */
+/** Types a text into a field as a keyboard would: replaces the selection, or inserts at the caret. */
 export function typeInto(input: HTMLInputElement, text: string): void {
   const { selectionStart, selectionEnd, value } = input;
   replace(input, text, selectionStart ?? value.length, selectionEnd ?? value.length);
 }
 
-/** Takes away what is marked, else what stands before the caret. */
+/** Deletes the selection, or the character before the caret. */
 export function eraseLast(input: HTMLInputElement): void {
   const { value } = input;
   const end = input.selectionEnd ?? value.length;

@@ -9,13 +9,13 @@ import type { Selection } from './selection.js';
 interface ClipboardUser {
   readonly editor: Editor;
   readonly selection: Selection;
-  /** Is given what is to be pasted: the pilot looks at it first. */
+  /** Called with what to paste. The pilot looks at it first. */
   readonly onPaste: (pasting: Pasting) => void;
-  /** Is given why nothing is pasted; null when that is over. */
+  /** Called with the reason why nothing is pasted; with null once that is over. */
   readonly onObstacle: (text: string | null) => void;
 }
 
-/** What the table exchanges with other programs: by the events of the keys, or by buttons. */
+/** Exchanges the table's cells with other programs, by keyboard events or by buttons. */
 export function tableClipboard({ editor, selection, onPaste, onObstacle }: ClipboardUser) {
   const selectedText = (): string => {
     const { working } = editor;
@@ -27,7 +27,7 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
     event.preventDefault();
     event.clipboardData.setData('text/plain', selectedText());
   };
-  /** No cell of a program can be empty: what is cut is only copied, but for a part of a text. */
+  /** No cell of a program can be empty, so Cut only copies, except for a part of a text. */
   const cut = (event: ClipboardEvent): void => {
     copy(event);
     const { target, clipboardData } = event;
@@ -42,12 +42,12 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
     if (!range || text === '') return;
     onObstacle(null);
     if (text.trim() === '') {
-      // Cells with nothing in them: as typing they would only empty the field.
+      // Empty cells: typed into the field, they would only empty it.
       event.preventDefault();
       onObstacle(messages.value.edits.table.range.clipboardEmpty);
       return;
     }
-    // One value into one cell is typing.
+    // One value into one cell counts as typing.
     if (!(selection.isWide.value || /[\t\r\n;]./.test(text))) return;
     event.preventDefault();
     onPaste({ range, text });
@@ -60,7 +60,7 @@ export function tableClipboard({ editor, selection, onPaste, onObstacle }: Clipb
       onObstacle(range && text !== '' ? null : words.clipboardEmpty);
       if (range && text !== '') onPaste({ range, text });
     });
-    // The browser may be asking the pilot: what comes after this is welcome anyway.
+    // The browser may be asking the pilot; an answer that comes later is welcome, too.
     await answerOf(() => asked).catch(() => onObstacle(words.clipboardClosed));
   };
   return { selectedText, copy, cut, paste, pasteCopied };

@@ -10,13 +10,13 @@ interface TableHeadProps {
   readonly editor: Editor;
   readonly identity: Identity;
   readonly servos: readonly number[];
-  /** Where there is room for one of the two, the other one is shown. */
+  /** Where there is room for only one of the two, shows the other one. */
   readonly onSwitch: () => void;
-  /** Tells what the values are. */
+  /** Explains the values. */
   readonly onExplain: () => void;
 }
 
-/** What the columns hold, and in which unit; for a servo also what can be done to all of its positions. */
+/** The headings of the columns, with units. For a servo also a menu for all its positions. */
 export function TableHead({ editor, identity, servos, onSwitch, onExplain }: TableHeadProps) {
   const { program, edits, servoName } = messages.value;
   const { table } = edits;
@@ -53,7 +53,7 @@ export function TableHead({ editor, identity, servos, onSwitch, onExplain }: Tab
 interface TimeHeadProps {
   readonly class: string;
   readonly title?: string;
-  /** What its button says, which is there on a phone. */
+  /** The text of its button, which phones have. */
   readonly switchTo: string;
   readonly onSwitch: () => void;
   readonly children: ComponentChildren;
@@ -71,7 +71,7 @@ function TimeHead({ class: name, title, switchTo, onSwitch, children }: TimeHead
         onClick={() => {
           const { current } = head;
           onSwitch();
-          // The column of this button goes; the one that comes has its own.
+          // The column with this button goes away. The new column has its own button.
           requestAnimationFrame(() => {
             const others = current?.parentElement?.querySelectorAll<HTMLElement>('.column-switch') ?? [];
             for (const other of others) if (!current?.contains(other)) other.focus({ preventScroll: true });

@@ -3,16 +3,16 @@ import { gridColumns } from '../editing/grid.js';
 import type { Selection } from './selection.js';
 import { cellAt, cellOf } from './table-cells.js';
 
-/** What the keys of the table work on. */
+/** What the keys of the table act on. */
 export interface TableKeys {
   readonly editor: Editor;
   readonly selection: Selection;
   readonly fillDown: () => void;
-  /** Moves the focus to what can be done to a range. */
+  /** Moves the focus to the buttons of a range. */
   readonly toBar: () => void;
 }
 
-/** The column of the tools of the rows, left of the times. */
+/** The column with the tools of the rows, left of the times. */
 const OPENERS = -1;
 
 const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]>> = {
@@ -23,8 +23,8 @@ const DIRECTIONS: Readonly<Record<string, readonly [down: number, right: number]
 };
 
 /**
- * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes from it to its
- * buttons, Ctrl+D fills down. Left and right move within a text until its end.
+ * The keys of a spreadsheet: arrows and Enter move, Shift with an arrow extends the range, Tab goes to the buttons of
+ * the range, Ctrl+D fills down. Left and right first move inside a text to its end.
  */
 export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   const { target } = event;
@@ -60,14 +60,14 @@ export function onTableKey(event: KeyboardEvent, keys: TableKeys): void {
   else moveFocus(event, target, direction);
 }
 
-/** Whether an arrow to the side has nothing left to do in the text. */
+/** Whether the arrow would leave the text. */
 function leavesText({ selectionStart, selectionEnd, value }: HTMLInputElement, right: number): boolean {
   const isWhole = selectionStart === 0 && selectionEnd === value.length;
   const end = right > 0 ? value.length : 0;
   return isWhole || (selectionStart === end && selectionEnd === end);
 }
 
-/** To the next cell that way, which comes in sight; the focus stays. */
+/** Extends the range to the next cell in this direction and scrolls it into sight. The focus stays. */
 function extend(
   event: KeyboardEvent,
   from: HTMLInputElement,
@@ -88,13 +88,13 @@ function extend(
   const cell = table && cellAt(table, next);
   const toSight = (): void => cell?.scrollIntoView({ block: 'nearest' });
   toSight();
-  // The bar that a range brings is as high as it is only a frame later.
+  // The bar of the range has its final height only a frame later.
   requestAnimationFrame(() => requestAnimationFrame(toSight));
 }
 
 /**
- * To the next cell that way which can be edited, as they stand on the screen: left of the times are the tools of the
- * rows, and what is not shown is passed over. At the edge the focus stays.
+ * Moves the focus to the next editable cell in this direction, as they stand on the screen. Left of the times are the
+ * tools of the rows; hidden cells are skipped. At the edge the focus stays.
  */
 function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly [number, number]): void {
   let row = from.closest('tr');
@@ -114,7 +114,7 @@ function moveFocus(event: KeyboardEvent, from: Element, [down, right]: readonly 
   }
 }
 
-/** The next row of the program that way. */
+/** The next row of the program in this direction. */
 function rowBeside(row: Element | null, down: number): HTMLTableRowElement | null {
   const next = down > 0 ? row?.nextElementSibling : row?.previousElementSibling;
   if (!(next instanceof HTMLTableRowElement)) return null;

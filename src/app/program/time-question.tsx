@@ -3,15 +3,15 @@ import { eitherTexts, messages } from '../messages/index.js';
 import './time-question.css';
 
 interface TimeQuestionProps {
-  /** Of the field in which the text stands. */
+  /** The label of the field with the text. */
   readonly label: string;
   readonly either: Ambiguous['either'];
-  /** @param byKey the focus has to go somewhere then. */
+  /** @param byKey whether the keyboard was used, so that the focus has to go somewhere. */
   readonly onAnswer: (value: number, byKey: boolean) => void;
   readonly onEscape: () => void;
 }
 
-/** A text in a field that can be read in several ways: one of them is chosen, or Escape takes the text back. */
+/** A question about an ambiguous text in a field: the pilot chooses a meaning, or takes the text back with Escape. */
 export function TimeQuestion({ label, either, onAnswer, onEscape }: TimeQuestionProps) {
   const texts = eitherTexts(either);
   return (
@@ -20,7 +20,7 @@ export function TimeQuestion({ label, either, onAnswer, onEscape }: TimeQuestion
       class="time-question"
       role="group"
       aria-label={messages.value.times.meaning(label)}
-      // The focus stays in the field, for which it may be asked only while it has it.
+      // The focus stays in the field: the question may exist only while the field has it.
       onPointerDown={(event) => event.preventDefault()}
       onKeyDown={(event) => {
         if (event.key !== 'Escape') return;

@@ -7,14 +7,14 @@ import type { WriteFlow } from '../write/write-flow.js';
 import './undo-buttons.css';
 
 /**
- * Undo and redo, with the name of what they would do; by keys everywhere on the page but in texts that are no part of
- * the program.
+ * Undo and redo, with the name of the step. Their keys work everywhere on the page, except in texts that do not belong
+ * to the program.
  */
 export function UndoButtons({ session, write }: { readonly session: Session; readonly write: WriteFlow }) {
   const { editor } = session;
   const { edits } = messages.value;
   const identity = editor.identity.value;
-  // What the servos follow is sent one by one: an undo between two commands is followed too.
+  // Positions go to the timer one by one while the servos follow. An undo between two commands is followed, too.
   const off = useComputed(
     () => (session.runner.busy.value && session.runner.job.value?.kind !== 'bench') || write.current.value !== null,
   );
@@ -53,12 +53,14 @@ export function UndoButtons({ session, write }: { readonly session: Session; rea
   );
 }
 
-/** What would be done, in words; null when there is nothing. While a field is typed in, the words stay the same. */
+/** The step in words; null when there is none. While somebody types in a field, the words stay the same. */
 function useStepText({ identity }: Editor, step: Editor['undoStep'], text: (step: string) => string): string | null {
   return useComputed(() => (identity.value && step.value ? text(stepText(identity.value, step.value)) : null)).value;
 }
 
-/** @param editor null while nothing can be undone: a browser would undo in the field what is no step of the program. */
+/**
+ * @param editor null while nothing can be undone: the browser's own undo in a field would be no step of the program.
+ */
 function undoByKey(event: KeyboardEvent, editor: Editor | null): void {
   const { target } = event;
   if (event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey)) return;

@@ -2,24 +2,24 @@ import type { RefObject } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import type { OnStep } from './field-tools.js';
 
-/** So far a finger goes for one step, in pixels. */
+/** How far a finger moves for one step, in pixels. */
 const TRAVEL = 14;
 
 /** A finger on the field: it may become a swipe, or scroll the page. */
 interface Swipe {
   readonly id: number;
-  /** Where the last step was, at first where the finger came down. */
+  /** Where the last step was; at first where the finger came down. */
   x: number;
   readonly y: number;
-  /** What was marked of the text, so that it can be again; null when all of it was. */
+  /** The selected part of the text, to select it again; null when all of it was selected. */
   readonly marked: readonly [start: number, end: number] | null;
-  /** It has made a step: where it goes from there on does not matter. */
+  /** Whether it has made a step. From then on its direction does not matter. */
   going: boolean;
 }
 
 /**
- * A finger or a pen that goes sideways over the field that has the focus steps it, to the right up. One that goes up or
- * down, or over any other field, moves the page; a mouse marks the text.
+ * A finger or pen that moves sideways over the focused field steps it; to the right is up. Any other direction, and any
+ * other field, scrolls the page. A mouse selects the text.
  */
 export function useSwipe(input: RefObject<HTMLInputElement | null>, onStep: OnStep): void {
   const latest = useRef(onStep);
@@ -54,7 +54,7 @@ export function useSwipe(input: RefObject<HTMLInputElement | null>, onStep: OnSt
     };
     const end = ({ pointerId }: PointerEvent): void => {
       if (pointerId !== swipe?.id) return;
-      // A new value has moved the caret, and a pen marks what it goes over.
+      // A new value has moved the caret, and a pen selects what it passes over.
       if (swipe.going) current.setSelectionRange(...(swipe.marked ?? ([0, current.value.length] as const)));
       forget();
     };

@@ -8,7 +8,7 @@ interface WasTextProps {
   readonly value: string;
 }
 
-/** What a changed value was, in the words of what is known of it: what the timer holds, or what was last read. */
+/** The old value of a changed field: what the timer holds, or what was last read. */
 export function WasText({ standing, value }: WasTextProps) {
   const { marks, notCertain } = messages.value.knowledge;
   const { sure } = standing.value;
@@ -22,16 +22,16 @@ export function WasText({ standing, value }: WasTextProps) {
 
 interface OldValueProps extends WasTextProps {
   readonly id: string;
-  /** The value without its unit, which stands in the head. */
+  /** The value without its unit, which stands in the heading. */
   readonly figure: string;
-  /** What a click on it does; null where it is only shown. */
+  /** What a click on it does; null when it is only shown. */
   readonly label: string | null;
   readonly onPutBack: () => void;
 }
 
 /**
- * The same in a cell, beside the new value: the figure alone, struck through. What the timer may hold is not, for it
- * may be in force.
+ * The same in a cell, beside the new value: only the figure, struck through. A value that the timer may still hold is
+ * not struck through, because it may be in force.
  */
 export function OldValue({ id, standing, value, figure, label, onPutBack }: OldValueProps) {
   const { old } = messages.value.knowledge;

@@ -10,17 +10,17 @@ import type { Session } from '../session/session.js';
 import type { Backup, ModelRecord } from '../storage/index.js';
 import './model-backups.css';
 
-/** So many rows at first. */
+/** How many rows are shown at first. */
 const ROOM = 8;
 
 interface ModelBackupsProps {
   readonly session: Session;
   readonly record: ModelRecord;
-  /** The servos follow what is edited: a backup that is loaded would be stored at once. */
+  /** Whether the servos follow edits: a loaded backup would be stored at once. */
   readonly following: boolean;
-  /** A backup stands in the table. */
+  /** Shows the table with the loaded backup. */
   readonly onLoad: () => void;
-  /** What is on the screen, or in the timer, and a backup side by side. */
+  /** Compares a backup with the program on the screen or in the timer. */
   readonly onCompare: (backup: Backup) => void;
 }
 
@@ -107,7 +107,7 @@ function Row({ session, record, backup, following, onLoad, onCompare }: ModelBac
   );
 }
 
-/** How it differs from what the timer holds now, or held when it was seen last; empty where nothing is known of it. */
+/** How it differs from what the timer holds now, or last held; empty when nothing is known about that. */
 function differsText(session: Session, record: ModelRecord, { program, simulated }: Backup): string {
   const { modelBackups: words } = comparingMessages.value;
   const held = heldNow(session, record, program.memory, simulated);

@@ -46,7 +46,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
   const possible = possibleOf(found);
   const near = new Map(possible.map((each) => [each.model.id, each]));
   const choices = recognition.choices.value;
-  // What it may be comes first; what it cannot be said to be, for its class, is not among the choices.
+  // Likely models come first. Models of another class are not listed.
   const inOrder = [
     ...possible.flatMap(({ model }) => choices.filter(({ id }) => id === model.id)),
     ...choices.filter(({ id }) => !near.has(id)),
@@ -90,7 +90,7 @@ function Choice({ recognition }: { readonly recognition: Recognition }) {
 
 interface RowProps {
   readonly model: Model;
-  /** How near what was read is to it; null where that says nothing. */
+  /** How well the reading fits this model; null when it says nothing. */
   readonly near: PossibleModel | null;
   readonly chosen: boolean;
   readonly onChoose: () => void;

@@ -3,10 +3,10 @@ import { modelMessages } from '../messages/which-model.js';
 import type { FoundModel, PossibleModel, Recognition } from '../session/recognition.js';
 import './model-line.css';
 
-/** So many candidates are a button each; all are named. */
+/** How many candidates have a button. All of them are named. */
 const BUTTONS = 3;
 
-/** Whose timer this is, as far as it holds something that tells it; and the question where the pilot has to say it. */
+/** Which model the timer belongs to, if its content shows it; otherwise the question to the pilot. */
 export function ModelLine({ recognition }: { readonly recognition: Recognition }) {
   const { recognition: words } = modelMessages.value;
   const found = recognition.found.value;
@@ -36,7 +36,7 @@ export function ModelLine({ recognition }: { readonly recognition: Recognition }
   );
 }
 
-/** What there is to say, in words. */
+/** The sentence to show. */
 function saidOf(found: Exclude<FoundModel, { kind: 'said' }>): string {
   const { recognition: words } = modelMessages.value;
   if (found.kind === 'same') return words.same(found.model.name, dayText(found.of.at));

@@ -1,22 +1,21 @@
 import type { Backup } from '../storage/index.js';
 import { kindKey } from './record-keys.js';
 
-/** So many days back one of each day stays; before that one of each month. */
+/** How many days back one backup of each day stays. Before that, one of each month. */
 const DAYS = 31;
-/** No more than these are kept in all: the oldest give way. */
+/** The most backups that are kept. The oldest go first. */
 const MOST = 3000;
 
 /**
- * Which backups need not be kept any more. Of those that were made before writes, for each memory of each model:
+ * The backups that need not be kept any more. Of those from before a write, for each memory of each model:
  *
- * - all of today stay,
- * - of each day of the last month the first: it is what the timer held when that day began, after all the days before,
- * - of each month before that the first.
+ * - all of today stay;
+ * - of each day of the last month the first stays: it is what the timer held when that day began;
+ * - of each month before that the first stays.
  *
- * The first of a day or a month is the first for ever, so thinning again and again comes to the same as thinning once.
- * What the pilot has asked for (all memories) stays. Simulated timers are a group of their own, and nothing of them
- * stays for more than a month.
- * The day of the newest backup is today: a clock that is years ahead for once takes nothing away.
+ * The first of a day or a month never changes, so thinning twice gives the same as thinning once. Backups that the
+ * pilot asked for (all memories) stay. Simulated timers are a group of their own, and their backups stay for a month at
+ * most. The day of the newest backup counts as today, so a clock that is once years ahead deletes nothing.
  * @param now milliseconds since 1970; days and months are those of this device.
  */
 export function outdated(backups: readonly Backup[], now: number): readonly Backup[] {
@@ -43,7 +42,7 @@ export function outdated(backups: readonly Backup[], now: number): readonly Back
   return [...gone, ...earliestFirst.filter((each) => !isGone.has(each)).slice(0, left - MOST)];
 }
 
-/** The first moment of the days of which one each stays. */
+/** When the days begin of which one backup each stays. */
 function monthBefore(time: number): number {
   const day = new Date(time);
   day.setHours(0, 0, 0, 0);

@@ -3,28 +3,31 @@ import type { TimerProgram } from '../../program/index.js';
 import type { Backup, Keeper } from '../storage/index.js';
 import { outdated } from './backup-thinning.js';
 
-/** So long a deleted one can be put back, in milliseconds. */
+/** How long a deleted backup can be put back, in milliseconds. */
 const UNDO_WAIT = 10_000;
 
-/** What timers held before they were written, newest first; thinned by age, see `outdated`. */
+/** What timers held before they were written, newest first. Thinned by age, see `outdated`. */
 export class Backups {
   readonly #list = signal<readonly Backup[]>([], { name: 'backups' });
   readonly #removed = signal<readonly Backup[]>([], { name: 'removed' });
   readonly list: ReadonlySignal<readonly Backup[]> = this.#list;
-  /** Taken out of the list, and not deleted yet. */
+  /** Removed from the list, and not deleted yet. */
   readonly removed: ReadonlySignal<readonly Backup[]> = this.#removed;
   readonly #keeper: Keeper<Backup>;
   readonly #modelOf: () => string | null;
   #deleting: ReturnType<typeof setTimeout> | undefined;
   #last = 0;
 
-  /** @param modelOf the id of the model whose timer is connected; null where that is not known. */
+  /** @param modelOf gives the id of the connected timer's model; null when it is not known. */
   constructor(keeper: Keeper<Backup>, modelOf: () => string | null = () => null) {
     this.#keeper = keeper;
     this.#modelOf = modelOf;
   }
 
-  /** Reads what is kept, beside what has been added meanwhile. A browser that keeps nothing has none. */
+  /**
+   * Reads the stored backups, in addition to those added in the meantime.
+   * Where the browser keeps nothing there are none.
+   */
   async load(): Promise<void> {
     const kept = await this.#keeper.all().catch(() => []);
     this.#list.value = this.#listed([...kept, ...this.list.value]);
@@ -32,11 +35,11 @@ export class Backups {
   }
 
   /**
-   * Keeps a copy; it is in the list at once, and for good when the promise settles.
-   * @throws what the storage says when it keeps nothing.
+   * Keeps a copy. It is in the list at once, and stored when the promise settles.
+   * @throws the error of the storage when it keeps nothing.
    */
   async add(program: TimerProgram, reason: Backup['reason'], simulated: boolean, savedAt = Date.now()): Promise<void> {
-    // Several in one millisecond keep their order.
+    // Backups of the same millisecond keep their order.
     this.#last = Math.max(this.#last + 1, savedAt);
     const key = `${new Date(this.#last).toISOString()}/${program.memory ?? '?'}`;
     const model = this.#modelOf();
@@ -47,7 +50,7 @@ export class Backups {
   }
 
   /**
-   * By now it is known whose timer it is that was there when these were kept.
+   * The model is now known to which the timer belongs: notes it in the backups of this connection.
    * @param since milliseconds since 1970.
    */
   assign(model: string, since: number, simulated: boolean): void {
@@ -60,7 +63,7 @@ export class Backups {
     for (const backup of own) void this.#keeper.save(backup).catch(() => {});
   }
 
-  /** Takes some out of the list, and deletes them for good when nobody has put them back for ten seconds. */
+  /** Removes some from the list, and deletes them for good after ten seconds, unless somebody puts them back. */
   remove(backups: readonly Backup[]): void {
     clearTimeout(this.#deleting);
     this.#removed.value = [...this.removed.value, ...backups];
@@ -68,7 +71,7 @@ export class Backups {
     this.#deleting = setTimeout(() => this.flush(), UNDO_WAIT);
   }
 
-  /** Puts back what was taken out, as long as it has not been deleted. */
+  /** Puts removed backups back, if they are not deleted yet. */
   undoRemove(): void {
     clearTimeout(this.#deleting);
     const all = [...this.list.value, ...this.removed.value];
@@ -76,16 +79,16 @@ export class Backups {
     this.#list.value = this.#listed(all);
   }
 
-  /** Deletes for good what was taken out: the time to put it back is over, or the page is left. */
+  /** Deletes the removed backups for good: the ten seconds are over, or the pilot leaves the page. */
   flush(): void {
     clearTimeout(this.#deleting);
     const { value } = this.removed;
     this.#removed.value = [];
-    // What was never kept need not be removed.
+    // A backup that was never stored need not be deleted.
     for (const { key } of value) void this.#keeper.remove(key).catch(() => {});
   }
 
-  /** Deletes for good what need not be kept any more. What cannot be deleted now is deleted another time. */
+  /** Deletes the outdated backups for good. What cannot be deleted now is deleted another time. */
   #thin(): void {
     const gone = new Set(outdated(this.#list.peek(), Date.now()));
     if (gone.size === 0) return;
@@ -93,7 +96,7 @@ export class Backups {
     for (const { key } of gone) void this.#keeper.remove(key).catch(() => {});
   }
 
-  /** Newest first, each once, without those that were taken out. */
+  /** Newest first, each once, without removed ones. */
   #listed(backups: readonly Backup[]): Backup[] {
     const all = new Map(backups.map((backup) => [backup.key, backup]));
     for (const { key } of this.removed.value) all.delete(key);

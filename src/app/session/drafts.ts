@@ -6,31 +6,31 @@ import type { EditorContent } from '../editing/editor.js';
 import type { Draft, Keeper } from '../storage/index.js';
 import { programKey, workKey } from './record-keys.js';
 
-/** In the place of a key, before it is known under which number this tab keeps its work. */
+/** In place of a key, until it is known under which number this tab keeps its work. */
 const EARLY = '';
-/** So long a browser has at most to clear a closed tab away, in milliseconds. */
+/** How long a browser may take to clear a closed tab away, in milliseconds. */
 const CLEARING_WAIT = 30_000;
 
 /**
- * What a pilot works on, with what can be undone, by kind of timer, memory and tab: through a reload or a crash where
- * the browser keeps anything, else for as long as the page is open. What was left in a tab that is closed falls to the
- * next one that needs it.
+ * What a pilot works on, with its undo history, by kind of timer, memory and tab. It survives a reload or a crash where
+ * the browser keeps anything; else it lasts as long as the page. The work of a closed tab goes to the next tab that
+ * needs it.
  */
 export class Drafts {
   readonly #shelf: Keeper<Draft>;
   readonly #tab: TabNumber;
   readonly #open = new Map<string, Draft>();
-  /** Under these keys it is known what was kept before. */
+  /** The keys for which it is known what the storage held. */
   readonly #seen = new Set<string>();
   readonly #begun: Promise<void>;
   #begin: () => void = () => {};
-  /** What was to be kept before it was known under which number. */
+  /** Work to keep once the number of this tab is known. */
   #early: (() => void) | null = null;
   #hasBegun = false;
   #saving: Promise<unknown> = Promise.resolve();
-  /** What this page has and the storage has not, by key. */
+  /** The keys of drafts that this page has and the storage does not. */
   readonly #unsaved = signal<ReadonlySet<string>>(new Set(), { name: 'unsaved' });
-  /** Whether all that was typed would be there after a reload. */
+  /** Whether everything that was typed would survive a reload. */
   readonly kept: ReadonlySignal<boolean> = computed(() => this.#unsaved.value.size === 0);
 
   constructor(shelf: Keeper<Draft>, tab: TabNumber) {
@@ -42,9 +42,8 @@ export class Drafts {
   }
 
   /**
-   * The one that was worked on last and was not written: in this tab, else in one that is closed. From its end on this
-   * tab has its number.
-   * @param wanted asked when it was found, which may take its time: whether it still has a place.
+   * The latest unwritten draft: of this tab, else of a closed one. Afterwards this tab has its number.
+   * @param wanted asked once it is found, which may take time: whether there is still a place for it.
    */
   async latest(wanted: () => boolean): Promise<Draft | undefined> {
     await this.#tab.takeBefore();
@@ -61,9 +60,9 @@ export class Drafts {
   }
 
   /**
-   * Waits a while for one of the tabs that seem to be open and have edits: a tab that has just been closed may have its
-   * number until the browser has cleared it away.
-   * @param wanted as in {@link latest}, which was asked before.
+   * Waits a while for a tab that seems to be open and has edits: a tab that was just closed may have its number until
+   * the browser has cleared it away.
+   * @param wanted as in {@link latest}, which comes first.
    */
   async leftBehind(wanted: () => boolean): Promise<Draft | undefined> {
     const stop = new AbortController();
@@ -79,9 +78,9 @@ export class Drafts {
     );
     clearTimeout(giveUp);
     stop.abort();
-    // Looked for afresh: the tab may have kept something as it was closed.
+    // Read again: the tab may have stored something while it was closing.
     const edited = isAny ? (await this.#all()).filter(isEdited) : [];
-    // Work that this tab has begun meanwhile is not buried under it.
+    // It must not cover work that this tab has begun in the meantime.
     if (this.#open.size > 0 || edited.some(({ tab }) => tab === this.#tab.value)) return undefined;
     for (const draft of edited) {
       if (await this.#tab.isFree(draft.tab)) return wanted() ? this.#found(draft) : undefined;
@@ -90,8 +89,8 @@ export class Drafts {
   }
 
   /**
-   * What is kept of the work on a program like this.
-   * @param inherit another tab has left its timer to this one: its edits come along.
+   * The stored work on a program like this one.
+   * @param inherit another tab has given its timer to this one: takes its edits, too.
    */
   async of(program: TimerProgram, simulated: boolean, inherit = false): Promise<Draft | undefined> {
     await this.#begun;
@@ -108,7 +107,7 @@ export class Drafts {
     return undefined;
   }
 
-  /** All that has a place on the screen and is no other tab's, the latest first. */
+  /** All drafts that can be shown and belong to no other tab, the latest first. */
   async available(): Promise<Draft[]> {
     await this.#begun;
     await this.#saving;
@@ -120,12 +119,12 @@ export class Drafts {
     return free;
   }
 
-  /** Under what the work on such a program is kept in this tab. */
+  /** The key under which this tab keeps its work on such a program. */
   keyOf(program: TimerProgram, simulated: boolean): string {
     return workKey(program, simulated, this.#tab.value);
   }
 
-  /** What was kept comes to the screen: it is the work of this tab from now on. */
+  /** A draft comes to the screen: from now on it is the work of this tab. */
   take(draft: Draft): Draft {
     return this.#found(draft);
   }
@@ -134,19 +133,19 @@ export class Drafts {
   shelve(madeAt: number): void {
     const draft = [...this.#open.values()].find((each) => each.madeAt === madeAt);
     if (!draft) return;
-    // What the library holds need not be kept twice.
+    // Something that the library holds need not be kept twice.
     if (!isEdited(draft)) return void this.remove(draft);
     const shelved = { ...draft, shelved: true };
     this.#open.set(draft.key, shelved);
     this.#keep(shelved);
   }
 
-  /** What is kept of changes of a setting that were not saved: in this tab, or in one that is closed. */
+  /** The stored, unsaved changes of a setting: of this tab, or of a closed one. */
   async ofSetting(id: string): Promise<Draft | undefined> {
     return (await this.available()).find((draft) => draft.madeAt !== undefined && draft.of?.id === id);
   }
 
-  /** What was kept is deleted for good. */
+  /** Deletes a draft for good. */
   async remove({ key }: Draft): Promise<void> {
     this.#open.delete(key);
     this.#note(key, true);
@@ -154,14 +153,14 @@ export class Drafts {
     await this.#saving;
   }
 
-  /** Takes over what was found among all that are kept: nothing else that was edited lies in its new place. */
+  /** Takes over a draft that was found among all: its new place holds no other edits. */
   #found(draft: Draft): Draft {
     const own = this.#adopt(draft);
     this.#seen.add(own.key);
     return own;
   }
 
-  /** Takes a draft over into this tab; an open one that had it keeps it too. */
+  /** Takes a draft over into this tab. An open tab that had it keeps it, too. */
   #adopt(draft: Draft): Draft {
     const tab = this.#tab.value;
     const key = workKey(draft.working, draft.simulated, tab, draft.madeAt);
@@ -178,15 +177,13 @@ export class Drafts {
     return own;
   }
 
-  /** All that are kept, the latest first; none where the browser does not give them. */
+  /** All drafts, the latest first; none where the browser does not give them. */
   async #all(): Promise<Draft[]> {
     const all = await this.#shelf.all().catch((): Draft[] => []);
     return all.sort((a, b) => b.savedAt - a.savedAt);
   }
 
-  /**
-   * Keeps what is on the screen while there is anything to bring back, or to undo, and forgets it when there is not.
-   */
+  /** Keeps the content of the screen while it has anything to bring back or to undo; forgets it when it has not. */
   readonly keep = (content: EditorContent & Pick<Draft, 'model'>, simulated: boolean): void => {
     if (!this.#hasBegun) {
       this.#early = () => this.keep(content, simulated);
@@ -208,13 +205,12 @@ export class Drafts {
   };
 
   /**
-   * The page is left, or may be: what waits for its turn is kept at once, for nothing may come back any more that ends
-   * the waiting.
+   * The pilot leaves the page, or may leave it: keeps at once what was waiting, because a timer may never fire again.
    */
   flush(): void {
     for (const key of this.#unsaved.peek()) {
       const draft = this.#open.get(key);
-      // What may lie there unseen is not overwritten.
+      // Does not overwrite something that was never read.
       if (draft && this.#seen.has(key)) void this.#shelf.save(draft, true).catch(() => {});
     }
   }
@@ -230,7 +226,7 @@ export class Drafts {
   #keep(draft: Draft): void {
     this.#note(draft.key, false);
     this.#then(async () => {
-      // One that has been followed by another before its turn has come is not saved.
+      // A newer draft has taken its place before its turn came, so it is not saved.
       if (this.#open.get(draft.key) !== draft) return;
       await this.#save(draft);
       if (this.#open.get(draft.key) === draft) this.#note(draft.key, true);
@@ -251,10 +247,7 @@ export class Drafts {
     return draft;
   }
 
-  /**
-   * What the browser did not give back when it was asked for is not overwritten: it is kept as the work of a tab that
-   * is closed.
-   */
+  /** When the browser failed to give a draft, it must not be overwritten: it is kept as the work of a closed tab. */
   async #save(draft: Draft): Promise<void> {
     const unseen = this.#seen.has(draft.key) ? undefined : await this.#load(draft.key);
     if (unseen && isEdited(unseen) && !sameWork(unseen, draft)) {
@@ -265,7 +258,7 @@ export class Drafts {
     await this.#shelf.save(draft);
   }
 
-  /** One thing after another. That the browser does not keep something it says itself, see `Keeping`. */
+  /** One after another. `Keeping` reports what the browser does not keep. */
   #then(work: () => Promise<unknown>): void {
     this.#saving = this.#saving.then(work).catch(() => {});
   }
@@ -275,7 +268,7 @@ function sameWork(a: Draft, b: Draft): boolean {
   return differences(a.working, b.working).length === 0 && JSON.stringify(a.texts) === JSON.stringify(b.texts);
 }
 
-/** Whether it comes to the screen again by itself. */
+/** Whether it comes back to the screen without being asked for. */
 function isOpen(draft: Draft): boolean {
   return (isEdited(draft) || draft.madeAt !== undefined) && !draft.shelved;
 }

@@ -16,7 +16,7 @@ export type Offer =
       readonly part: PartOfWrite;
       readonly read: TimerProgram;
     }
-  /** A write into another memory: what became of it can be seen when that is current. */
+  /** A write into another memory. What became of it shows once that memory is current. */
   | { readonly kind: 'elsewhere'; readonly record: UnfinishedWrite; readonly memory: number }
   /** A memory round trip that did not come back to the original. */
   | { readonly kind: 'memories'; readonly record: UnfinishedRoundTrip; readonly current: number | null };
@@ -27,16 +27,16 @@ interface Reading {
 }
 
 /**
- * What can be done about a job that was cut off. Nothing identifies a timer, so whoever meets one of the same kind is
- * told what a fresh read explains, and decides. What is not known of a timer is no matter of an offer: that is told by
- * {@link Knowledge}.
+ * What can be done about an interrupted job. Nothing identifies a timer, so with any timer of the same kind the page
+ * shows what a fresh read explains, and the pilot decides. What is not known about a timer is no part of the offer:
+ * {@link Knowledge} has that.
  */
 export class InterruptedJobs {
-  /** Derived from the records and from what was read last. */
+  /** Derived from the records and the last reading. */
   readonly offer: ReadonlySignal<Offer | null>;
-  /** The last reading of the timer at hand; null before there is one. */
+  /** The last reading of the connected timer; null before there is one. */
   readonly #reading = signal<Reading | null>(null, { name: 'reading' });
-  /** Round trips that the pilot does not want to hear of while this timer is connected. */
+  /** Round trips about which the pilot wants to hear nothing while this timer is connected. */
   readonly #notNow = signal<ReadonlySet<string>>(new Set(), { name: 'notNow' });
   readonly #records: UnfinishedRecords;
   readonly #knowledge: Knowledge;
@@ -53,7 +53,7 @@ export class InterruptedJobs {
   }
 
   /**
-   * Keeps the goal of a write and a backup of what the timer holds. To be waited for before the first byte goes out.
+   * Keeps the goal of a write and a backup of what the timer holds. Wait for it before the first byte goes out.
    * @returns false when the browser keeps nothing: then only this page remembers.
    */
   async begin(before: TimerProgram, goal: TimerProgram, simulated: boolean): Promise<boolean> {
@@ -66,18 +66,18 @@ export class InterruptedJobs {
     return kept.every(Boolean);
   }
 
-  /** Notes which memory is current before a round trip through them begins; as {@link begin}. */
+  /** Notes which memory is current before a round trip begins; as {@link begin}. */
   async leave(identity: Identity, original: number, simulated: boolean): Promise<boolean> {
     const key = kindKey(identity, simulated);
     return await this.#records.save({ kind: 'memories', key, startedAt: Date.now(), identity, original });
   }
 
-  /** The memory that was current before the round trip is current again. */
+  /** The memory from before the round trip is current again. */
   async wasRestored(identity: Identity, simulated: boolean): Promise<void> {
     await this.#records.remove(kindKey(identity, simulated));
   }
 
-  /** The current memory was read: is there something that an earlier job left behind? */
+  /** The current memory was read: looks for what an earlier job may have left behind. */
   wasRead(read: TimerProgram, simulated: boolean): void {
     this.#reading.value = { read, simulated };
     const trip = this.#roundTripOf(read.identity, simulated);
@@ -85,8 +85,8 @@ export class InterruptedJobs {
   }
 
   /**
-   * This is another timer than the one of the interrupted job: said no more while it is connected, and kept for the
-   * right one.
+   * This is another timer than that of the interrupted job. The record is kept for the right one and not shown while
+   * this timer is connected.
    */
   setAside(): void {
     const { value } = this.offer;
@@ -96,19 +96,19 @@ export class InterruptedJobs {
     else this.#notNow.value = new Set(this.#notNow.value).add(key);
   }
 
-  /** A timer was connected, or disconnected: the next one may be any. */
+  /** A timer was connected or disconnected: the next one may be another. */
   anotherTimer(): void {
     this.#notNow.value = new Set();
     this.#reading.value = null;
   }
 
-  /** What was left behind is dealt with, or shall stay as it is. The backup stays. */
+  /** The pilot has dealt with it, or wants to leave it as it is. The backup stays. */
   async settle(): Promise<void> {
     const { value } = this.offer;
     if (value) await this.#knowledge.forget(value.record.key);
   }
 
-  /** A new simulated timer knows nothing of the one before. */
+  /** A new simulated timer knows nothing about the one before. */
   async forgetSimulated(): Promise<void> {
     await this.#records.refresh();
     const old = this.#records.list.value.filter(isSimulated);

@@ -7,34 +7,34 @@ import type { Notices } from './notices.js';
 import type { Safety } from './safety.js';
 
 /**
- * What a job does: the bench moves servos or motor, `look` reads another memory, `memories` several, `frame` is one
- * sent by hand.
+ * The kinds of jobs. `bench` moves servos or motor, `look` reads another memory, `memories` works on several, `frame`
+ * sends a frame by hand.
  */
 export type JobKind = 'read' | 'select' | 'look' | 'write' | 'memories' | 'bench' | 'frame';
 
-/** A job on the wire, as it is seen from outside. */
+/** A job on the wire, as others see it. */
 export interface Job {
   readonly kind: JobKind;
-  /** The memory that is being made current, or looked at, counted from 0; null when the job is another. */
+  /** The memory that is being selected or looked at, counted from 0; null in any other job. */
   readonly memory: number | null;
   readonly progress: Progress | null;
-  /** It was asked to stop; the request under way comes to its end. */
+  /** Whether it was asked to stop. The request in progress still comes to its end. */
   readonly stopping: boolean;
-  /** It waits for the pilot's answer, and nothing moves on the wire: see {@link JobContext.ask}. */
+  /** Whether it waits for the pilot's answer, with nothing moving on the wire: see {@link JobContext.ask}. */
   readonly asking: boolean;
 }
 
-/** What a job is handed: the way to stop it, the ear for how far it has come, and what makes sure that it may go on. */
+/** What a job gets: a signal to stop, a way to report progress, and checks whether it may go on. */
 export interface JobContext {
   readonly signal: AbortSignal;
   readonly onProgress: (progress: Progress) => void;
   /**
-   * To be called after whatever was waited for, before the next byte: the world may have changed meanwhile.
+   * Call it after every wait and before the next byte: the world may have changed.
    * @throws TimerError `closed` when the connection is no longer the one on which the job began; `aborted` when the
-   * pilot has asked to stop, or has taken back that it is safe.
+   * pilot has asked to stop, or no longer says that it is safe.
    */
   readonly stillOn: () => void;
-  /** Waits until the pilot has said whether to go on. A lost connection, or a stop, is a no. */
+  /** Asks the pilot whether to go on, and waits. A lost connection or a stop counts as no. */
   readonly ask: () => Promise<boolean>;
 }
 
@@ -43,13 +43,13 @@ export type JobEnd<T> =
   | { readonly good: true; readonly value: T }
   | {
       readonly good: false;
-      /** What ended it; null when it did not begin, since another one holds the wire or there is none. */
+      /** What ended it; null when it did not begin, because another job has the wire or no timer is connected. */
       readonly error: unknown;
-      /** The connection is gone, or is another: that says so itself, once. */
+      /** Whether the connection was lost or replaced. That is reported once, elsewhere. */
       readonly lost: boolean;
     };
 
-/** What is done on the connection on which a job began. */
+/** The work of a job, on the connection on which it began. */
 export type Work<T> = (connection: TimerConnection, options: JobContext) => Promise<T>;
 
 interface RunnerOptions {
@@ -59,28 +59,28 @@ interface RunnerOptions {
   readonly knowledge: Knowledge;
 }
 
-/** Jobs that change what a timer holds, or which memory is current: not to be cut off in the middle. */
+/** Jobs that change what a timer holds, or which memory is current. They must not be cut off. */
 const WRITING: ReadonlySet<JobKind> = new Set(['write', 'memories']);
 
 /**
- * The one owner of the wire: every byte that goes to a timer after the connecting belongs to one of its jobs, and there
- * is one at a time.
+ * The one owner of the wire. Every byte to a timer after connecting belongs to one of its jobs,
+ * and there is one job at a time.
  */
 export class JobRunner {
   readonly #job = signal<Job | null>(null, { name: 'job' });
   readonly #claims = signal<ReadonlySet<object>>(new Set(), { name: 'claims' });
-  /** The job under way. */
+  /** The job in progress. */
   readonly job: ReadonlySignal<Job | null> = this.#job;
-  /** A job, or the way to a timer, holds the wire. */
+  /** Whether a job, or connecting, has the wire. */
   readonly busy: ReadonlySignal<boolean>;
-  /** A timer is connected, and nothing holds the wire. */
+  /** Whether a timer is connected and nothing has the wire. */
   readonly ready: ReadonlySignal<boolean>;
-  /** Bytes move that must not be cut off: by leaving the page, or for another tab. */
+  /** Whether bytes move that must not be cut off, by leaving the page or for another tab. */
   readonly writing: ReadonlySignal<boolean> = computed(() => {
     const job = this.#job.value;
     return job !== null && WRITING.has(job.kind) && !job.asking;
   });
-  /** A dialog shows what is about to be sent, or what became of it: the bench sends nothing behind it. */
+  /** Whether a dialog shows what is about to be sent, or its result. Then the bench sends nothing. */
   readonly claimed: ReadonlySignal<boolean> = computed(() => this.#claims.value.size > 0);
   readonly #link: Link;
   readonly #safety: Safety;
@@ -99,9 +99,9 @@ export class JobRunner {
   }
 
   /**
-   * Runs one job and says what went wrong with it. A timer that no longer answers is waited for.
+   * Runs one job and reports what went wrong. If the timer no longer answers, the link waits for it.
    * @param memory see {@link Job.memory}.
-   * @returns whether it came to its end.
+   * @returns whether it succeeded.
    */
   async run(kind: JobKind, work: Work<void>, memory: number | null = null): Promise<boolean> {
     const end = await this.perform(kind, work, memory);
@@ -109,9 +109,7 @@ export class JobRunner {
     return end.good;
   }
 
-  /**
-   * Runs one job, bound to the connection on which it begins, and hands back how it ended; whoever calls it says so.
-   */
+  /** Runs one job on the present connection and returns how it ended. The caller reports that. */
   async perform<T>(kind: JobKind, work: Work<T>, memory: number | null = null): Promise<JobEnd<T>> {
     const connection = this.#link.connection.value;
     if (!connection || this.busy.value) return { good: false, error: null, lost: connection === null };
@@ -126,7 +124,7 @@ export class JobRunner {
       return { good: true, value };
     } catch (error) {
       const lost = this.#link.connection.value !== connection;
-      // The head must not go on naming a timer that is no longer there: whoever answers is asked what it is, and read.
+      // The head must not show a timer that is gone: asks the one that answers for its identity, and reads it.
       if (!lost && error instanceof TimerError && error.code === 'other-timer') this.#link.recheck();
       return { good: false, error, lost };
     } finally {
@@ -137,8 +135,8 @@ export class JobRunner {
   }
 
   /**
-   * Says what ended a job, unless the connection did: that says so itself. That another memory was left current is said
-   * in any case.
+   * Reports what ended a job. A lost connection is reported elsewhere, but that another memory was left current is
+   * reported in any case.
    */
   report(end: JobEnd<unknown>): void {
     if (end.good || end.error === null) return;
@@ -147,8 +145,8 @@ export class JobRunner {
   }
 
   /**
-   * Asks the job under way to stop, if there is one; one that has asked the pilot takes it for a no.
-   * @returns when there is none any more.
+   * Asks the job in progress to stop, if there is one. A job that has asked the pilot takes it for a no.
+   * @returns a promise that settles when no job is left.
    */
   stop(): Promise<void> {
     if (this.#answer) this.answer(false);
@@ -164,7 +162,7 @@ export class JobRunner {
     answer?.(goOn);
   }
 
-  /** Settles when no job is under way, and whoever began the last one has taken it in. */
+  /** Settles when no job is in progress and the caller of the last one has its result. */
   ended(): Promise<void> {
     return new Promise((resolve) => {
       const stop = effect(() => {
@@ -178,15 +176,14 @@ export class JobRunner {
   }
 
   /**
-   * The connection has come to its end: what is under way ends. A write tells what became of it by how the connection
-   * failed.
+   * The connection has ended, so the job in progress ends. How the connection failed tells a write what became of it.
    */
   connectionOver(): void {
     if (this.#answer) this.answer(false);
     if (this.#job.peek()?.kind !== 'write') this.#abort();
   }
 
-  /** @param on whether the owner shows what is about to be sent, or what became of it. */
+  /** @param on whether the owner shows what is about to be sent, or its result. */
   claim(owner: object, on: boolean): void {
     if (this.#claims.peek().has(owner) === on) return;
     const claims = new Set(this.#claims.peek());
@@ -230,7 +227,7 @@ export class JobRunner {
   }
 }
 
-/** What ended a job, by code; a job that was stopped since the connection is gone was not stopped by the pilot. */
+/** The code of what ended a job. A job that stopped because the connection was lost was not stopped by the pilot. */
 export function stoppedBy({ error, lost }: Extract<JobEnd<unknown>, { good: false }>): TimerErrorCode | 'unexpected' {
   // It did not even begin.
   if (error === null) return 'closed';

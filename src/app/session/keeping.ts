@@ -3,15 +3,15 @@ import type { Lack } from '../browser/doors.js';
 import type { TabNumber } from '../browser/tab-number.js';
 import type { StorageCall, StorageErrorCode, StorageWatch } from '../storage/index.js';
 
-/** What the browser keeps for this page, by what it does: each call of the storage is told here. */
+/** What the browser keeps for this page, judged by what it does: each call of the storage reports here. */
 export class Keeping implements StorageWatch {
-  /** Why nothing is kept, or given back, just now; null while all is well. */
+  /** Why nothing is stored or given back at present; null while all is well. */
   readonly storage: ReadonlySignal<StorageErrorCode | null>;
   /** What else this browser does not have. */
   readonly lacks: ReadonlySignal<readonly Lack[]>;
-  /** Whether the pilot has been told of all that is wrong, and does not want to see it any longer. */
+  /** Whether the pilot has read about everything that is wrong, and wants to see it no longer. */
   readonly dismissed: ReadonlySignal<boolean>;
-  /** What fails, by shelf and what it was asked for. */
+  /** What fails, by shelf and by what was asked of it. */
   readonly #failing = signal<ReadonlyMap<string, StorageErrorCode>>(new Map());
   readonly #lacks = signal<ReadonlySet<Lack>>(new Set());
   readonly #seen = signal('');
@@ -19,7 +19,7 @@ export class Keeping implements StorageWatch {
   #onKept: (() => void) | null = null;
   #onReturn: () => void = () => {};
 
-  /** @param lacks what was missing when the page was opened. */
+  /** @param lacks what was missing when the page opened. */
   constructor(tab: TabNumber, lacks: readonly Lack[] = []) {
     this.#lacks.value = new Set(lacks);
     this.storage = computed(() => [...this.#failing.value.values()][0] ?? null);
@@ -35,7 +35,7 @@ export class Keeping implements StorageWatch {
     }
     const failing = new Map(this.#failing.peek());
     const wasShut = failing.delete(`${shelf} read`);
-    // What can be changed can be read.
+    // A shelf that can be changed can also be read.
     const wasStuck = kind === 'change' && failing.delete(`${shelf} change`);
     if (!wasShut && !wasStuck) return;
     this.#failing.value = failing;
@@ -60,7 +60,7 @@ export class Keeping implements StorageWatch {
     this.#seen.value = this.#now.value;
   }
 
-  /** Calls back each time the storage does again what it did not before. */
+  /** Calls back each time that the storage works again after a failure. */
   onReturn(callback: () => void): void {
     this.#onReturn = callback;
   }

@@ -2,10 +2,10 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Draft } from '../storage/index.js';
 import type { Drafts } from './drafts.js';
 
-/** What a pilot has worked on and this device keeps: programs that were made here, and changes that no timer has. */
+/** The pilot's work on this device: programs that were made here, and changes that are in no timer. */
 export class KeptPrograms {
   readonly #list = signal<readonly Draft[]>([], { name: 'keptPrograms' });
-  /** The latest first, as it was when it was looked for last. */
+  /** The latest first, as of the last look. */
   readonly list: ReadonlySignal<readonly Draft[]> = this.#list;
   readonly #drafts: Drafts;
 
@@ -13,12 +13,12 @@ export class KeptPrograms {
     this.#drafts = drafts;
   }
 
-  /** Looks what is kept. A browser that keeps nothing has none. */
+  /** Looks up what is kept. Where the browser keeps nothing there is none. */
   async load(): Promise<void> {
     this.#list.value = await this.#drafts.available();
   }
 
-  /** It comes to the screen. */
+  /** Brings one to the screen. */
   take(draft: Draft): Draft {
     return this.#drafts.take(draft);
   }

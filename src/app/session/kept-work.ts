@@ -3,19 +3,19 @@ import { isMoving } from '../editing/history.js';
 import type { Drafts } from './drafts.js';
 import type { Session } from './session.js';
 
-/** Milliseconds between two looks at what is kept, when something came back during the first. */
+/** How long to wait before looking again, when something came back during the first look. Milliseconds. */
 const LOOK_AGAIN = 1000;
 
-/** While a handle is moved there is a new value at each frame: one may wait so long to be kept, in milliseconds. */
+/** While a handle moves, each frame has a new value. How long a value may wait until it is kept, in milliseconds. */
 const MOVING_WAIT = 500;
 
-/** What the pilot works on is kept as it is typed; what a reload or a crash has interrupted is brought back. */
+/** Keeps the pilot's work while it is typed, and brings back what a reload or a crash has interrupted. */
 export class KeptWork {
   /** Whether all that was typed would be there after a reload. */
   readonly kept: ReadonlySignal<boolean>;
   readonly #session: Session;
   readonly #drafts: Drafts;
-  /** Keeps what is on the screen, where that waits until a handle is let go. */
+  /** Keeps the content of the screen, when that waits for the release of a handle. */
   #late: (() => void) | null = null;
   #lateTimer: ReturnType<typeof setTimeout> | undefined;
   #looking: Promise<void> | null = null;
@@ -27,7 +27,7 @@ export class KeptWork {
     this.kept = drafts.kept;
   }
 
-  /** Keeps from now on what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
+  /** From now on keeps what is typed, and brings back what was interrupted. Nothing on the screen waits for it. */
   async start(): Promise<void> {
     const { editor, standing, onScreen, origin } = this.#session;
     effect(() => {
@@ -43,7 +43,7 @@ export class KeptWork {
     await this.bringBack();
   }
 
-  /** Keeps at once what was typed: the page is left, or may be. */
+  /** The pilot leaves the page, or may leave it: keeps at once what was typed. */
   keepNow(): void {
     this.#keepLate();
     this.#drafts.flush();
@@ -56,15 +56,13 @@ export class KeptWork {
     this.#late = null;
   }
 
-  /**
-   * Takes in what is kept, as far as it is not known yet, and where the pilot has not begun something else meanwhile.
-   */
+  /** Reads what is kept, unless it is known already, and unless the pilot has begun something else. */
   bringBack(): Promise<void> {
-    // One look at a time; what comes back meanwhile is looked for once more.
+    // One look at a time. What comes back during a look needs another one.
     this.#lookAgain = this.#looking !== null;
     this.#looking ??= this.#bringBack().finally(() => {
       this.#looking = null;
-      // Not at once: a shelf that answers one call and fails another would keep the page busy for ever.
+      // Not at once: a shelf that answers one call and fails the next would keep the page busy for ever.
       if (this.#lookAgain) setTimeout(() => void this.bringBack(), LOOK_AGAIN);
     });
     return this.#looking;
@@ -72,7 +70,7 @@ export class KeptWork {
 
   async #bringBack(): Promise<void> {
     const { knowledge, backups, link, aside, library } = this.#session;
-    // What other tabs have under way is told by the number of this one, which comes with the edits.
+    // To know what other tabs have in progress, this tab needs its number, which comes with the edits.
     const known = this.#bringBackEdits().then(() => knowledge.refresh());
     await Promise.all([known, backups.load(), link.start()]);
     this.#drafts.keepAgain();

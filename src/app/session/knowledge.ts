@@ -6,7 +6,7 @@ import type { Known, Uncertain } from './known.js';
 import { programKey } from './record-keys.js';
 import type { UnfinishedRecords } from './unfinished.js';
 
-/** The timer that is connected, or that the program on the screen came from. */
+/** The connected timer, or the one from which the program on the screen came. */
 export interface TimerAtHand {
   readonly identity: Identity;
   readonly simulated: boolean;
@@ -14,38 +14,39 @@ export interface TimerAtHand {
 
 type Reading = Extract<Known, { state: 'read' }>;
 
-/** A fresh reading of a memory of the timer at hand. */
+/** A fresh reading of a memory of the connected timer. */
 export interface FreshReading {
   readonly program: TimerProgram;
   /** Milliseconds since 1970. */
   readonly at: number;
-  /** It holds what it held when this page read it last, or what this page has written since. */
+  /** Whether it holds what this page last read from it, or has written since. */
   readonly expected: boolean;
 }
 
 /**
- * What is known of what timers hold: the one truth from which every word about a timer is derived.
+ * What is known about the content of timers. Every statement about a timer is derived from this alone.
  *
- * A change begins with {@link begin}, before its first byte: from then on there is a record of it, in the browser's
- * storage too. While the change is under way nothing is said. It ends in one of two ways: {@link read} or
- * {@link ended}, when a fresh reading has shown what came of it; else {@link cut}, and the memory is uncertain. That
- * outlives everything but a fresh reading which explains it, or the pilot's word ({@link forget}). A page that crashes
- * in between leaves a record behind, which says the same.
+ * A change begins with {@link begin}, before its first byte. From then on there is a record of it, also in the
+ * browser's storage. While the change is in progress nothing is reported. It ends in one of two ways. With {@link read}
+ * or {@link ended}: a fresh reading has shown the result. With {@link cut}: the memory is uncertain, until a fresh
+ * reading explains it or the pilot settles it ({@link forget}). A page that crashes in between leaves its record, which
+ * means the same.
  */
 export class Knowledge {
-  /**
-   * All memories of which it is not known what they hold, of every timer that this browser knows of; the latest first.
-   */
+  /** All memories with uncertain content, of every timer that this browser knows; the latest first. */
   readonly uncertain: ReadonlySignal<readonly Uncertain[]>;
-  /** Records of writes that were cut off; also those that a reading has explained, as long as they can be finished. */
+  /** The records of interrupted writes, also of those that a reading has explained, as long as they can be finished. */
   readonly writes: ReadonlySignal<readonly UnfinishedWrite[]>;
   readonly #records: UnfinishedRecords;
   readonly #timer: ReadonlySignal<TimerAtHand | null>;
   readonly #tab: () => number;
   readonly #readings = signal<ReadonlyMap<string, Reading>>(new Map(), { name: 'readings' });
-  /** What this page has under way, by the key of its record: whether the timer has acknowledged all of it so far. */
+  /**
+   * The changes that this page has in progress, by the key of the record:
+   * whether the timer has acknowledged all so far.
+   */
   readonly #underWay = signal<ReadonlyMap<string, boolean>>(new Map(), { name: 'underWay' });
-  /** The pilot has said that the timer at hand is not the one of these records. */
+  /** Records of which the pilot has said that they belong to another timer than the connected one. */
   readonly #ofOthers = signal<ReadonlySet<string>>(new Set(), { name: 'ofOthers' });
   #lastStart = 0;
   #onRead: (reading: FreshReading) => void = () => {};
@@ -64,8 +65,8 @@ export class Knowledge {
   }
 
   /**
-   * What is known of a memory of the timer at hand.
-   * @param memory counted from 0; null where the timer does not say which is current.
+   * What is known about a memory of the connected timer.
+   * @param memory counted from 0; null when the timer does not say which is current.
    */
   of(memory: number | null): Known {
     const timer = this.#timer.value;
@@ -85,10 +86,11 @@ export class Knowledge {
   }
 
   /**
-   * A fresh reading of a memory of the timer at hand: it ends every uncertainty that it explains. What neither the
-   * state before a write nor its goal explains ends nothing: then the pilot has to say whether this is another timer.
-   * @param verified whether it is the reading back that equals the goal of a write.
-   * @returns `completed` when it shows that a write which was cut off has arrived whole.
+   * Takes in a fresh reading of a memory of the connected timer. It ends every uncertainty that it explains. A reading
+   * that neither the state before a write nor its goal explains ends nothing: the pilot has to say whether this is
+   * another timer.
+   * @param verified whether it is the read back of a write and equals its goal.
+   * @returns `completed` when it shows that an interrupted write has arrived completely.
    */
   read(program: TimerProgram, at = Date.now(), verified = false): 'completed' | null {
     const simulated = this.#timer.peek()?.simulated ?? false;
@@ -113,7 +115,10 @@ export class Knowledge {
     return completed;
   }
 
-  /** What an earlier page has read, as it was kept with the work on it. It explains nothing: no timer was asked. */
+  /**
+   * Takes in a reading of an earlier page, as it was stored with the work on it.
+   * It explains nothing, because no timer was asked.
+   */
   remember(program: TimerProgram, at: number): void {
     const key = programKey(program, this.#timer.peek()?.simulated ?? false);
     if (this.#readings.peek().has(key)) return;
@@ -121,9 +126,9 @@ export class Knowledge {
   }
 
   /**
-   * A change of a memory begins. To be waited for before the first byte of it goes out. A second one of the same
-   * memory, before the end of the first was seen, takes its place: `before` must be what the timer holds by then, as
-   * far as it has acknowledged it.
+   * Begins a change of a memory. Wait for it before its first byte goes out. A second change of the same memory
+   * replaces the first if nobody has seen the end of that; `before` must then be what the timer holds, as far as it has
+   * acknowledged it.
    * @returns false when the browser does not keep the record: then only this page remembers.
    */
   async begin(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
@@ -135,7 +140,7 @@ export class Knowledge {
     this.#lastStart = Math.max(Date.now(), this.#lastStart + 1);
     const startedAt = under?.startedAt ?? this.#lastStart;
     const key = under?.key ?? `${program}@${startedAt}`;
-    // What a reading has explained can no longer be finished: the memory is about to hold something else.
+    // A write that a reading has explained can no longer be finished: the memory is about to hold something else.
     const over = this.#recordsOf(program).filter((record) => record.key !== key && record.seenAt !== null);
     batch(() => {
       for (const record of over) void this.#records.remove(record.key);
@@ -154,8 +159,8 @@ export class Knowledge {
   }
 
   /**
-   * The timer has acknowledged all of the change that is under way in this memory. That is no reading: the record
-   * stays, and if the connection is lost before one, the memory is uncertain.
+   * The timer has acknowledged the whole change in this memory. That is no reading: the record stays, and if the
+   * connection is lost before a reading, the memory is uncertain.
    */
   acknowledged(memory: number | null): void {
     const keys = this.#underWayIn(memory);
@@ -163,16 +168,15 @@ export class Knowledge {
     this.#underWay.value = new Map([...this.#underWay.value, ...keys.map((key): [string, boolean] => [key, true])]);
   }
 
-  /** The end of a change was seen, or nothing of it was sent: what the memory holds is what its last reading gave. */
+  /** The end of a change was seen, or nothing was sent: the memory holds what its last reading gave. */
   async ended(before: TimerProgram): Promise<void> {
     const keys = this.#underWayIn(before.memory);
     await Promise.all(keys.map((key) => this.#drop(key)));
   }
 
   /**
-   * A change was sent, or may have been, and no reading has shown what came of it: the memory is uncertain from now on.
-   * Also for a single value without an answer (a position, the idle throttle), whether it was begun with {@link begin}
-   * or not.
+   * A change was sent, or may have been, and no reading has shown the result: the memory is uncertain from now on. Also
+   * for a single value without an answer (a position, the idle throttle), with or without {@link begin}.
    * @returns false when the browser does not keep it: then only this page remembers.
    */
   async cut(before: TimerProgram, goal: TimerProgram): Promise<boolean> {
@@ -180,20 +184,20 @@ export class Knowledge {
     return await this.#cutAll(this.#underWayIn(before.memory));
   }
 
-  /** A job has come to its end, well or not: what it began and nobody has seen the end of is cut off. */
+  /** A job has ended. Changes that it began, and whose end nobody has seen, are cut off. */
   jobOver(): void {
     void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => !acknowledged).map(([key]) => key));
   }
 
   /**
-   * The connection has come to its end: what was acknowledged and never read is cut off. A job that is at work comes to
-   * its own end.
+   * The connection has ended. Changes that were acknowledged but never read are cut off.
+   * A running job comes to its own end.
    */
   connectionOver(): void {
     void this.#cutAll([...this.#underWay.peek()].filter(([, acknowledged]) => acknowledged).map(([key]) => key));
   }
 
-  /** A timer was connected: it may be any. Nothing is known of it but what was cut off on one of its kind. */
+  /** A timer was connected; it may be any. Nothing is known about it but interrupted writes on timers of its kind. */
   anotherTimer(): void {
     batch(() => {
       this.#readings.value = new Map();
@@ -202,8 +206,8 @@ export class Knowledge {
   }
 
   /**
-   * By the pilot's word the timer at hand is not the one of this record: what was read of it explains nothing. Until
-   * the next connection.
+   * The pilot says that the connected timer is not the one of this record, so its readings explain nothing. Until the
+   * next connection.
    */
   notThisTimer(key: string): void {
     batch(() => {
@@ -213,20 +217,20 @@ export class Knowledge {
     });
   }
 
-  /** Whether the pilot has said that the timer at hand is not the one of this record. */
+  /** Whether the pilot has said that the connected timer is not the one of this record. */
   isOfOther(key: string): boolean {
     return this.#ofOthers.value.has(key);
   }
 
   /**
-   * By the pilot's word there is nothing more to find out about this record: read elsewhere, settled, or of a timer
-   * that is gone.
+   * The pilot says that nothing more can be found out about this record:
+   * it was read elsewhere or settled, or the timer is gone.
    */
   async forget(key: string): Promise<void> {
     await this.#drop(key);
   }
 
-  /** Looks again what other tabs and earlier pages have left behind. */
+  /** Looks again for what other tabs and earlier pages have left behind. */
   refresh(): Promise<void> {
     return this.#records.refresh();
   }
@@ -252,7 +256,7 @@ export class Knowledge {
     });
   }
 
-  /** @returns whether it was under way. */
+  /** @returns whether it was in progress. */
   #leave(key: string): boolean {
     const rest = new Map(this.#underWay.peek());
     const was = rest.delete(key);
@@ -272,13 +276,13 @@ export class Knowledge {
   }
 }
 
-/** An idle throttle that was not read of one of them says nothing. */
+/** An idle throttle that one of them does not know does not count. */
 function isSame(before: TimerProgram, now: TimerProgram): boolean {
   if (!sameLayout(before.identity, now.identity)) return false;
   return differences(before, now).every(({ from, to }) => from === null || to === null);
 }
 
-/** Whether a record is of the simulated timer. */
+/** Whether a record belongs to the simulated timer. */
 export function isSimulated({ key }: { readonly key: string }): boolean {
   return key.startsWith('simulated/');
 }

@@ -1,15 +1,15 @@
 import { type Change, differences, type ProgramField, type TimerProgram, valueAt } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 
-/** What is known of what one memory of the timer at hand holds. Times are milliseconds since 1970. */
+/** What is known about the content of one memory of the connected timer. Times are milliseconds since 1970. */
 export type Known =
   /** Nobody has read it since this timer was connected. */
   | { readonly state: 'unread' }
-  /** A reading gave all of it; `verified` when that was the reading back of a write. */
+  /** A complete reading; `verified` when it was the read back of a write. */
   | { readonly state: 'read'; readonly program: TimerProgram; readonly at: number; readonly verified: boolean }
   /**
-   * A write was cut off, and no reading since has shown what came of it: each field holds what it held before, or what
-   * it was to hold.
+   * A write was interrupted, and no reading has shown its result since:
+   * each field holds either its old or its wanted value.
    */
   | {
       readonly state: 'uncertain';
@@ -19,9 +19,9 @@ export type Known =
       readonly goal: TimerProgram;
     };
 
-/** A memory of some timer of which it is not known what it holds. */
+/** A memory of some timer whose content is uncertain. */
 export interface Uncertain {
-  /** Of the record that is kept of it. */
+  /** The key of its record. */
   readonly key: string;
   readonly identity: Identity;
   /** Counted from 0; null for a timer that does not say which memory is current. */
@@ -34,8 +34,8 @@ export interface Uncertain {
 }
 
 /**
- * What a field of a memory may hold, each value once: none when nothing is known, two when a write of it was cut off;
- * not one that was never read.
+ * The possible values of a field, each once: none when nothing is known, one after a reading, up to two after an
+ * interrupted write. A value that was never read is left out.
  */
 export function possibleValues(known: Known, field: ProgramField): readonly number[] {
   if (known.state === 'unread') return [];
@@ -43,10 +43,7 @@ export function possibleValues(known: Known, field: ProgramField): readonly numb
   return [...new Set(programs.map((program) => valueAt(program, field)).filter((value) => value !== null))];
 }
 
-/**
- * The values that are one or the other: what was to be changed. DT and the motor stop come first, as the first to look
- * at.
- */
+/** The fields that may have either of two values, DT and motor stop first. */
 export function openValues({ before, goal }: Pick<Uncertain, 'before' | 'goal'>): readonly Change[] {
   const { timerClass, functions } = before.identity;
   const rank = ({ field }: Change): number => {

@@ -3,10 +3,10 @@ import type { LineEntry } from '../../client/index.js';
 import { COMMANDS, type LayoutQuirks } from '../../protocol/index.js';
 import { isReplyToIdentify, type LineRecord, recorder } from './line-record.js';
 
-/** More than a pilot scrolls through, and little enough to keep for a whole day. */
+/** More than a pilot scrolls through, and few enough to keep the whole day. */
 const KEPT = 500;
 
-/** What was on the line since the log was cleared, also what is no longer kept. */
+/** What was on the line since the log was cleared, including entries that are no longer kept. */
 export interface LineCounts {
   /** Frames to the timer. */
   readonly out: number;
@@ -21,8 +21,8 @@ export interface LineCounts {
 const NOTHING: LineCounts = { out: 0, in: 0, damaged: 0, errors: 0 };
 
 /**
- * What was last on the line: a ring of {@link KEPT} entries that never grows. Adding costs the same however many there
- * are; the list is made when somebody looks, and the screen is told once for all that came together.
+ * The last entries of the line: a ring of {@link KEPT} entries that never grows. Adding always costs the same. The list
+ * is made only when somebody looks, and the screen is told once for all entries that come together.
  */
 export class LineLog {
   /** Newest last. */
@@ -34,7 +34,7 @@ export class LineLog {
     this.#version.value;
     return { ...this.#counts };
   });
-  /** The number of the newest entry that ever was; 0 before the first. */
+  /** The number of the newest entry of all time; 0 before the first. */
   readonly newest: ReadonlySignal<number> = computed(() => {
     this.#version.value;
     return this.#newest;
@@ -44,7 +44,7 @@ export class LineLog {
   readonly #version = signal(0, { name: 'line' });
   readonly #ring: LineRecord[] = [];
   readonly #record: (entry: LineEntry) => LineRecord;
-  /** Where the oldest entry stands once the ring is full; the next one takes its place. */
+  /** The place of the oldest entry once the ring is full; the next entry replaces it. */
   #oldest = 0;
   #newest = 0;
   #counts = NOTHING;
@@ -52,7 +52,7 @@ export class LineLog {
   #introduction: readonly LineRecord[] = [];
   #telling = false;
 
-  /** @param quirks what is assumed of the timer now: how its messages are to be read. */
+  /** @param quirks gives what is assumed about the timer now, which decides how its messages are read. */
   constructor(quirks?: () => LayoutQuirks) {
     this.#record = recorder(quirks);
   }
@@ -79,8 +79,8 @@ export class LineLog {
   }
 
   /**
-   * Entries of this log, behind the exchange in which the timer last said what it is where that is older than they are:
-   * without it they could neither be read nor replayed.
+   * Adds to entries of this log the exchange in which the timer last gave its identity, if that is older than they are:
+   * without it they can neither be read nor replayed.
    */
   introduced(records: readonly LineRecord[]): readonly LineRecord[] {
     const first = records[0]?.number ?? 0;
@@ -93,7 +93,7 @@ export class LineLog {
     if (this.#asked?.frame?.code === COMMANDS.GETSWVER.request) this.#introduction = [this.#asked, record];
   }
 
-  /** Once for all that comes in one go. */
+  /** Once for all entries that come together. */
   #tell(): void {
     if (this.#telling) return;
     this.#telling = true;

@@ -1,17 +1,17 @@
 import type { LineEntry } from '../../client/index.js';
 import { COMMANDS, decodeReply, type Identity, type LayoutOptions, type LayoutQuirks } from '../../protocol/index.js';
 
-/** One thing on the line, as it is kept. */
+/** One entry of the line, as the log keeps it. */
 export interface LineRecord extends LineEntry {
-  /** Counts from 1 and is never used again, not even after clearing. */
+  /** Counts from 1. Never used again, not even after the log is cleared. */
   readonly number: number;
-  /** What was known of the timer by then: how its messages are to be read. */
+  /** What was known about the timer at that time, which decides how its messages are read. */
   readonly layout: LayoutOptions;
 }
 
 /**
- * Gives each entry its number and what is known of the timer by then: what it last said of itself.
- * @param quirks what is assumed of the timer now.
+ * Gives each entry its number, and what is known about the timer at that time: its last identity.
+ * @param quirks gives what is assumed about the timer now.
  */
 export function recorder(quirks: () => LayoutQuirks = () => ({})): (entry: LineEntry) => LineRecord {
   let number = 0;
@@ -23,12 +23,12 @@ export function recorder(quirks: () => LayoutQuirks = () => ({})): (entry: LineE
   };
 }
 
-/** Whether the timer says in it what it is. */
+/** Whether the timer gives its identity in it. */
 export function isReplyToIdentify({ direction, frame }: LineEntry): boolean {
   return direction === 'in' && frame?.code === COMMANDS.GETSWVER.reply;
 }
 
-/** What the timer says of itself; undefined when that cannot be. */
+/** The identity of the timer in it; undefined when no timer can have it. */
 function identityIn({ frame }: LineEntry): Identity | undefined {
   try {
     const reply = frame && decodeReply(frame);

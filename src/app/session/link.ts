@@ -17,8 +17,8 @@ import { kindKey } from './record-keys.js';
 import { WaitClock } from './wait-clock.js';
 
 /**
- * So long a browser has to say which ports are plugged in, in milliseconds: a click that asks for a port does not count
- * for long.
+ * How long a browser may take to list the plugged-in ports, in milliseconds: after a click, the right to ask for a port
+ * does not last long.
  */
 const PORTS_LIMIT = 1000;
 
@@ -26,11 +26,11 @@ export interface LinkOptions {
   readonly surroundings: Surroundings;
   readonly ports: Keeper<PortRecord>;
   readonly onLine: (entry: LineEntry) => void;
-  /** Told of every new state, after {@link Link.state} has it. */
+  /** Called with every new state, after {@link Link.state} has it. */
   readonly onState: (state: LinkState, before: LinkState) => void;
 }
 
-/** What is assumed of timers of one kind at one port. */
+/** What is assumed about timers of one kind on one port. */
 export interface Assumed {
   readonly portKey: string;
   /** See `kindKey`. */
@@ -38,35 +38,37 @@ export interface Assumed {
   readonly quirks: AssumedQuirks;
 }
 
-/** The wire to a timer: where it stands, the ports that are known, and what is remembered of each. */
+/** The connection to a timer: its state, the known ports, and what is remembered of each. */
 export class Link {
   readonly #state = signal<LinkState>({ status: 'off', error: null }, { name: 'link' });
   readonly #ports = signal<readonly KnownPort[]>([], { name: 'ports' });
   readonly #settings = signal<SerialSettings | null>(null, { name: 'settings' });
-  /** A way to a timer was asked for, and is looked for. */
+  /** Whether a connection was asked for and is being looked for. */
   readonly #beginning = signal(false, { name: 'beginning' });
   readonly state: ReadonlySignal<LinkState> = this.#state;
   readonly connection: ReadonlySignal<TimerConnection | null> = computed(() =>
     this.state.value.status === 'on' ? this.state.value.connection : null,
   );
-  /** Something is under way that nobody has to wait for by hand. */
+  /** Whether something is in progress that needs no act of the pilot. */
   readonly busy: ReadonlySignal<boolean> = computed(
     () => this.#beginning.value || ['choosing', 'opening', 'searching'].includes(this.#state.value.status),
   );
-  /** A timer that does not answer, or its adapter, is waited for: until it is there, or the pilot stops it. */
+  /**
+   * Whether the link waits for a timer that does not answer, or for its adapter, until it is there or the pilot stops.
+   */
   readonly waiting: ReadonlySignal<boolean> = computed(() => ['waiting', 'away'].includes(this.state.value.status));
-  /** Whole seconds since a timer was asked first that has not answered; 0 while none is asked. */
+  /** Whole seconds since the first question to a timer that has not answered; 0 while none is asked. */
   readonly waited: ReadonlySignal<number> = new WaitClock(this.#state).seconds;
-  /** The ports that the pilot has allowed before and that are plugged in. */
+  /** The plugged-in ports that the pilot has allowed before. */
   readonly ports: ReadonlySignal<readonly KnownPort[]> = this.#ports;
-  /** What the pilot has set by hand; null: each port as it was used last. */
+  /** The serial settings that the pilot has made; null: each port as it was last used. */
   readonly settings: ReadonlySignal<SerialSettings | null> = this.#settings;
-  /** Whether the timer at hand is simulated or a recording. */
+  /** Whether the connected timer is simulated or a recording. */
   readonly simulated: ReadonlySignal<boolean> = computed(() => {
     const state = this.state.value;
     return 'port' in state && this.#simulated.has(state.port);
   });
-  /** What is assumed of timers at the ports that are remembered: a first guess for the next time. */
+  /** What is assumed about timers on the remembered ports: a first guess for the next time. */
   readonly assumed: ReadonlySignal<readonly Assumed[]> = computed(() =>
     [...this.#records.value.values()].flatMap(({ key, quirks }) =>
       Object.entries(quirks)
@@ -74,15 +76,15 @@ export class Link {
         .map(([kind, assumed]) => ({ portKey: key, kind, quirks: assumed })),
     ),
   );
-  /** Why there can be no wire here at all; null when there can. */
+  /** Why no connection is possible here at all; null when one is. */
   readonly unavailable: 'insecure' | 'policy' | 'unsupported' | null;
   readonly #options: LinkOptions;
   readonly #link: TimerLink;
   readonly #records = signal<ReadonlyMap<string, PortRecord>>(new Map(), { name: 'portRecords' });
   readonly #simulated = new WeakSet<SerialPortLike>();
-  /** On its way: what is remembered of the ports. */
+  /** The reading of the remembered ports. */
   #learning: Promise<readonly PortRecord[]> = Promise.resolve([]);
-  /** What is assumed of the timer at hand, as it was last kept. */
+  /** What is assumed about the connected timer, as last stored. */
   #quirksKept: AssumedQuirks | undefined;
 
   constructor(options: LinkOptions) {
@@ -99,13 +101,13 @@ export class Link {
     });
   }
 
-  /** Reads what is remembered of the ports, and which of them are plugged in. */
+  /** Reads the remembered ports, and which ports are plugged in. */
   async start(): Promise<void> {
     await Promise.all([this.refresh(), this.#learnRecords()]);
     await this.refresh();
   }
 
-  /** What this page has found out meanwhile is newer. */
+  /** What this page has found out in the meantime is newer. */
   async #learnRecords(): Promise<void> {
     this.#learning = this.#options.ports.all().catch(() => []);
     for (const record of await this.#learning) {
@@ -113,7 +115,7 @@ export class Link {
     }
   }
 
-  /** Looks again which ports are plugged in; those used last come first. */
+  /** Looks again which ports are plugged in. The ports used last come first. */
   async refresh(): Promise<void> {
     if (!this.#options.surroundings.serial) return;
     const ports = await withinLimit(() => this.#link.ports(), PORTS_LIMIT).catch(() => []);
@@ -121,19 +123,19 @@ export class Link {
     this.#ports.value = [...ports].sort((a, b) => usedAt(b) - usedAt(a));
   }
 
-  /** What is remembered of a port: its last settings, and the rate at which a timer answered. */
+  /** What is remembered of a port: its last settings, and the rate at which a timer has answered. */
   recordOf(key: string): PortRecord | undefined {
     return this.#records.peek().get(key);
   }
 
-  /** The pilot sets how the next port is opened; null: as it was opened last. */
+  /** Sets how the next port is opened; null: as it was last opened. */
   setSettings(settings: SerialSettings | null): void {
     this.#settings.value = settings;
   }
 
   /**
-   * Goes to a timer, and is busy from the first moment.
-   * @param find looks for the way, which may take its time.
+   * Connects to a timer, and is busy from the first moment.
+   * @param find finds out how to connect, which may take time.
    */
   async begin(find: () => Promise<() => Promise<void>>): Promise<void> {
     this.#beginning.value = true;
@@ -146,7 +148,7 @@ export class Link {
     await going;
   }
 
-  /** Lets the pilot choose a port in the browser's own dialog. From a click. */
+  /** Lets the pilot choose a port in the browser's own dialog. Call it from a click. */
   choose(): Promise<void> {
     return this.#link.choose(this.settings.value ?? undefined);
   }
@@ -160,7 +162,7 @@ export class Link {
     return this.#link.connect(port, { ...DEFAULT_SETTINGS, baudRate: 9600 });
   }
 
-  /** Whatever is under way or open comes to an end, and the port is closed. */
+  /** Ends any connection or attempt, and closes the port. */
   stop(): Promise<void> {
     return this.#link.stop();
   }
@@ -170,12 +172,12 @@ export class Link {
     this.#link.wait();
   }
 
-  /** The computer has slept: is the timer still there? */
+  /** The computer has slept: checks whether the timer is still there. */
   recheck(): void {
     this.#link.recheck();
   }
 
-  /** Gives the right to use a port back to the browser, and what is remembered of it away. */
+  /** Gives the permission for a port back to the browser, and forgets what is remembered of it. */
   async forget({ port, key }: KnownPort): Promise<void> {
     await this.#link.forget(port);
     this.#records.value = new Map([...this.#records.peek()].filter(([known]) => known !== key));
@@ -183,7 +185,7 @@ export class Link {
     await this.refresh();
   }
 
-  /** Takes the pilot's word for how the timer at hand is, and remembers it as a first guess for the next time. */
+  /** Accepts what the pilot says about the connected timer, and remembers it as a first guess for the next time. */
   async assume(quirks: AssumedQuirks): Promise<void> {
     const connection = this.connection.value;
     if (!connection) return;
@@ -191,12 +193,12 @@ export class Link {
     await this.remember();
   }
 
-  /** Keeps what a job has found out about the timer, if it has. */
+  /** Stores what a job has found out about the timer, if anything. */
   async learn(): Promise<void> {
     if (this.connection.value?.client.quirksAssumed !== this.#quirksKept) await this.remember();
   }
 
-  /** Keeps what this connection has taught: settings, rate, quirks. */
+  /** Stores what this connection has taught: settings, rate, quirks. */
   async remember(): Promise<void> {
     const connection = this.connection.value;
     if (!connection || this.simulated.value) return;
@@ -212,11 +214,13 @@ export class Link {
       quirks: { ...before?.quirks, [kindKey(identity, false)]: { ...client.quirksAssumed } },
     };
     this.#put(record);
-    // A browser that keeps nothing forgets this too; the drafts say so.
+    // Where the browser keeps nothing, this is lost, too; the drafts report it.
     await this.#options.ports.save(record).catch(() => {});
   }
 
-  /** Nothing is taken for true any more of timers of this kind at this port, nor of the one at hand if it is one. */
+  /**
+   * Forgets all assumptions about timers of this kind on this port, also for the connected one if it is of that kind.
+   */
   async forgetAssumed({ portKey, kind }: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
     const connection = this.connection.value;
     if (connection?.portKey === portKey && kindKey(connection.identity, false) === kind)

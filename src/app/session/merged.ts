@@ -1,23 +1,23 @@
 import { isSame } from '../storage/index.js';
 
-/** Beside what the storage needs of it, a record of the library holds one thing that a pilot knows. */
+/** Besides what the storage needs, a record of the library holds one thing that a pilot knows. */
 const INNER = ['model', 'setting', 'flight'] as const;
-/** These belong to the values of a setting: when and how they came to be. */
+/** These fields go with the values of a setting: when and how they came about. */
 const OF_VALUES: readonly string[] = ['at', 'from'];
 
-/** What two tabs have made of one record. */
+/** Two tabs' versions of one record, merged. */
 export interface Merged<T> {
-  /** The changes of both; where they do not agree, what this tab wants. */
+  /** The changes of both. Where they do not agree, this tab's. */
   readonly record: T;
-  /** Where they do not agree, by the names of the fields. */
+  /** The names of the fields on which they do not agree. */
   readonly disagreed: readonly string[];
 }
 
 type Fields = Readonly<Record<string, unknown>>;
 
 /**
- * Puts together what two tabs have made of one record at the same time.
- * @param before what both have begun with; undefined: each has made it.
+ * Merges what two tabs have made of one record at the same time.
+ * @param before the version with which both began; undefined when each has made the record.
  */
 export function merged<T extends { readonly changedAt: number }>(before: T | undefined, mine: T, theirs: T): Merged<T> {
   const disagreed: string[] = [];
@@ -33,7 +33,7 @@ export function merged<T extends { readonly changedAt: number }>(before: T | und
   return { record: { ...(record as unknown as T), changedAt }, disagreed };
 }
 
-/** @param both called for what both have changed, and not in the same way: by its name, with what this tab wants. */
+/** @param both called with the name of a field that both have changed in different ways, and with this tab's value. */
 function mergedFields(
   before: Fields,
   mine: Fields,

@@ -2,39 +2,39 @@ import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { Identity } from '../../protocol/index.js';
 import { kindKey } from './record-keys.js';
 
-/** What the pilot has to know of the memory that flies next; memories are counted from 0. */
+/** What the pilot must know about the memory that flies next. Memories count from 0. */
 export type NextFlightWord =
   /**
-   * By the timer's own word another one is current than at connect; `original` is null when that one was never known.
+   * The timer says that another memory is current than at connect. `original` is null when that one was never known.
    */
   | { readonly code: 'other'; readonly memory: number; readonly original: number | null }
-  /** Others were selected and it is not known which one is current; `asked` was selected last, if that is known. */
+  /** Others were selected, and it is not known which is current. `asked` was selected last, if that is known. */
   | { readonly code: 'unknown'; readonly asked: number | null; readonly original: number | null };
 
 /**
- * The current memory is what flies next. It is changed only by selecting one (SETMEMORY), and this page does that when
- * the pilot asks for it, or to read others and come back. So it is remembered which one was current at connect, and
- * said when that is no longer so.
+ * The current memory is what flies next. Only selecting one (SETMEMORY) changes it. This page does so when the pilot
+ * asks for it, or to read others and come back. So it remembers which memory was current at connect, and warns when
+ * another one is.
  */
 export class NextFlight {
   readonly #open = signal(false, { name: 'memoryOpen' });
   readonly #original = signal<number | null>(null, { name: 'original' });
-  /** The memory that the timer named last. */
+  /** The memory that the timer last named. */
   readonly #current = signal<number | null>(null, { name: 'current' });
-  /** Others were selected since the one of the time of connect was current. */
+  /** Whether other memories were selected since the one of connecting was current. */
   readonly #left = signal(false, { name: 'left' });
   readonly #asked = signal<number | null>(null, { name: 'asked' });
   /**
-   * None was read since the timer came, or since another one was asked for: the memory on the screen need not be the
-   * current one.
+   * Whether no memory was read since the timer came, or since another one was selected: the memory on the screen may
+   * not be the current one.
    */
   readonly open: ReadonlySignal<boolean> = this.#open;
   /**
-   * The memory that was current when the timer was connected; null when it was not said before another one was
-   * selected.
+   * The memory that was current when the timer was connected;
+   * null when that was not known before another one was selected.
    */
   readonly original: ReadonlySignal<number | null> = this.#original;
-  /** What there is to say; null while the memory of the time of connect is current, or nothing was selected. */
+  /** What to tell the pilot; null while the memory of connecting is current, or none was selected. */
   readonly word: ReadonlySignal<NextFlightWord | null> = computed(() => {
     const original = this.#original.value;
     const current = this.#open.value ? null : this.#current.value;
@@ -44,7 +44,7 @@ export class NextFlight {
   });
   #kind: string | null = null;
 
-  /** A timer is connected. One of the same kind that comes back to the same connection is taken for the same. */
+  /** A timer is connected. One of the same kind that comes back to the same connection counts as the same timer. */
   timerCame(identity: Identity, simulated: boolean): void {
     const kind = kindKey(identity, simulated);
     batch(() => {
@@ -63,14 +63,16 @@ export class NextFlight {
     });
   }
 
-  /** Until the next reading the memory on the screen need not be the current one, or not be what the timer holds. */
+  /**
+   * Until the next reading, the memory on the screen may not be the current one, or the timer may hold something else.
+   */
   doubt(): void {
     this.#open.value = true;
   }
 
   /**
-   * The timer has said which memory is current; null when it does not say.
-   * @param onScreen whether it is the one on the screen.
+   * The timer has told the current memory; null when it does not say.
+   * @param onScreen whether it is the memory on the screen.
    */
   found(memory: number | null, onScreen = true): void {
     batch(() => {

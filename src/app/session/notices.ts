@@ -2,7 +2,7 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import { TimerError, type TimerErrorCode } from '../../client/index.js';
 import type { ConnectionErrorCode, PortInfo } from '../../serial/index.js';
 
-/** What there is to say beside errors. */
+/** Messages that are not about errors. */
 export type NoteCode =
   | 'edits-restored'
   | 'edits-kept'
@@ -22,27 +22,27 @@ export type NoteCode =
   | 'not-kept'
   | 'unexpected';
 
-/** Something to say to the pilot, by code: the sentence stands in messages/. */
+/** A message to the pilot, as a code. messages/ has the sentence. */
 export type Notice =
   | {
       readonly kind: 'connection';
       readonly code: ConnectionErrorCode;
       readonly port: PortInfo | null;
-      /** See `portKey`; null when no port is meant. */
+      /** See `portKey`; null when it is not about a port. */
       readonly portKey: string | null;
-      /** What came in place of an answer, where that tells something. */
+      /** The bytes that came in place of an answer, where they tell something. */
       readonly bytes: Uint8Array | null;
     }
   | { readonly kind: 'timer'; readonly code: TimerErrorCode }
   | { readonly kind: 'note'; readonly code: NoteCode };
 
-/** What the pilot is told: one thing at a time, the latest. */
+/** The message to the pilot: one at a time, the latest. */
 export class Notices {
   readonly #current = signal<Notice | null>(null, { name: 'notice' });
   readonly current: ReadonlySignal<Notice | null> = this.#current;
   readonly #onSilence: () => void;
 
-  /** @param onSilence called when a timer no longer answers: it is waited for, and who waits says so. */
+  /** @param onSilence called when a timer no longer answers. The link then waits for it, and says so itself. */
   constructor(onSilence: () => void) {
     this.#onSilence = onSilence;
   }
@@ -51,7 +51,7 @@ export class Notices {
     this.show({ kind: 'note', code });
   }
 
-  /** Says it, unless there is something else to read. */
+  /** Shows it, unless another message is there. */
   sayIfSilent(code: NoteCode): void {
     if (!this.#current.peek()) this.say(code);
   }
@@ -60,9 +60,7 @@ export class Notices {
     this.#current.value = notice;
   }
 
-  /**
-   * Says that something went wrong on the wire, in the pilot's words: the one place where an error becomes a notice.
-   */
+  /** Shows that something went wrong with the timer. Only here an error becomes a message. */
   report(error: unknown): void {
     if (!(error instanceof TimerError)) this.say('unexpected');
     else if (isRefusedSelection(error)) this.say('select-unanswered');
@@ -70,20 +68,20 @@ export class Notices {
     else if (error.code !== 'aborted' && error.code !== 'closed') this.show({ kind: 'timer', code: error.code });
   }
 
-  /** Does something that takes back what was said before; it is said again where that had nothing to say itself. */
+  /** Does something that clears the present message. Shows it again if that had no message of its own. */
   async keepThrough(work: () => Promise<unknown>): Promise<void> {
     const said = this.#current.peek();
     await work();
     if (said && !this.#current.peek()) this.show(said);
   }
 
-  /** It has been read, or holds no longer. */
+  /** The pilot has read the message, or it is no longer true. */
   dismiss(): void {
     this.#current.value = null;
   }
 }
 
-/** A timer that answers all else and not SETMEMORY: waiting for it would not help. */
+/** The timer answers everything but SETMEMORY: waiting for it would not help. */
 function isRefusedSelection({ code, details }: TimerError): boolean {
   return code === 'no-answer' && details.request === 'SETMEMORY' && details.answersOthers === true;
 }

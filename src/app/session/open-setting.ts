@@ -14,7 +14,7 @@ import type { Drafts } from './drafts.js';
 import { newId } from './library.js';
 import type { Session } from './session.js';
 
-/** A setting that is open, and the model that it belongs to. */
+/** The open setting, and the model that it belongs to. */
 export interface Opened {
   readonly model: Model | null;
   readonly setting: Setting | null;
@@ -22,32 +22,32 @@ export interface Opened {
 
 /**
  * Why a setting cannot be shown now.
- * - `busy`: a job has the wire, or a timer is looked for.
- * - `following`: the servos follow what is edited.
- * - `other-class`, `other-layout`: the timer that is connected cannot take it.
+ * - `busy`: a job has the wire, or the page looks for a timer.
+ * - `following`: the servos follow edits.
+ * - `other-class`, `other-layout`: the connected timer cannot take it.
  */
 export type ShowObstacle = 'busy' | 'following' | 'other-class' | 'other-layout';
 
-/** How the program on the screen stands to the setting that it belongs to. */
+/** How the program on the screen differs from the setting that it belongs to. */
 export interface Unsaved {
-  /** How many values differ from what the library holds. */
+  /** How many values differ from the library. */
   readonly changes: number;
-  /** Fields in which a text stands that is no value. */
+  /** How many fields have a text that is no value. */
   readonly unreadable: number;
-  /** The library holds something else than when it was opened here: another tab has saved it. */
+  /** Whether the library has changed since the setting was opened here: another tab has saved it. */
   readonly elsewhere: boolean;
 }
 
-/** What a new setting is called, and where it goes. */
+/** The name of a new setting, and where it goes. */
 export interface NewSetting extends Pick<Setting, 'model' | 'name'>, Partial<Pick<Setting, 'note' | 'tags' | 'from'>> {}
 
-/** Which setting of the library the program on the screen belongs to; the way in, and the way back. */
+/** The setting of the library that the program on the screen belongs to: opening it, and saving it. */
 export class OpenSetting {
-  /** Null: the program belongs to none. A setting that was deleted comes back with its undo. */
+  /** Null when the program belongs to none. A deleted setting comes back when its deletion is undone. */
   readonly shown: ReadonlySignal<Opened | null>;
-  /** Null where no setting is open. */
+  /** Null when no setting is open. */
   readonly unsaved: ReadonlySignal<Unsaved | null>;
-  /** Whether what is on the screen can be kept: no field is without a value, and no value beyond what a timer holds. */
+  /** Whether the program on the screen can be saved: each field has a value that a timer can hold. */
   readonly savable: ReadonlySignal<boolean>;
   readonly #session: Session;
   readonly #drafts: Drafts;
@@ -75,13 +75,13 @@ export class OpenSetting {
       return working !== null && editor.unreadable.value.size === 0 && isStorable(working);
     });
     effect(() => {
-      // Only when the library changes: undo may bring back what was there before.
+      // Only when the library changes: undo may bring back an earlier version.
       void library.settings.list.value;
       untracked(() => this.#follow());
     });
   }
 
-  /** Nothing is shown as long as this is true: the servos would move with it. */
+  /** Shows no setting while this is true: the servos would move with it. */
   notWhile(following: ReadonlySignal<boolean>): void {
     this.#following = following;
   }
@@ -99,8 +99,8 @@ export class OpenSetting {
   }
 
   /**
-   * A setting comes to the screen: with changes of it that were not saved where some are kept, to be edited without a
-   * timer; or over what the connected timer holds, as one step.
+   * Opens a setting. Without a timer: to edit it, with its stored unsaved changes if there are any. With a connected
+   * timer: over what the timer holds, as one step.
    * @returns whether it is shown.
    */
   async show(setting: Setting): Promise<boolean> {
@@ -122,17 +122,17 @@ export class OpenSetting {
     }
     if (editor.of.value?.id === setting.id && editor.madeAt.value !== null) return true;
     const kept = await this.#drafts.ofSetting(setting.id);
-    // A timer may have come meanwhile.
+    // A timer may have come in the meantime.
     if (this.obstacle(setting.program) || connection.value) return false;
-    // It is of no memory: what is known of one says nothing about it.
+    // It belongs to no memory, so nothing that is known about a memory applies to it.
     if (kept) onScreen.showKept(kept);
     else onScreen.make({ ...setting.program, memory: null }, { of });
     return true;
   }
 
   /**
-   * What is on the screen takes the place of what the library holds of the open setting.
-   * @returns whether the browser has kept it; it is in the library in any case.
+   * Saves the program on the screen as the open setting.
+   * @returns whether the browser has stored it. It is in the library in any case.
    */
   async save(): Promise<boolean> {
     const opened = this.shown.peek()?.setting;
@@ -149,8 +149,8 @@ export class OpenSetting {
   }
 
   /**
-   * What is on the screen is kept as a new setting, which is open from then on.
-   * @returns whether the browser has kept it; it is in the library in any case.
+   * Saves the program on the screen as a new setting, which is then open.
+   * @returns whether the browser has stored it. It is in the library in any case.
    */
   async saveAs({ model, name, note = '', tags = [], from = this.source() }: NewSetting): Promise<boolean> {
     const program = this.#program();
@@ -159,7 +159,7 @@ export class OpenSetting {
     return await this.#keep(setting);
   }
 
-  /** What the library holds of the open setting comes to the screen, as one step. */
+  /** Brings the library's version of the open setting to the screen, as one step. */
   takeSaved(): void {
     const { editor } = this.#session;
     const setting = this.shown.peek()?.setting;
@@ -188,7 +188,7 @@ export class OpenSetting {
     await keeping;
     const isClash = library.settings.clashes.peek().some(({ theirs }) => theirs.key === setting.id);
     if (isClash && before) {
-      // It is as if the other tab had been a little quicker: see `Unsaved.elsewhere`.
+      // Works as if the other tab had been a little quicker: see `Unsaved.elsewhere`.
       editor.saved(before);
       library.settings.settled(setting.id);
       return false;
@@ -196,14 +196,17 @@ export class OpenSetting {
     return !library.settings.unsaved.peek().has(setting.id);
   }
 
-  /** Another tab has saved what is open here, unchanged and of no timer: it follows, and undo brings it back. */
+  /**
+   * Another tab has saved the open setting, which has no changes here and is of no timer: shows its version. Undo
+   * brings the old one back.
+   */
   #follow(): void {
     const { editor, library } = this.#session;
     const of = editor.of.peek();
     const held = of && library.settings.get(of.id)?.setting.program;
     const working = editor.working.peek();
     if (!of || !held || !working || editor.madeAt.peek() === null || isSame(of.saved, held)) return;
-    // The pilot is to be asked.
+    // The pilot will be asked.
     if (library.settings.clashes.peek().some(({ theirs }) => theirs.key === of.id)) return;
     if (
       !isOfOneShape(held.identity, working.identity) ||

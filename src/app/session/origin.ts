@@ -15,28 +15,28 @@ interface OriginParts {
 
 interface Taken {
   readonly model: string;
-  /** See `Recognition.timer`; null: it came from elsewhere than a timer. */
+  /** See `Recognition.timer`; null when it did not come from a timer. */
   readonly timer: number | null;
 }
 
 /**
- * For which model the values on the screen are: that of the setting that is open; else the one whose timer was there
- * when the first change was typed, or whose backup was loaded. They stay where another timer takes its place, and must
- * not go into that one unasked.
+ * The model for which the values on the screen are: the model of the open setting; else the one whose timer was
+ * connected at the first change, or whose backup was loaded. The values stay when another timer comes, and must not go
+ * into that one without a question.
  */
 export class Origin {
-  /** Its id; null where nothing is changed, or it is not known. */
+  /** Its id; null when nothing is changed, or the model is not known. */
   readonly key: ReadonlySignal<string | null>;
-  /** Null also where the library has none of that id. */
+  /** Null also when the library has no model of that id. */
   readonly model: ReadonlySignal<Model | null>;
-  /** Null where what is on the screen belongs to the timer at hand, as far as that is known. */
+  /** Null when the values belong to the connected timer, as far as that is known. */
   readonly crossing: ReadonlySignal<Crossing | null>;
   readonly #editor: Editor;
   readonly #taken = signal<Taken | null>(null, { name: 'origin' });
 
   constructor({ editor, library, recognition, opened }: OriginParts) {
     this.key = computed(() => {
-      // A backup says itself whose it is, through every undo; and so does a setting.
+      // A backup, like a setting, keeps its own model through every undo.
       const isChanged = editor.dirty.value || editor.madeAt.value !== null;
       return (isChanged ? editor.backupOf.value : undefined) ?? this.#taken.value?.model ?? null;
     });
@@ -53,12 +53,12 @@ export class Origin {
       const timer = recognition.timer.value;
       const taken = this.#taken.peek();
       if (!isDirty) this.#taken.value = null;
-      // What is said of the timer on which they were made holds for them, too.
+      // What the pilot says about the timer on which the changes were made counts for them, too.
       else if (model && (!taken || taken.timer === timer)) this.#taken.value = { model, timer };
     });
   }
 
-  /** Changes come to the screen that were made for this model. To be called after they have. */
+  /** Changes for this model have come to the screen. Call it afterwards. */
   take(model: string | undefined): void {
     if (model !== undefined && this.#editor.dirty.peek()) this.#taken.value = { model, timer: null };
   }

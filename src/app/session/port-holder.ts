@@ -3,13 +3,10 @@ import { type OtherTab, OtherTabs, type TabChannel, type TakeOver } from '../bro
 import { messages, timerName } from '../messages/index.js';
 import type { Session } from './session.js';
 
-/**
- * Another tab of this page that holds the port which is wanted here; and letting go for one that wants the port of
- * this one.
- */
+/** Another tab of this page that holds the wanted port; and giving this tab's port to another one. */
 export class PortHolder {
   readonly #tab = signal<OtherTab | null>(null, { name: 'portHolder' });
-  /** The tab that holds the port which could not be opened; null when there is none. */
+  /** The tab that holds the port which could not be opened; null for none. */
   readonly tab: ReadonlySignal<OtherTab | null> = this.#tab;
   readonly #session: Session;
   readonly #others: OtherTabs;
@@ -41,7 +38,7 @@ export class PortHolder {
     });
   }
 
-  /** Asks that tab for its port, and connects when it has let go. */
+  /** Asks the other tab for its port, and connects once it is released. */
   async takeOver(tab: OtherTab): Promise<TakeOver> {
     const result = await this.#others.takeOver(tab);
     if (result === 'released') void this.#session.timer.takeOver();

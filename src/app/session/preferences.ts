@@ -12,14 +12,14 @@ const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME)
 const times = v.pipe(v.array(time), v.maxLength(MOST_PRESETS));
 
 /**
- * What a pilot has set once for all timers: the presets of DT, and below which one it is called short. Times are
- * hundredths of a second.
+ * What a pilot sets once for all timers: the presets of DT, and below which time a DT is short.
+ * In hundredths of a second.
  */
 export class Preferences {
   readonly #presets = signal<readonly number[]>(loadSetting('dt-presets', times) ?? USUAL_PRESETS);
   /** In rising order. */
   readonly presets: ReadonlySignal<readonly number[]> = this.#presets;
-  /** A DT below this is called short. */
+  /** A DT below this counts as short. */
   readonly shortDt: ReadonlySignal<number>;
   readonly #editor: Editor;
 
@@ -30,7 +30,7 @@ export class Preferences {
     if (shortDt !== null) editor.callShort(shortDt);
   }
 
-  /** @returns false when the list is full or no timer could hold it. */
+  /** @returns false when the list is full, or no timer could hold the value. */
   addPreset(value: number): boolean {
     const presets = [...new Set([...this.presets.value, value])].sort((a, b) => a - b);
     if (!v.is(times, presets)) return false;
@@ -42,7 +42,7 @@ export class Preferences {
     this.#keep(this.presets.value.filter((preset) => preset !== value));
   }
 
-  /** @returns false when no timer could hold such a time. */
+  /** @returns false when no timer could hold the value. */
   setShortDt(value: number): boolean {
     if (!v.is(time, value)) return false;
     this.#editor.callShort(value);

@@ -16,7 +16,7 @@ import type { Origin } from './origin.js';
 import { kindKey, programKey } from './record-keys.js';
 import type { Safety } from './safety.js';
 
-/** What a reading changes, or depends on. */
+/** The models that a reading changes, or depends on. */
 interface ReaderParts {
   readonly editor: Editor;
   readonly onScreen: OnScreen;
@@ -30,18 +30,18 @@ interface ReaderParts {
   readonly origin: Origin;
 }
 
-/** Reads the timer, and shows what it holds with the edits that belong to it. */
+/** Reads the timer, and shows its content with the edits that belong to it. */
 export class Reader {
   readonly #byteOrderOpen = signal(false, { name: 'byteOrderOpen' });
-  /** It is open how this timer writes its times: the pilot has to choose before they are written. */
+  /** Whether it is open how this timer writes its times. The pilot has to choose before times are written. */
   readonly byteOrderOpen: ReadonlySignal<boolean> = this.#byteOrderOpen;
   readonly #parts: ReaderParts;
   readonly #drafts: Drafts;
-  /** The timer was away, or silent, and the next reading is of one that has come back. */
+  /** Whether the timer was away or silent, so that the next reading is of one that has come back. */
   #wasAway = false;
-  /** The timer was another tab's. */
+  /** Whether the timer was another tab's. */
   #inherits = false;
-  /** A timer has come that was not there before: somebody may have left edits of it. */
+  /** Whether a new timer has come, for which there may be stored edits. */
   #isNew = false;
   #firstReading: Promise<unknown> = Promise.resolve();
 
@@ -50,12 +50,12 @@ export class Reader {
     this.#drafts = drafts;
   }
 
-  /** The next timer comes from another tab, which has let go of it: its edits come along. */
+  /** The next timer comes from another tab, which has released it: its edits come along. */
   inherit(): void {
     this.#inherits = true;
   }
 
-  /** The timer is away, or silent: the next one may be it. */
+  /** The timer is away or silent; the next one may be the same. */
   timerAway(): void {
     this.#wasAway = true;
   }
@@ -65,7 +65,7 @@ export class Reader {
     this.#wasAway = false;
   }
 
-  /** A timer has said what it is: reads what it holds. */
+  /** A timer has given its identity: reads its content. */
   timerCame({ identity }: TimerConnection): void {
     const { safety, knowledge, recovery, nextFlight, link } = this.#parts;
     this.#isNew = !this.#wasAway;
@@ -79,7 +79,7 @@ export class Reader {
     this.#firstReading = Promise.all([link.remember(), this.read()]);
   }
 
-  /** Settles when the timer that has come last was read, well or not. */
+  /** Settles when the latest timer was read, successfully or not. */
   async settled(): Promise<void> {
     await this.#firstReading;
   }
@@ -95,8 +95,8 @@ export class Reader {
   }
 
   /**
-   * Makes another memory current and reads it. Edits of the one that is left are kept for when it is read again. When
-   * it is stopped or fails on the way, the memory that is current by then is read.
+   * Selects another memory and reads it. Edits of the memory before are kept until it is read again. If this is stopped
+   * or fails on the way, it reads the memory that is then current.
    */
   async selectMemory(memory: number): Promise<boolean> {
     const { runner, nextFlight } = this.#parts;
@@ -110,20 +110,20 @@ export class Reader {
     return good;
   }
 
-  /** Reads where a job has left it open which memory is current. What stopped that job is still said. */
+  /** Reads if a job has left it open which memory is current. The message about that job stays. */
   async readIfOpen(): Promise<void> {
     const { notices, nextFlight, link } = this.#parts;
     if (nextFlight.open.value && link.connection.value) await notices.keepThrough(() => this.read());
   }
 
-  /** Shows what was read, with the edits that belong to it. */
+  /** Shows a reading, with the edits that belong to it. */
   async #show(read: TimerProgram, { stillOn }: JobContext): Promise<void> {
     const at = Date.now();
     const { editor, onScreen, origin, link, knowledge, recovery, nextFlight, notices } = this.#parts;
     const simulated = link.simulated.value;
     const wasSimulated = onScreen.simulated.value;
     const before = editor.working.value;
-    // What was made here is wanted of whatever timer can take it: it is laid over what that holds.
+    // A program that was made here is for any timer that can take it: its values go on top of what the timer holds.
     const made = editor.madeAt.value === null ? null : before;
     const from = { of: editor.of.value, backupOf: editor.backupOf.value };
     const laid = made && isOfOneShape(made.identity, read.identity) && editor.unreadable.value.size === 0 ? made : null;
@@ -131,9 +131,9 @@ export class Reader {
     const same = before !== null && programKey(before, wasSimulated) === programKey(read, simulated);
     const otherKind = before !== null && kindKey(before.identity, wasSimulated) !== kindKey(read.identity, simulated);
     const setAside = before !== null && !same && editor.dirty.value;
-    // Together: a storage that does not answer is waited for once.
+    // Both at once, so that a storage that does not answer is waited for only once.
     const [draft] = await Promise.all([
-      // The screen may still show it from before, as it was read.
+      // The screen may still show the earlier reading.
       same && (editor.dirty.value || !this.#isNew) ? undefined : this.#drafts.of(read, simulated, this.#inherits),
       knowledge.refresh(),
     ]);
@@ -145,7 +145,7 @@ export class Reader {
     batch(() => {
       const completed = knowledge.read(read, at);
       recovery.wasRead(read, simulated);
-      // What an interrupted write explains is told by the offer to finish it, and by nothing else.
+      // The offer to finish an interrupted write explains the reading; no other message does.
       const explained = recovery.offer.value?.kind === 'write';
       if (!same) onScreen.clear();
       if (draft) editor.restore(draft);

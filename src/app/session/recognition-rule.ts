@@ -3,20 +3,17 @@ import { slotCount } from '../../protocol/index.js';
 import { isOfOneShape } from '../editing/shape.js';
 
 /*
- * Nothing on the wire names a timer, but what its memories hold does. The rule:
- *
- * 1. A model is compared with timers of one class, firmware and layout only, and memory by memory: what was read of M2
- *    with what M2 of the model held when that was last seen.
- * 2. A memory is *like* the model's when at most a tenth of its values differ: four of 44. That leaves room for what a
- *    pilot sets with another programmer on the field (DT, motor stop, a trim or two) and for no more. One memory that
- *    differs in more values excludes the model.
- * 3. A memory *names* the model that it is nearest to, and with it every model that is about as near: that differs in
- *    at most twice as many values. DT, motor stop and idle throttle do not count here: they are changed every day and
- *    tell nothing about a model. So models with equal trims are named together.
- * 4. A memory names nobody when what it holds is common: where no servo moves, or all move in equal steps, as in a
- *    timer that is new; or where it is as near to a template as to the model.
- * 5. The timer is of the one model that all memories name, if each of them names somebody or none. Where they do not
- *    agree on one, all that were named are candidates, and the pilot is asked.
+ * Nothing on the wire names a timer, but the content of its memories can. The rule: 1. A model is compared with timers
+ * of one class, firmware and layout only, and memory by memory: what was read of M2 with what M2 of the model held when
+ * that was last seen. 2. A memory is *like* the model's when at most a tenth of its values differ: four of 44. That
+ * leaves room for what a pilot sets with another programmer on the field (DT, motor stop, a trim or two) and for no
+ * more. One memory that differs in more values excludes the model. 3. A memory *names* the model that it is nearest to,
+ * and with it every model that is about as near: that differs in at most twice as many values. DT, motor stop and idle
+ * throttle do not count here: they are changed every day and tell nothing about a model. So models with equal trims are
+ * named together. 4. A memory names nobody when what it holds is common: where no servo moves, or all move in equal
+ * steps, as in a timer that is new; or where it is as near to a template as to the model. 5. The timer is of the one
+ * model that all memories name, if each of them names somebody or none. Where they do not agree on one, all that were
+ * named are candidates, and the pilot is asked.
  */
 
 /** What one memory of a model's timer held when it was last seen to be verified. */
@@ -51,9 +48,9 @@ export type Recognised =
   /** Nobody is named. It is like these in some memory; the nearest first, after them those that are excluded. */
   | { readonly kind: 'unknown'; readonly candidates: readonly Candidate[] };
 
-/** One value in so many may differ in a memory that is like another. */
+/** One value in this many may differ in a memory that is like another. */
 const LIKE = 10;
-/** A model that differs in so many times as many values is about as near. */
+/** A model in which up to this many times as many values differ is about as near. */
 const ABOUT_AS_NEAR = 2;
 
 /** In how many values two contents of one layout differ. */

@@ -9,19 +9,19 @@ import { emptyModel, type Library, newId } from './library.js';
 import type { HeldOnce, Recognised } from './recognition-rule.js';
 import { kindKey } from './record-keys.js';
 
-/** A model that the timer may belong to, and in how many values it differs from what that was last seen to hold. */
+/** A model to which the timer may belong, and how many values differ from what its timer last held. */
 export interface PossibleModel {
   readonly model: Model;
   readonly differs: number;
-  /** When that was seen last, in milliseconds since 1970. */
+  /** When that was last seen, in milliseconds since 1970. */
   readonly at: number;
 }
 
-/** Which model the timer that is connected belongs to. */
+/** The model of the connected timer. */
 export type FoundModel =
-  /** By the pilot's word, on this connection. */
+  /** As the pilot has said on this connection. */
   | { readonly kind: 'said'; readonly model: Model }
-  /** By what it holds: see `recognise`. */
+  /** As its content shows: see `recognise`. */
   | { readonly kind: 'same' | 'like'; readonly model: Model; readonly of: PossibleModel }
   | { readonly kind: 'several' | 'unknown'; readonly candidates: readonly PossibleModel[] };
 
@@ -29,7 +29,7 @@ interface RecognitionParts {
   readonly library: Library;
   readonly knowledge: Knowledge;
   readonly connection: ReadonlySignal<TimerConnection | null>;
-  /** Whether the timer that is connected is simulated. */
+  /** Whether the connected timer is simulated. */
   readonly simulated: ReadonlySignal<boolean>;
 }
 
@@ -37,37 +37,37 @@ const NOTHING: ReadonlyMap<number | null, HeldOnce> = new Map();
 const NOBODY: ReadonlyMap<string, ModelRecord['verified']> = new Map();
 
 /**
- * Whose timer is connected. Nothing on the wire says so: it is derived from what was read of its memories and from what
- * the models are known to hold, or the pilot says it. A timer that is put in the place of another one while the
- * connection stays is noticed by the next reading: it gives something that this page has neither read nor written, and
- * from then on only that reading counts.
+ * The model to which the connected timer belongs. Nothing on the wire says it: it follows from the timer's content and
+ * what the models' timers are known to hold, or the pilot says it. When another timer takes its place during a
+ * connection, the next reading shows it: the content is something that this page has neither read nor written. From
+ * then on only that reading counts.
  */
 export class Recognition {
-  /** Null before something was read, and before the models have come from the storage. */
+  /** Null before the first reading, and until the models are loaded. */
   readonly found: ReadonlySignal<FoundModel | null>;
-  /** The model of the timer that is connected; null while it is not known, or there is none. */
+  /** The model of the connected timer; null when it is not known, or no timer is connected. */
   readonly model: ReadonlySignal<Model | null>;
-  /** There is something to say of it, or to ask, that the pilot has not answered or put away. */
+  /** Whether there is a message or question about it that the pilot has not answered or closed. */
   readonly tells: ReadonlySignal<boolean>;
-  /** The pilot chooses the model from a list. */
+  /** Whether the pilot is choosing the model from a list. */
   readonly choosing: ReadonlySignal<boolean>;
-  /** The models that the timer can be said to be of, in the order of the library. */
+  /** The models that the pilot can choose, in the order of the library. */
   readonly choices: ReadonlySignal<readonly Model[]>;
-  /** Another number where the timer is, or may be, another one. */
+  /** Changes whenever the timer is, or may be, another one. */
   readonly timer: ReadonlySignal<number>;
-  /** When the timer came that is there now, in milliseconds since 1970. */
+  /** When the present timer came, in milliseconds since 1970. */
   since = 0;
   readonly #parts: RecognitionParts;
-  /** The first reading of each memory on this connection: before this page has written anything into it. */
+  /** The first reading of each memory on this connection, before this page has written into it. */
   readonly #evidence = signal<readonly TimerProgram[]>([], { name: 'evidence' });
   /** The latest readings. */
   readonly #held = signal(NOTHING, { name: 'heldNow' });
-  /** What models were known to hold before this connection has taught something new about them. */
+  /** What was known about the models before this connection has taught something new. */
   readonly #before = signal(NOBODY, { name: 'knownBefore' });
   readonly #said = signal<string | null>(null, { name: 'saidModel' });
   readonly #notNow = signal(false, { name: 'notNow' });
   readonly #timer = signal(0, { name: 'timer' });
-  /** Fetched when the first timer comes. */
+  /** Loaded when the first timer comes. */
   readonly #rule = signal<typeof import('./recognition-rule.js') | null>(null, { name: 'rule' });
   readonly #choosing = signal(false, { name: 'choosing' });
 
@@ -107,7 +107,7 @@ export class Recognition {
     this.tells = computed(() => {
       const kind = this.found.value?.kind;
       if (!kind || kind === 'said' || this.#notNow.value) return false;
-      // Who keeps no models is not asked which one it is.
+      // A pilot without models is not asked for one.
       return kind !== 'unknown' || this.choices.value.length > 0;
     });
     this.choosing = computed(() => this.#choosing.value && connection.value !== null);
@@ -124,11 +124,11 @@ export class Recognition {
     });
   }
 
-  /** A timer was connected: it may be any. */
+  /** A timer was connected; it may be any. */
   timerCame(): void {
     this.#forget([]);
     void this.#parts.library.models.load();
-    // Without it the pilot can still say which model it is.
+    // Without the rule the pilot can still say which model it is.
     if (!this.#rule.peek())
       void fetchRule().then(
         (rule) => (this.#rule.value = rule),
@@ -136,7 +136,7 @@ export class Recognition {
       );
   }
 
-  /** The timer is of this model, by the pilot's word. */
+  /** The pilot says that the timer belongs to this model. */
   say(model: Model): void {
     if (!this.#parts.connection.peek()) return;
     batch(() => {
@@ -145,7 +145,7 @@ export class Recognition {
     });
   }
 
-  /** The timer is of a model that is not in the library yet. */
+  /** The pilot says that the timer belongs to a model that is not in the library yet. */
   async sayNew(name: string): Promise<void> {
     const identity = this.#parts.connection.peek()?.identity;
     if (!identity) return;
@@ -155,7 +155,7 @@ export class Recognition {
     await kept;
   }
 
-  /** The pilot has seen what there was to say, or does not want to be asked: not again on this connection. */
+  /** The pilot has read the message, or does not want the question: neither comes again on this connection. */
   notNow(): void {
     batch(() => {
       this.#notNow.value = true;
@@ -163,19 +163,19 @@ export class Recognition {
     });
   }
 
-  /** The pilot wants to say which model it is, or to say it anew. */
+  /** The pilot wants to say which model it is, for the first time or again. */
   choose(): void {
     this.#choosing.value = this.#parts.connection.peek() !== null;
   }
 
-  /** Leaves the list as it was. */
+  /** Closes the list without a choice. */
   leave(): void {
     this.#choosing.value = false;
   }
 
   /**
-   * A write into a timer that is like that of a model was verified, and had named it to the pilot: that is his word.
-   * @param model as the dialog has named it; null: it has named none.
+   * A write was verified whose dialog had named a model that the timer is like. That counts as the pilot's word.
+   * @param model the model that the dialog has named; null for none.
    */
   wrote(model: Model | null): void {
     const found = this.found.peek();
@@ -210,7 +210,7 @@ export class Recognition {
     return model ? { model, differs, at } : null;
   }
 
-  /** What the timer of a model holds is kept with it, where that is not what is known already. */
+  /** Keeps what a model's timer holds with the model, unless that is known already. */
   async #learn(key: string, held: readonly HeldOnce[]): Promise<void> {
     const { library, simulated } = this.#parts;
     const record = library.models.list.peek().find((each) => each.key === key);
@@ -222,17 +222,17 @@ export class Recognition {
   }
 }
 
-/** By which rule a timer is recognised: nothing of it is needed before one is connected. */
+/** Loads the rule. Nothing of it is needed before a timer is connected. */
 export const fetchRule = () => import('./recognition-rule.js');
 
-/** What is known of the memories, with what they hold now; the same list where that is nothing new. */
+/** What is known about the memories, updated with what they hold now; the same list if nothing is new. */
 function withHeld(
   verified: ModelRecord['verified'],
   held: readonly HeldOnce[],
   simulated: boolean,
 ): ModelRecord['verified'] {
   const kind = held[0] && kindKey(held[0].program.identity, simulated);
-  // A model that has another timer by now holds nothing of what the one before held.
+  // A model with another timer holds nothing of what its timer before held.
   const ofTimer = verified.filter((each) => kindKey(each.program.identity, each.simulated ?? false) === kind);
   const news = held.filter(({ program }) => {
     const known = ofTimer.find((each) => each.program.memory === program.memory)?.program;
@@ -243,13 +243,13 @@ function withHeld(
   return [...rest, ...news.map((each) => (simulated ? { ...each, simulated } : each))];
 }
 
-/** Whether the pilot may say that a timer is of this model: simulated ones and real ones never mix. */
+/** Whether the pilot may say that a timer belongs to this model. Simulated and real timers never mix. */
 function canBe({ model, verified }: ModelRecord, { timerClass }: Identity, simulated: boolean): boolean {
   if (model.archived || (model.timerClass !== null && model.timerClass !== timerClass)) return false;
   return verified.every((held) => (held.simulated ?? false) === simulated);
 }
 
-/** What a timer may hold that nobody has trimmed yet. */
+/** What a timer may hold before anybody has trimmed it. */
 function templatesFor({ timerClass, functions, servos }: Identity): readonly TimerProgram[] {
   const known = CLASSES.find((each) => each === timerClass);
   if (!known) return [];

@@ -1,18 +1,18 @@
 import type { TimerProgram } from '../../program/index.js';
 import type { Identity } from '../../protocol/index.js';
 
-/** The kind of a timer: nothing tells one timer from another of its kind. */
+/** The kind of a timer. Nothing tells two timers of one kind apart. */
 export function kindKey({ timerClass, firmware, functions, servos }: Identity, simulated: boolean): string {
   return [simulated ? 'simulated' : 'timer', timerClass, firmware, functions, servos].join('/');
 }
 
-/** As much of an identity as a key of {@link kindKey} tells; null when it is none. */
+/** The parts of an identity in a key of {@link kindKey}; null when it is no such key. */
 export function identityOfKind(key: string): Pick<Identity, 'timerClass' | 'firmware'> | null {
   const [, timerClass, firmware] = /^[a-z]+\/(.)\/([^/]*)\//.exec(key) ?? [];
   return timerClass === undefined || firmware === undefined ? null : { timerClass, firmware };
 }
 
-/** What a program is for: kind of timer and memory. */
+/** The key of a program: kind of timer and memory. */
 export function programKey(
   { identity, memory }: Pick<TimerProgram, 'identity' | 'memory'>,
   simulated: boolean,
@@ -21,11 +21,11 @@ export function programKey(
 }
 
 /**
- * Under what the work on a program is kept: each tab, by its number, has its own, see `TabNumber`.
- * @param madeAt of a program that was read from no timer: each of them is kept by itself.
+ * The key of the work on a program. Each tab has its own, by its number, see `TabNumber`.
+ * @param madeAt for a program that was read from no timer: each has a key of its own.
  */
 export function workKey(program: TimerProgram, simulated: boolean, tab: number, madeAt?: number): string {
   const key = madeAt === undefined ? programKey(program, simulated) : `made/${madeAt}`;
-  // The first is called as those were that had no number.
+  // The first tab has the keys from before tabs had numbers.
   return tab > 1 ? `${key}/${tab}` : key;
 }

@@ -1,8 +1,8 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 
 /**
- * The pilot's word that it is safe: propeller off or model held, timer not armed. It is asked for once for each
- * connection.
+ * The pilot's word that it is safe: propeller off or model held, timer not armed.
+ * The page asks once for each connection.
  */
 export class Safety {
   readonly #confirmed = signal(false, { name: 'safe' });
@@ -13,7 +13,7 @@ export class Safety {
     this.#confirmed.value = true;
   }
 
-  /** It is safe no longer, or another timer was connected. */
+  /** It is no longer safe, or another timer was connected. */
   withdraw(): void {
     this.#confirmed.value = false;
   }

@@ -4,15 +4,17 @@ import type { TimerConnection } from '../../serial/index.js';
 import type { Safety } from './safety.js';
 
 /**
- * Whether a write may move the servos, for timers that keep positions only where they stand. It is asked again for each
- * write.
+ * Whether a write may move the servos, for timers that keep positions only where the servos stand.
+ * Asked again for each write.
  */
 export class ServoMoves {
   readonly #allowed = signal(false, { name: 'moveServos' });
   readonly #count = signal(0, { name: 'servoMoves' });
-  /** The pilot agrees that the servos move to each function before its positions are stored. */
+  /** Whether the pilot agrees that the servos move to each function before its positions are stored. */
   readonly allowed: ReadonlySignal<boolean> = this.#allowed;
-  /** How often something other than the bench may have moved them: where they stand is not known since. */
+  /**
+   * Goes up each time that something other than the bench may have moved the servos: their place is not known since.
+   */
   readonly count: ReadonlySignal<number> = this.#count;
   readonly #connection: ReadonlySignal<TimerConnection | null>;
   readonly #safety: Safety;
@@ -22,12 +24,12 @@ export class ServoMoves {
     this.#safety = safety;
   }
 
-  /** Whether the timer at hand is taken to need it. */
+  /** Whether the connected timer seems to need it. */
   get needed(): boolean {
     return this.#connection.value?.client.quirksAssumed.positionsNeedMove === true;
   }
 
-  /** Something that is about to go out, as a frame by hand, may move them. */
+  /** Something is about to be sent that may move them, such as a frame by hand. */
   mayMove(): void {
     this.#count.value++;
   }
@@ -37,14 +39,14 @@ export class ServoMoves {
     this.#allowed.value = false;
   }
 
-  /** The pilot agrees, or takes that back. */
+  /** The pilot agrees, or no longer agrees. */
   allow(agrees: boolean): void {
     this.#allowed.value = agrees;
   }
 
   /**
    * A write begins.
-   * @returns whether this one may move the servos.
+   * @returns whether it may move the servos.
    */
   take(): boolean {
     const isAllowed = this.#allowed.value && this.needed && this.#safety.confirmed.value;

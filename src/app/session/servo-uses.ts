@@ -4,7 +4,7 @@ import { DUTIES, LIMITS, type ServoUse } from '../../program/index.js';
 import { MAX_POSITION } from '../../protocol/index.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 
-/** What is said of the servos belongs to the timer of one model: a kind of timer is as near as one can come to it. */
+/** The uses of servos belong to one model's timer. The kind of timer comes closest to that. */
 export interface ServosAtHand {
   /** See `kindKey`. */
   readonly kind: string;
@@ -24,26 +24,26 @@ const schema = v.array(
 
 type Said = readonly ServoUse[] | null;
 
-/** What is said of the servos of one model. */
+/** The uses of one model's servos. */
 export interface ServosOfModel {
-  /** Empty where nothing is. */
+  /** Empty when the pilot has said nothing. */
   readonly servos: readonly ServoUse[];
   say(servos: readonly ServoUse[]): void;
 }
 
 /**
- * What the servos of the model move, by the pilot's word. Where it is known which model is at hand it is kept with that
- * model; else for each kind of timer.
+ * What the servos of the model move, as the pilot says.
+ * Kept with the model when it is known, else for each kind of timer.
  */
 export class ServoUses {
-  /** For each servo; null where nobody has said anything: whoever draws something has to guess. */
+  /** One entry for each servo; null when the pilot has said nothing. A drawing then has to guess. */
   readonly named: ReadonlySignal<Said>;
   readonly #atHand: ReadonlySignal<ServosAtHand | null>;
   readonly #ofModel: ReadonlySignal<ServosOfModel | null>;
-  /** What was said since the page was opened, by kind: all there is where the browser keeps nothing. */
+  /** What was said since the page opened, by kind: all that there is where the browser keeps nothing. */
   readonly #said = signal<ReadonlyMap<string, Said>>(new Map());
 
-  /** @param ofModel null while it is not known which model is at hand. */
+  /** @param ofModel null while the model is not known. */
   constructor(
     atHand: ReadonlySignal<ServosAtHand | null>,
     ofModel: ReadonlySignal<ServosOfModel | null> = signal(null),
@@ -61,13 +61,13 @@ export class ServoUses {
     });
   }
 
-  /** @param uses for each servo; null forgets what was said. */
+  /** @param uses one for each servo; null forgets them. */
   say(uses: Said): void {
     const atHand = this.#atHand.peek();
     if (!atHand) return;
     const model = this.#ofModel.peek();
     model?.say(uses ?? []);
-    // What was said before the model was known is taken back with it.
+    // Uses that were said before the model was known are removed with it.
     if (model && uses) return;
     this.#said.value = new Map(this.#said.peek()).set(atHand.kind, uses);
     saveSetting(settingOf(atHand), uses);

@@ -32,21 +32,21 @@ import { type Standing, standingOf } from './standing.js';
 import { TimerAccess, type TimerSources } from './timer-access.js';
 import { UnfinishedRecords } from './unfinished.js';
 
-/** The classes of which there is a simulated timer. */
+/** The classes for which there is a simulated timer. */
 export const SIMULATED_CLASSES = ['Q', 'B', 'E'] as const;
 export type SimulatedClass = (typeof SIMULATED_CLASSES)[number];
 
 export interface SessionOptions extends TimerSources {
   readonly storage: Storage;
   readonly tab: TabNumber;
-  /** Between the tabs of this page, of the library; null where there is none. */
+  /** The channel between the tabs of this page, for the library; null when there is none. */
   readonly libraryChannel?: TabChannel | null;
 }
 
-/** One pilot, one wire, one program on the screen: all models that belong to that, built in one place. */
+/** One pilot, one wire, one program on the screen: builds all models for that in one place. */
 export class Session {
   readonly editor = new Editor();
-  /** The program on the screen: where it comes from, and what comes in its place. */
+  /** The program on the screen: where it comes from, and what replaces it. */
   readonly onScreen: OnScreen;
   readonly log: LineLog = new LineLog(() => this.connection?.peek()?.client.quirksAssumed ?? {});
   readonly backups: Backups;
@@ -57,39 +57,37 @@ export class Session {
   readonly library: Library;
   /** The setting that the program on the screen belongs to, and how it is saved. */
   readonly opened: OpenSetting;
-  /** What is known of what the timer holds: from this, and from nothing else, comes every word about it. */
+  /** What is known about the content of timers: every statement about a timer comes from here. */
   readonly knowledge: Knowledge;
-  /** Whose timer is connected, by what it holds or by the pilot's word. */
+  /** The model of the connected timer, as its content shows or the pilot says. */
   readonly recognition: Recognition;
-  /**
-   * The model of the timer that is connected; without one, of the setting that is open. Null where that is not known.
-   */
+  /** The model of the connected timer; without a timer, of the open setting. Null when it is not known. */
   readonly modelAtHand: ReadonlySignal<Model | null>;
-  /** For which model the changes on the screen were made. */
+  /** The model for which the changes on the screen were made. */
   readonly origin: Origin;
-  /** How far the program that was read last can be called what the timer holds. */
+  /** How certain it is that the timer holds what was last read. */
   readonly standing: ReadonlySignal<Standing>;
   readonly recovery: InterruptedJobs;
   readonly link: Link;
-  /** The ways to a timer and away from it. */
+  /** Connecting and disconnecting. */
   readonly timer: TimerAccess;
   readonly reader: Reader;
   readonly runner: JobRunner;
   readonly notices: Notices;
   readonly safety = new Safety();
   readonly servoMoves: ServoMoves;
-  /** What the servos of the model move, by the pilot's word. */
+  /** What the servos of the model move, as the pilot says. */
   readonly servoUses: ServoUses;
-  /** Which memory flies next, and whether it is the one of the time of connect. */
+  /** Which memory flies next, and whether it is the one of connecting. */
   readonly nextFlight = new NextFlight();
-  /** Whether a DT for trimming flies next, and what it can be put back to. */
+  /** Whether a short DT flies next, and which one can be put back. */
   readonly shortDt: ShortDt;
-  /** It is open how this timer writes its times: the pilot has to choose before they are written. */
+  /** Whether it is open how this timer writes its times. The pilot has to choose before times are written. */
   readonly byteOrderOpen: ReadonlySignal<boolean>;
-  /** Whether the program on the screen is of the simulated timer. */
+  /** Whether the program on the screen comes from the simulated timer. */
   readonly simulated: ReadonlySignal<boolean>;
   readonly connection: ReadonlySignal<TimerConnection | null>;
-  /** No other way to a timer can begin: something is under way, or waited for until the pilot stops it. */
+  /** Whether no other connection can begin: something is in progress, or is waited for until the pilot stops it. */
   readonly engaged: ReadonlySignal<boolean>;
 
   constructor(options: SessionOptions) {

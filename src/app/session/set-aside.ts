@@ -5,14 +5,11 @@ import type { AsideRecord, Keeper } from '../storage/index.js';
 
 const SEEN = 'aside-seen';
 
-/**
- * What was found in the storage and cannot be read: it is kept as it is, and the pilot is told of it until he has seen
- * it.
- */
+/** Stored data that cannot be read. It is kept as it is, and shown to the pilot until he has seen it. */
 export class SetAside {
   readonly #list = signal<readonly AsideRecord[]>([], { name: 'aside' });
   readonly list: ReadonlySignal<readonly AsideRecord[]> = this.#list;
-  /** Whether there is something that the pilot has not been told of. */
+  /** Whether there is something that the pilot has not seen. */
   readonly isNew: ReadonlySignal<boolean> = computed(() => this.list.value.some(({ at }) => at > this.#seen.value));
   readonly #keeper: Keeper<AsideRecord>;
   readonly #seen = signal(loadSetting(SEEN, v.number()) ?? 0);
@@ -21,20 +18,20 @@ export class SetAside {
     this.#keeper = keeper;
   }
 
-  /** Looks what has been set aside. To be called when everything else was read. */
+  /** Looks up what was set aside. Call it after everything else was read. */
   async load(): Promise<void> {
     const kept = await this.#keeper.all().catch(() => null);
     if (kept) this.#list.value = kept;
   }
 
-  /** Whether the note of a write is among them: what a timer holds may not be known, and nobody could say so. */
+  /** Whether a record of a write is among them: then a timer's content may be uncertain without any other sign. */
   get hasWrite(): boolean {
     return this.list.value.some(({ shelf }) => shelf === 'unfinished');
   }
 
-  /** All of them, as a file. */
+  /** All of them, as the text of a file. */
   asText(): string {
-    // What JSON cannot say is written as text: it is what may be wrong with it.
+    // Values that JSON does not have are written as text: they may be what is wrong.
     const plain = (_: string, value: unknown): unknown =>
       (typeof value === 'number' && !Number.isFinite(value)) || typeof value === 'bigint' ? String(value) : value;
     return JSON.stringify(this.list.value, plain, 2);

@@ -8,20 +8,20 @@ import type { NextFlight } from './next-flight.js';
 import { programKey } from './record-keys.js';
 import type { Standing } from './standing.js';
 
-/** A DT for trimming, in the timer that is connected. Times are hundredths of a second. */
+/** A short DT in the connected timer. Times are hundredths of a second. */
 export interface ShortDtWord {
-  /** Counted from 0; null where the timer does not say which memory is current. */
+  /** Counted from 0; null when the timer does not say which memory is current. */
   readonly memory: number | null;
   readonly dt: number;
-  /** What it can be put back to. */
+  /** The DT to put back. */
   readonly back: number;
 }
 
-/** What a round of a contest needs by the rules of a class, where nothing else is known: 3 min, or 5 min for F1E. */
+/** The DT that a contest round needs in a class, if nothing else is known: 3 min, or 5 min for F1E. */
 const USUAL: Readonly<Record<string, number>> = { E: 30_000 };
 const USUAL_OTHERWISE = 18_000;
 
-/** So many are remembered: five memories of twenty models. */
+/** How many are remembered: five memories of twenty models. */
 const MOST = 100;
 const time = v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(MAX_TIME));
 const remembered = v.record(v.pipe(v.string(), v.maxLength(200)), time);
@@ -30,26 +30,26 @@ interface ShortDtParts {
   readonly editor: Editor;
   readonly standing: ReadonlySignal<Standing>;
   readonly nextFlight: Pick<NextFlight, 'open'>;
-  /** It is open how this timer writes its times. */
+  /** Whether it is open how this timer writes its times. */
   readonly byteOrderOpen: ReadonlySignal<boolean>;
   readonly simulated: ReadonlySignal<boolean>;
-  /** Null where it is not known. */
+  /** Null when it is not known. */
   readonly modelAtHand: ReadonlySignal<Model | null>;
 }
 
 /**
- * A short DT brings a model down early, as for trimming. Forgotten it costs a flight: so the last long DT of each
- * memory is remembered, and can be put back. The limit between them is the pilot's own, see `Preferences`.
+ * A short DT brings a model down early, as for trimming. Forgotten, it costs a flight. So the last long DT of each
+ * memory is remembered and can be put back. The pilot sets the limit between them, see `Preferences`.
  */
 export class ShortDt {
-  /** Null unless a fresh reading says that the memory which flies next has a short DT. */
+  /** Null unless a fresh reading shows that the memory which flies next has a short DT. */
   readonly held: ReadonlySignal<ShortDtWord | null>;
   readonly #parts: ShortDtParts;
 
   constructor(parts: ShortDtParts) {
     this.#parts = parts;
     const { editor, standing, nextFlight, byteOrderOpen } = parts;
-    /** What flies next by a reading of this connection: not what was read once, or is of another memory by now. */
+    /** What flies next, by a reading of this connection: not an older reading, and not another memory. */
     const now = computed(() => {
       const isSure = standing.value.sure === 'now' && !nextFlight.open.value && !byteOrderOpen.value;
       return isSure ? editor.baseline.value : null;
@@ -65,12 +65,12 @@ export class ShortDt {
     });
   }
 
-  /** Whether the DT of a program is one for trimming. */
+  /** Whether the DT of a program is short. */
   isShort(program: TimerProgram): boolean {
     return dtOf(program) < this.#parts.editor.shortDt.value;
   }
 
-  /** The last long DT of this memory, of this model or else of such a timer; else what the class needs. */
+  /** The last long DT of this memory: of this model, or else of this kind of timer; else what the class needs. */
   #back(program: TimerProgram): number {
     const kept = loadSetting('long-dts', remembered) ?? {};
     const limit = this.#parts.editor.shortDt.value;
@@ -79,7 +79,7 @@ export class ShortDt {
     return known.find((dt) => dt !== undefined && dt >= limit) ?? Math.max(usual, limit);
   }
 
-  /** Under what its DT is remembered, the surest first. */
+  /** The keys under which its DT is remembered, the most certain first. */
   #keys(program: TimerProgram): readonly string[] {
     const model = this.#parts.modelAtHand.value;
     const byKind = programKey(program, this.#parts.simulated.value);
@@ -87,7 +87,7 @@ export class ShortDt {
   }
 
   #remember(keys: readonly string[], dt: number): void {
-    // Read each time: another tab may have remembered something meanwhile.
+    // Read each time: another tab may have stored something in the meantime.
     const before = loadSetting('long-dts', remembered) ?? {};
     if (keys.every((key) => before[key] === dt)) return;
     const others = Object.entries(before).filter(([key]) => !keys.includes(key));

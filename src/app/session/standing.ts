@@ -4,18 +4,18 @@ import type { Editor } from '../editing/editor.js';
 import type { Knowledge } from './knowledge.js';
 
 /**
- * How far what was read of the memory on the screen can be called what the timer holds. Times are milliseconds since
- * 1970.
+ * How certain it is that the timer still holds what was read of the memory on the screen.
+ * Times are milliseconds since 1970.
  */
 export type Standing =
   /** It was read on this connection, and nothing was sent since. */
   | { readonly sure: 'now'; readonly at: number; readonly verified: boolean }
-  /** It was read once: the timer may hold something else by now. When is null where that was not kept. */
+  /** It was read earlier: the timer may hold something else by now. `at` is null when the time was not kept. */
   | { readonly sure: 'once'; readonly at: number | null }
-  /** A write into it was cut off. */
+  /** A write into it was interrupted. */
   | { readonly sure: 'not'; readonly at: number | null };
 
-/** What marks, figures and lines may say of the program on the screen: see {@link Standing}. */
+/** What marks, figures and lines may say about the program on the screen: see {@link Standing}. */
 export function standingOf(
   editor: Editor,
   knowledge: Knowledge,

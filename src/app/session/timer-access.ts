@@ -6,14 +6,14 @@ import type { Assumed } from './link.js';
 import type { Reader } from './reader.js';
 import { type Session, SIMULATED_CLASSES, type SimulatedClass } from './session.js';
 
-/** Where the timers come from that this page can go to. */
+/** The sources of timers to which this page can connect. */
 export interface TimerSources {
   readonly surroundings: Surroundings;
   readonly plugSimulated: (timerClass: SimulatedClass) => SerialPortLike | Promise<SerialPortLike>;
   readonly plugRecording: (entries: readonly CaptureEntry[]) => SerialPortLike | Promise<SerialPortLike>;
 }
 
-/** The ways to a timer and away from it: one at a time, also while it is waited for. */
+/** Connects and disconnects: one connection at a time, also while it waits for a timer. */
 export class TimerAccess {
   readonly #session: Session;
   readonly #reader: Reader;
@@ -26,10 +26,10 @@ export class TimerAccess {
   }
 
   /**
-   * Connects to the port that was used last, or is the only one that is known, else to the one that the pilot chooses.
-   * A timer that is connected and has not been read is read.
+   * Connects to the port that was used last, or to the only known one; otherwise the pilot chooses a port. A connected
+   * timer that was not read is read.
    * @param choose asks for a port in any case.
-   * @returns when the timer was read, or when it has to be waited for.
+   * @returns once the timer is read, or has to be waited for.
    */
   async connect(choose = false): Promise<void> {
     const { engaged, connection, link } = this.#session;
@@ -43,13 +43,13 @@ export class TimerAccess {
     });
   }
 
-  /** Connects to the timer that another tab has let go of, and goes on with its edits. */
+  /** Connects to the timer that another tab has released, and goes on with its edits. */
   async takeOver(): Promise<void> {
     this.#reader.inherit();
     await this.connect();
   }
 
-  /** Connects to one of the ports that are known. */
+  /** Connects to one of the known ports. */
   async connectTo(port: SerialPortLike): Promise<void> {
     await this.#goTo(async () => () => this.#session.link.connect(port));
   }
@@ -63,7 +63,7 @@ export class TimerAccess {
     });
   }
 
-  /** Connects to a timer that answers as another one did while its line was recorded. */
+  /** Connects to a timer that replays a recording. */
   async tryRecording(entries: readonly CaptureEntry[]): Promise<void> {
     await this.#goTo(async () => {
       const port = await this.#sources.plugRecording(entries);
@@ -71,7 +71,7 @@ export class TimerAccess {
     });
   }
 
-  /** Connects to a timer like the one that the program on the screen came from: a simulated one is made anew. */
+  /** Connects to a timer like the one from which the program on the screen came. A simulated timer is built again. */
   async comeBack(): Promise<void> {
     const { onScreen, editor } = this.#session;
     const timerClass = onScreen.simulated.value ? editor.identity.value?.timerClass : undefined;
@@ -80,8 +80,8 @@ export class TimerAccess {
   }
 
   /**
-   * Lets the pilot choose another port while a timer at this one is waited for; what is waited for stays until one is
-   * chosen.
+   * Lets the pilot choose another port while the link waits for a timer on this one.
+   * The wait goes on until a port is chosen.
    */
   async chooseAnother(): Promise<void> {
     const { link } = this.#session;
@@ -91,8 +91,8 @@ export class TimerAccess {
   }
 
   /**
-   * Stops what is under way, lets the last request end and closes the port. The program stays on the screen, as it was
-   * read last, with what was typed.
+   * Stops everything, lets the last request end, and closes the port. The program stays on the screen as last read,
+   * with everything that was typed.
    */
   async disconnect(): Promise<void> {
     const { runner, link, notices, recovery } = this.#session;
@@ -106,7 +106,7 @@ export class TimerAccess {
     await link.refresh();
   }
 
-  /** The pilot has said how this timer is: it is read again that way. */
+  /** The pilot has said how this timer works: reads it again in that way. */
   async assume(quirks: AssumedQuirks): Promise<void> {
     const { runner, link } = this.#session;
     if (runner.busy.value) return;
@@ -114,7 +114,7 @@ export class TimerAccess {
     await this.#reader.read();
   }
 
-  /** Takes nothing for true any more of such a timer at such a port; the one at hand is read again without. */
+  /** Forgets all assumptions about such a timer on such a port. Reads the connected one again without them. */
   async forgetAssumed(assumed: Pick<Assumed, 'portKey' | 'kind'>): Promise<void> {
     const { runner, link } = this.#session;
     if (runner.busy.value) return;
@@ -126,7 +126,7 @@ export class TimerAccess {
     }
   }
 
-  /** The link has come to another state: all that rests on which timer is there hears of it. */
+  /** The state of the link has changed: tells everything that depends on which timer is there. */
   follow(state: LinkState, before: LinkState): void {
     const { recognition, runner, knowledge, recovery, nextFlight, notices, link } = this.#session;
     if (state.status === 'away' || (before.status === 'on' && ['waiting', 'searching'].includes(state.status))) {
@@ -139,7 +139,7 @@ export class TimerAccess {
     }
     runner.connectionOver();
     knowledge.connectionOver();
-    // What is offered rests on what a timer holds that is no longer there.
+    // The offer depends on the content of a timer that is no longer there.
     if (before.status === 'on') recovery.anotherTimer();
     if (state.status !== 'off') return;
     this.#reader.timerGone();
@@ -151,7 +151,7 @@ export class TimerAccess {
     void link.refresh();
   }
 
-  /** Settles when the timer was read or has to be waited for. */
+  /** Settles once the timer is read, or has to be waited for. */
   async #goTo(find: () => Promise<() => Promise<void>>): Promise<void> {
     const { engaged, notices, link } = this.#session;
     if (engaged.value) return;

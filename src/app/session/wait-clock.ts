@@ -3,10 +3,10 @@ import type { LinkState } from '../../serial/index.js';
 
 const ASKING: ReadonlySet<LinkState['status']> = new Set(['searching', 'waiting']);
 
-/** Counts how long a timer has been asked and has not answered. */
+/** Counts how long a timer has been asked without an answer. */
 export class WaitClock {
   readonly #seconds = signal(0, { name: 'waitedSeconds' });
-  /** Whole seconds since it was asked first; 0 while none is asked. */
+  /** Whole seconds since the first question; 0 while no timer is asked. */
   readonly seconds: ReadonlySignal<number> = this.#seconds;
 
   constructor(state: ReadonlySignal<LinkState>) {
@@ -23,7 +23,7 @@ export class WaitClock {
       const tick = (): void => {
         const passed = performance.now() - since;
         this.#seconds.value = Math.floor(passed / 1000);
-        // A page that was put to sleep counts on from what has passed.
+        // A page that was asleep counts the time that has really passed.
         next = setTimeout(tick, 1000 - (passed % 1000));
       };
       tick();

@@ -2,7 +2,7 @@ import { messages } from '../messages/index.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { DENSITIES, type Density } from './density.js';
 
-/** How high the rows of the program are. */
+/** Chooses the height of the program's rows. */
 export function DensityChoice({ density }: { readonly density: Density }) {
   const { title, names } = messages.value.density;
   return (

@@ -2,7 +2,7 @@ import { type ReadonlySignal, signal } from '@preact/signals';
 import type { Session } from '../session/session.js';
 import { SHELVES, type Storage, withinLimit } from '../storage/index.js';
 
-/** What is kept outside of the storage of this page. */
+/** What the browser keeps outside of the page's storage. */
 export type KeptOutside = 'settings' | 'ports' | 'offline';
 
 /** How each of these is emptied. */
@@ -14,16 +14,16 @@ export type KeptCounts = Readonly<Record<(typeof SHELVES)[number], number | null
 export type EraseStep =
   | { readonly step: 'review'; readonly counts: KeptCounts }
   | { readonly step: 'running' }
-  /** Some of it could not be deleted. */
+  /** Parts that could not be deleted. */
   | { readonly step: 'failed'; readonly left: readonly (KeptOutside | 'storage')[] };
 
 /**
- * So long each of them has, in milliseconds: a slow and busy device may take its time for all of it, and who has asked
- * for this waits. Only what hangs is given up.
+ * How long each part may take, in milliseconds. A slow and busy device needs time, and the pilot has asked for this and
+ * waits. Only a part that hangs is given up.
  */
 const ERASE_LIMIT = 30_000;
 
-/** Deletes everything that this page keeps on this device; it is asked for once. */
+/** Deletes everything that this page keeps on this device, after one question. */
 export class Erase {
   readonly current: ReadonlySignal<EraseStep | null>;
   readonly #current = signal<EraseStep | null>(null, { name: 'erase' });
@@ -32,7 +32,7 @@ export class Erase {
   readonly #erasers: Erasers;
   readonly #reload: () => void;
 
-  /** @param reload begins the page afresh. */
+  /** @param reload starts the page again. */
   constructor(session: Session, storage: Storage, erasers: Erasers, reload: () => void) {
     this.current = this.#current;
     this.#session = session;
@@ -41,7 +41,7 @@ export class Erase {
     this.#reload = reload;
   }
 
-  /** Says what would go. */
+  /** Shows what would be deleted. */
   async open(): Promise<void> {
     const counted = SHELVES.map(async (shelf) => {
       const records = await this.#storage[shelf].all().catch(() => null);
@@ -55,12 +55,12 @@ export class Erase {
     if (this.#current.value?.step !== 'running') this.#current.value = null;
   }
 
-  /** Deletes all of it and begins afresh; what could not be deleted is said, and the page stays as it is. */
+  /** Deletes everything and starts again. If a part could not be deleted, says so and stays. */
   async start(): Promise<void> {
     if (this.#current.value?.step !== 'review') return;
     this.#current.value = { step: 'running' };
     await this.#session.timer.disconnect();
-    // Nothing is left that would be kept again.
+    // Nothing may be left that would be stored again.
     this.#session.editor.clear();
     const left: (KeptOutside | 'storage')[] = [];
     const jobs = [

@@ -2,9 +2,7 @@ import { service } from '../browser/services.js';
 import { eraseSettings } from '../browser/settings.js';
 import type { Erasers } from './erase.js';
 
-/**
- * Empties what the browser keeps for this page beside its storage. Other programs at the same address are left alone.
- */
+/** Deletes what the browser keeps for this page besides its storage. Other pages of the same origin keep theirs. */
 export function browserErasers(serial: Pick<Serial, 'getPorts'> | null): Erasers {
   return {
     settings: async () => eraseSettings(),
@@ -14,7 +12,7 @@ export function browserErasers(serial: Pick<Serial, 'getPorts'> | null): Erasers
     offline: async () => {
       const registration = await service('serviceWorker')?.getRegistration();
       if (!registration) return;
-      // Each worker names its caches by its own address.
+      // Each worker names its caches after its own address.
       const caches = service('caches');
       for (const name of (await caches?.keys()) ?? []) {
         if (name.endsWith(registration.scope)) await caches?.delete(name);

@@ -5,7 +5,7 @@ import { messages } from '../messages/index.js';
 import type { Preferences } from '../session/preferences.js';
 import './short-dt-limit.css';
 
-/** Below which time a DT is called short, in seconds. */
+/** Sets below which time a DT counts as short, in seconds. */
 export function ShortDtLimit({ preferences }: { readonly preferences: Preferences }) {
   const { shortDt, edits, unreadable, times } = messages.value;
   const text = useSignal(plainSeconds(preferences.shortDt.value));

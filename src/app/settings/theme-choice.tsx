@@ -2,7 +2,7 @@ import { messages } from '../messages/index.js';
 import { SegmentChoice } from '../ui/segment-choice.js';
 import { THEMES, type Theme } from './theme.js';
 
-/** How the page looks. */
+/** Chooses the colours of the page. */
 export function ThemeChoice({ theme }: { readonly theme: Theme }) {
   const { title, names } = messages.value.theme;
   return (

@@ -11,7 +11,7 @@ interface AboutPageProps {
   readonly update: UpdateOffer;
 }
 
-/** Which version this is, what is new in it, whether it works without a network, and with whose work it is made. */
+/** The version, what is new in it, whether it works without a network, and the work of others in it. */
 export function AboutPage({ installation, update }: AboutPageProps) {
   const { aboutPage: words, update: updateWords, start } = messages.value;
   const isRead = useSignal(false);

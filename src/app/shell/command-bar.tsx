@@ -19,13 +19,13 @@ interface CommandBarProps {
   readonly bench: Bench;
   readonly follow: Follow;
   readonly saveSetting: SaveSetting;
-  /** Opens what shifts the row in hand and all after it; null where there is no room for it. */
+  /** Opens the tools that shift the present row and all later ones; null when there is no room for them. */
   readonly onShift: (() => void) | null;
-  /** Where there is no room for it beside the table: whether the picture is shown in its place. */
+  /** When the picture has no room beside the table: whether it is shown in place of the table. */
   readonly picture: { readonly open: boolean; readonly onToggle: () => void } | null;
 }
 
-/** How the program stands to the timer, and the way to it and back. */
+/** How the program differs from the timer, and the commands to write, read and undo. */
 export function CommandBar({ session, write, bench, follow, saveSetting, onShift, picture }: CommandBarProps) {
   const { program, edits } = messages.value;
   const { editor } = session;

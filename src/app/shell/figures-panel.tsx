@@ -14,18 +14,18 @@ export interface FiguresPanelProps {
   readonly preferences: Preferences;
   readonly saveSetting: SaveSetting;
   /**
-   * What stands in the strip where there is room: the memories, and on a phone all that is done to the connection; null
-   * there.
+   * Parts of the strip that have no room on a phone: the memories, and the commands of the connection. Null where the
+   * strip has room.
    */
   readonly rest: { readonly choice: ComponentChildren; readonly actions: ComponentChildren } | null;
   readonly onClose: () => void;
 }
 
-/** The figures that decide, large enough for a thumb; on a phone with all that has no room in one line. */
+/** The key figures, large enough for a thumb. On a phone also everything that has no room in the strip. */
 export function FiguresPanel({ id, session, preferences, saveSetting, rest, onClose }: FiguresPanelProps) {
   const { strip } = messages.value;
   const identity = session.editor.identity.value;
-  // What is typed while another memory is asked for would go into the one that is left.
+  // While another memory is being selected, typing would change the one that is left.
   const leavesMemory = session.runner.job.value?.kind === 'select';
   if (!identity) return null;
   return (

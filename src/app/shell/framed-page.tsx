@@ -1,12 +1,12 @@
 import { messages } from '../messages/index.js';
 import './framed-page.css';
 
-/** Whether this page lies inside of another one, which could lay something over its buttons. */
+/** Whether this page stands inside another one, which could lay something over its buttons. */
 export function isFramed({ self, top }: Pick<Window, 'self' | 'top'>): boolean {
   return top !== self;
 }
 
-/** In the place of the program inside of another page: where it works. */
+/** Replaces the program inside another page: says where the page works. */
 export function FramedPage({ address }: { address: string }) {
   const { framed } = messages.value;
   return (

@@ -24,7 +24,7 @@ import { StatusStrip } from './status-strip.js';
 import type { UpdateOffer } from './update-offer.js';
 import './header.css';
 
-/** What is said of the model: fetched after the first picture. */
+/** The line about the model, loaded after the first picture. */
 export const modelLine = onDemand(async () => (await import('../recognition/model-line.js')).ModelLine, {
   silent: true,
 });
@@ -44,11 +44,11 @@ interface HeaderProps {
   readonly installation: Installation;
   readonly fileNotice: ComponentChildren;
   readonly onExport: () => void;
-  /** The way to a timer is told large, in the place of the program. */
+  /** Whether the connecting is shown large, in place of the program. */
   readonly staged: boolean;
 }
 
-/** What stays in sight in every view: the status, what is not certain, what goes on, and what there is to say. */
+/** Stays in sight in every view: the status, what is uncertain, what is in progress, and messages. */
 export function Header({
   session,
   memories,
@@ -83,7 +83,7 @@ const SAID_HERE: ReadonlySet<JobKind> = new Set(['read', 'select', 'look']);
 function JobProgress({ runner }: { readonly runner: JobRunner }) {
   const { program, look, memoryName } = messages.value;
   const job = runner.job.value;
-  // What the others do is said where they were begun.
+  // Other jobs are shown where they were begun.
   if (!job || !SAID_HERE.has(job.kind) || runner.claimed.value) return null;
   const looking = job.kind === 'look' && job.memory !== null && look.looking(memoryName(job.memory));
   return (

@@ -1,7 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import type { Views } from './views.js';
 
-/** The key `?` leads to the help, but where something is typed or a dialog asks. */
+/** The key `?` opens the help, except while somebody types or a dialog is open. */
 export function HelpKey({ views }: { readonly views: Views }) {
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {

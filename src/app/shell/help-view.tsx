@@ -17,11 +17,11 @@ export interface HelpViewProps {
   readonly session: Session;
   readonly help: Help;
   readonly platform: Platform;
-  /** The page of the help, as the address says it. */
+  /** The page of the help, as in the address. */
   readonly path: string;
 }
 
-/** What a pilot can look up, on the field, too. */
+/** What a pilot can look up, also on the field. */
 export function HelpView({ session, help, platform, path }: HelpViewProps) {
   const shown = helpPageAt(path);
   const pages: Record<HelpPage, () => preact.JSX.Element> = {
@@ -45,7 +45,7 @@ export function HelpView({ session, help, platform, path }: HelpViewProps) {
   );
 }
 
-/** Where a symptom has to do with the connection: what the page says there of itself when it happens. */
+/** For a symptom of the connection: the help that the page shows when it happens. */
 const CODES: Partial<Readonly<Record<Symptom, HelpCode>>> = {
   noAnswer: 'waiting',
   noAdapter: 'nothing-chosen',

@@ -8,11 +8,11 @@ import type { SetAside } from '../session/set-aside.js';
 interface KeepingNoticeProps {
   readonly keeping: Keeping;
   readonly library: Library;
-  /** All of the library is to go into a file. */
+  /** Exports the whole library to a file. */
   readonly onExport: () => void;
 }
 
-/** What this browser does not keep, as long as that is so; nothing when all is well. */
+/** What this browser does not keep; nothing while all is well. */
 export function KeepingNotice({ keeping, library, onExport }: KeepingNoticeProps) {
   const { keeping: words, dismiss } = messages.value;
   const storage = keeping.storage.value;
@@ -36,7 +36,7 @@ export function KeepingNotice({ keeping, library, onExport }: KeepingNoticeProps
   );
 }
 
-/** What was found in the storage and cannot be read. */
+/** Stored data that cannot be read. */
 export function AsideNotice({ aside }: { readonly aside: SetAside }) {
   const { aside: words, dismiss } = messages.value;
   if (!aside.isNew.value) return null;
@@ -55,7 +55,7 @@ export function AsideNotice({ aside }: { readonly aside: SetAside }) {
   );
 }
 
-/** Backups that were deleted a moment ago can be put back. */
+/** Offers to put back backups that were just deleted. */
 export function RemovedNotice({ backups }: { readonly backups: Backups }) {
   const { removed: words } = messages.value;
   const { length } = backups.removed.value;
@@ -72,7 +72,7 @@ export function RemovedNotice({ backups }: { readonly backups: Backups }) {
   );
 }
 
-/** Models, settings and flights that were deleted a moment ago can be put back. */
+/** Offers to put back models, settings and flights that were just deleted. */
 export function LibraryRemovedNotice({ library }: { readonly library: Library }) {
   const { removedFromLibrary: words } = messages.value;
   const [models, settings, flights] = [library.models, library.settings, library.flights].map(

@@ -2,10 +2,10 @@ import { licences } from '../browser/licences.js';
 import { messages } from '../messages/index.js';
 import './licence-list.css';
 
-/** Where a text breaks its lines for a page of its own width. Its short lines are meant, such as a heading. */
+/** Line breaks that a text has only because of its own page width. Short lines, such as headings, keep theirs. */
 const BROKEN = /(?<=[^\n]{49}[\w,.;"')])\n(?=[\w"'(])/g;
 
-/** The packages that the page is made with, each with its licence in full. */
+/** The packages in this page, each with its full licence. */
 export function LicenceList() {
   const { aboutPage: words } = messages.value;
   return (

@@ -1,4 +1,4 @@
 import { onDemand } from '../ui/on-demand.js';
 
-/** The texts are long, and few want to read them. */
+/** Loaded on demand: the texts are long, and few people read them. */
 export const licenceList = onDemand(async () => (await import('./licence-list.js')).LicenceList);

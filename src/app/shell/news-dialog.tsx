@@ -4,7 +4,7 @@ import { Modal } from '../ui/modal.js';
 import { ReleaseList } from './release-list.js';
 import type { UpdateOffer } from './update-offer.js';
 
-/** What is new in the version that waits. */
+/** What is new in the waiting version. */
 export function NewsDialog({ update }: { readonly update: UpdateOffer }) {
   const { update: words } = messages.value;
   const titleId = useId();

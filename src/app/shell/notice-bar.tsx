@@ -38,18 +38,18 @@ interface NoticeBarProps {
   readonly platform: Platform;
   /** What was done with files. */
   readonly fileNotice: ComponentChildren;
-  /** All of the library is to go into a file. */
+  /** Exports the whole library to a file. */
   readonly onExport: () => void;
   readonly installation: Installation;
 }
 
-/** What the pilot should know now: said once, until it is dismissed or something else is to say. */
+/** What the pilot should know now: shown until it is dismissed, or another message comes. */
 export function NoticeBar({ session, keeping, aside, update, portHolder, platform, ...rest }: NoticeBarProps) {
   const { fileNotice, onExport, installation } = rest;
   const { dismiss, link } = messages.value;
   const notice = session.notices.current.value;
   const holder = portHolder.tab.value;
-  // Nothing that can wait moves the table while a timer is there.
+  // While a timer is connected, nothing that can wait moves the table.
   const isCalm = notice === null && session.link.state.value.status === 'off';
   return (
     <div class="notices" role="status">
@@ -87,7 +87,7 @@ export function NoticeBar({ session, keeping, aside, update, portHolder, platfor
   );
 }
 
-/** What no reading can decide: how the timer writes its times. */
+/** The question that no reading can answer: how the timer writes its times. */
 function ByteOrderChoice({ session }: { readonly session: Session }) {
   const { byteOrder } = messages.value;
   return (
@@ -113,11 +113,11 @@ function ByteOrderChoice({ session }: { readonly session: Session }) {
   );
 }
 
-/** @param uncertain whether it is not known what the memory on the screen holds. */
+/** @param uncertain whether the content of the memory on the screen is uncertain. */
 function said(notice: Notice, platform: Platform, uncertain: boolean): Said {
   const { timer, notes } = messages.value;
   if (notice.kind === 'connection') return connectionSaid(notice.code, platform);
   if (notice.kind === 'timer') return timer[notice.code];
-  // What a write has done that was cut off is not known before a reading.
+  // The result of an interrupted write is not known before a reading.
   return notes[uncertain && notice.code === 'edits-restored' ? 'edits-uncertain' : notice.code];
 }

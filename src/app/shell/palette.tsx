@@ -4,27 +4,27 @@ import { messages } from '../messages/index.js';
 import { Modal } from '../ui/modal.js';
 import './palette.css';
 
-/** Something that can be done now, by its name. */
+/** A command that is possible now, with its name. */
 export interface PaletteCommand {
   readonly name: string;
-  /** The keys that do the same. */
+  /** The keys for the same command. */
   readonly keys?: string | undefined;
   readonly run: () => void;
 }
 
 interface PaletteProps {
-  /** What can be done now. */
+  /** The commands that are possible now. */
   readonly commands: () => readonly PaletteCommand[];
 }
 
-/** Every action by its name, with its keys: opened by Ctrl or Cmd and K. Nothing of it is made while it is shut. */
+/** A list of all commands with their keys, opened by Ctrl+K or Cmd+K. Nothing of it is made while it is closed. */
 export function Palette({ commands }: PaletteProps) {
   const open = useSignal(false);
   const titleId = useId();
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {
       const isIt = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === 'k';
-      // Over another dialog it would hide what that one asks.
+      // Over another dialog it would hide the question of that one.
       const isCovered = !open.peek() && document.querySelector('dialog[open]') !== null;
       if (!isIt || isCovered) return;
       event.preventDefault();
@@ -54,7 +54,7 @@ function Choice({ commands, onClose }: PaletteProps & { readonly onClose: () => 
   const chosen = Math.min(at.value, last);
   const run = (command: PaletteCommand | undefined): void => {
     if (!command) return;
-    // Shut first: what is run may open a dialog of its own.
+    // Closes first: the command may open a dialog of its own.
     onClose();
     command.run();
   };

@@ -1,13 +1,13 @@
-/** Where somebody was in a view. */
+/** Where the pilot was in a view. */
 export interface ViewPlace {
   readonly scroll: number;
-  /** The element that had the focus: by its number among those of its kind; null where none had. */
+  /** The focused element, by its number among those of its kind; null when nothing had the focus. */
   readonly focus: { readonly tag: string; readonly at: number } | null;
 }
 
 /**
- * Where somebody is in a view now.
- * @param last what has had the focus last in it: the link to another view may have it by now.
+ * Where the pilot is in a view now.
+ * @param last what last had the focus in it. The link to another view may have it by now.
  */
 export function placeIn(view: HTMLElement, last: Element | null): ViewPlace {
   const scroll = view.ownerDocument.documentElement.scrollTop;
@@ -17,9 +17,9 @@ export function placeIn(view: HTMLElement, last: Element | null): ViewPlace {
 }
 
 /**
- * Takes somebody to where they were: scrolled, and with the focus there; without a place, to the top. An open dialog
- * keeps its focus.
- * @param byTouch a finger came here: a field that gets the focus would open the keyboard.
+ * Takes the pilot back to a place: scrolled as before, with the focus there; without a place, to the top. An open
+ * dialog keeps its focus.
+ * @param byTouch whether a finger came here: a focused field would open the keyboard.
  */
 export function putBackPlace(view: HTMLElement, place: ViewPlace | undefined, byTouch: boolean): void {
   const { ownerDocument: page } = view;

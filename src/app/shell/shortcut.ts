@@ -1,10 +1,11 @@
 import { tried } from '../browser/services.js';
 
 /**
- * Where a shortcut of the installed page leads: public/manifest.webmanifest names it in the address, and the button or
- * the card that is meant has that name as `data-lead`. Nothing is done there: what opens a port is pressed by the
- * pilot. The address forgets the name, so that a reload does not lead there again.
- * @returns leads there; again, when what was kept has come to the screen, and the pilot has not gone elsewhere.
+ * Follows a shortcut of the installed page. public/manifest.webmanifest gives it a name in the address, and a button or
+ * card has the same name as `data-lead`. It only puts the focus there: the pilot opens a port with a press of his own.
+ * The name leaves the address, so that a reload does not follow it again.
+ * @returns a function that follows it. Call it again when stored work has come to the screen, unless the pilot has gone
+ * elsewhere.
  */
 export function shortcutOf({
   location,

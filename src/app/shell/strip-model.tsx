@@ -2,13 +2,13 @@ import { messages } from '../messages/index.js';
 import type { Session } from '../session/session.js';
 import './strip-model.css';
 
-/** The name of the model, and the way to say which one it is. */
+/** The name of the model, as a button to choose another one. */
 export function StripModel({ session }: { readonly session: Session }) {
   const { recognition: words } = messages.value;
   const { recognition, modelAtHand } = session;
   const model = modelAtHand.value;
   if (session.connection.value === null) return null;
-  // Not before the models have come, and something was read.
+  // Not before the models are loaded and something was read.
   if (!model && recognition.found.value === null) return null;
   return (
     <button

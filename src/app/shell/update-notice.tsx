@@ -3,11 +3,11 @@ import type { UpdateOffer } from './update-offer.js';
 
 interface UpdateNoticeProps {
   readonly update: UpdateOffer;
-  /** Bytes move: the pilot is asked afterwards. */
+  /** Whether bytes move: then the question comes afterwards. */
   readonly busy: boolean;
 }
 
-/** That a new version is ready; once it was taken, what it waits for. */
+/** Says that a new version is ready; once the pilot has accepted it, what it waits for. */
 export function UpdateNotice({ update, busy }: UpdateNoticeProps) {
   const { update: words } = messages.value;
   const take = update.take.value;

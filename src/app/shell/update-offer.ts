@@ -4,28 +4,26 @@ import { version as mine } from '../browser/version.js';
 import type { Session } from '../session/session.js';
 import { unsaved } from '../ui/unsaved.js';
 
-/** What a new version waits for once it was taken. */
+/** What an accepted new version waits for. */
 export type Hindrance = 'port' | 'edits' | 'open';
 
-/**
- * A new version of the page, which waits until the pilot takes it, no port is open and a reload would lose nothing.
- */
+/** A new version of the page. It waits until the pilot accepts it, no port is open, and a reload would lose nothing. */
 export class UpdateOffer {
   readonly #take = signal<(() => void) | null>(null, { name: 'update' });
   readonly #news = signal<News | null>(null, { name: 'updateNews' });
   readonly #taken = signal(false, { name: 'updateTaken' });
   readonly #reading = signal(false, { name: 'updateRead' });
-  /** Takes the new version; null while there is none, or once it was taken. */
+  /** Accepts the new version; null when there is none, or it was accepted already. */
   readonly take: ReadonlySignal<(() => void) | null> = this.#take;
-  /** Whether the pilot has taken it, and it waits. */
+  /** Whether the pilot has accepted it and it waits. */
   readonly taken: ReadonlySignal<boolean> = this.#taken;
-  /** What the new version is called; null while it has not said so. */
+  /** Its version number; null until it has told it. */
   readonly version: ReadonlySignal<string | null> = computed(() => this.#news.value?.version ?? null);
   /** What is new in it. */
   readonly releases: ReadonlySignal<readonly Release[]> = computed(() =>
     this.#news.value ? newTo(mine, this.#news.value) : [],
   );
-  /** Whether what is new in it is shown. */
+  /** Whether the list of what is new is open. */
   readonly reading: ReadonlySignal<boolean> = this.#reading;
   readonly #session: Session;
   #offered: (() => void) | null = null;
@@ -38,38 +36,36 @@ export class UpdateOffer {
     this.#offered = take;
     batch(() => {
       this.#news.value = null;
-      // Of one that was taken already the wish holds for whatever has replaced it.
+      // If one version was accepted already, that also holds for the version that replaces it.
       this.#take.value = this.#taken.peek() ? null : () => this.#begin();
     });
     void news.then((told) => {
-      // What was in one that has been replaced is not told of any more.
+      // What was new in a replaced version is no longer shown.
       if (this.#offered === take) this.#news.value = told;
     });
   };
 
-  /** Shows what is new in it, or no longer. */
+  /** Opens or closes the list of what is new. */
   read(open: boolean): void {
     this.#reading.value = open;
   }
 
-  /** What a new version waits for; null when it can begin. */
+  /** What a new version waits for; null when it can start. */
   readonly waitsFor: ReadonlySignal<Hindrance | null> = computed(() => {
     const { link, runner, keptWork, library } = this.#session;
-    // On the way to a port from the first moment.
+    // Already while the connection is being looked for.
     if (runner.busy.value || link.state.value.status !== 'off') return 'port';
     if (!keptWork.kept.value || !library.kept.value) return 'edits';
     return unsaved.value ? 'open' : null;
   });
 
-  /**
-   * Calls back once, as soon as no port is open or being opened and a reload would lose nothing: at once if so.
-   */
+  /** Calls back once, as soon as no port is open or being opened and a reload would lose nothing: at once if so. */
   readonly whenFree = (callback: () => void): void => {
     let isDone = false;
     const stop = effect(() => {
       if (this.waitsFor.value !== null || isDone) return;
       queueMicrotask(() => {
-        // Something may have been opened in the same breath.
+        // Something may have been opened at the same moment.
         if (isDone || this.waitsFor.peek() !== null) return;
         isDone = true;
         stop();

@@ -6,14 +6,17 @@ import type { View, Views } from './views.js';
 
 interface ViewFrameProps {
   readonly views: Views;
-  /** Bytes move: what is shown is about to change. */
+  /** Whether bytes move, so that the content is about to change. */
   readonly busy: boolean;
-  /** It takes all the room that there is, to its edges. */
+  /** Whether it takes the whole room, to its edges. */
   readonly whole: boolean;
   readonly children: ComponentChildren;
 }
 
-/** Around the view that is shown. Whoever comes back to a view finds it scrolled as it was, and the focus in it. */
+/**
+ * The frame around the view. A pilot who comes back to a view finds it scrolled as before,
+ * with the focus in the same place.
+ */
 export function ViewFrame({ views, busy, whole, children }: ViewFrameProps) {
   const main = useRef<HTMLElement>(null);
   const places = useRef(new Map<View, ViewPlace>());
@@ -29,7 +32,7 @@ export function ViewFrame({ views, busy, whole, children }: ViewFrameProps) {
     [views],
   );
   useLayoutEffect(() => {
-    // At the start there is nothing to put back: the browser has the say.
+    // At the start there is nothing to put back; the browser decides.
     if (before.current !== null && main.current) putBackPlace(main.current, places.current.get(shown), byTouch.peek());
     before.current = shown;
   }, [shown, byTouch]);

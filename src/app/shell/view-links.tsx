@@ -6,7 +6,7 @@ import { ViewIcon } from './icons.js';
 import { VIEWS, type Views } from './views.js';
 import './view-links.css';
 
-/** From view to view: a rail at the left, on a phone a bar at the bottom. */
+/** Links to the views: a rail at the left, on a phone a bar at the bottom. */
 export function ViewLinks({ views }: { readonly views: Views }) {
   const { views: words } = messages.value;
   const areBelow = useQuery(TABS_BELOW).value;
@@ -14,7 +14,7 @@ export function ViewLinks({ views }: { readonly views: Views }) {
   useHeight(nav, areBelow ? '--tabs' : '--rail');
   const shown = views.shown.value;
   const wanted = VIEWS.filter((view) => view !== 'line' || views.expert.value || shown === 'line');
-  // A phone has no room for a sixth: the way to the help is in the settings.
+  // A phone has no room for a sixth link: the settings lead to the help.
   const inRail = areBelow ? wanted : wanted.flatMap((view) => (view === 'settings' ? (['help', view] as const) : view));
   return (
     <nav class="view-links" aria-label={words.title} ref={nav}>

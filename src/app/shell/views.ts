@@ -4,23 +4,23 @@ import { tried } from '../browser/services.js';
 import { loadSetting, saveSetting } from '../browser/settings.js';
 import { isLink } from '../library/share/sharing.js';
 
-/** The views of the page, in the order in which they stand in the rail. */
+/** The views of the page, in the order of the rail. */
 export const VIEWS = ['program', 'memories', 'bench', 'library', 'line', 'settings'] as const;
-/** Views that are reached from others, and have no place in the rail. */
+/** Views that other views open, without a place in the rail. */
 const SIDE_VIEWS = ['print', 'help'] as const;
 export type View = (typeof VIEWS | typeof SIDE_VIEWS)[number];
 
-/** What a view is told of the window: its address, and when that changes. */
+/** The part of the window that is used: its address, and when that changes. */
 export type AddressWindow = Pick<Window, 'location' | 'history' | 'addEventListener' | 'removeEventListener'>;
 
 /** A view, and a place in it: `#library/flights`. */
 interface Address {
   readonly view: View;
-  /** What stands after the name of the view: empty, or words with `/` between them. */
+  /** The text after the name of the view: empty, or words with `/` between them. */
   readonly path: string;
 }
 
-/** A place in a view has no more than this. */
+/** The most characters that a place in a view has. */
 const LONGEST_PATH = 300;
 
 /** Which view is shown. Its name stands in the address, so that Back works and a reload shows it again. */
@@ -28,10 +28,10 @@ export class Views {
   readonly #shown = signal<View>('program');
   readonly shown: ReadonlySignal<View> = this.#shown;
   readonly #path = signal('');
-  /** The place in the view that is shown; empty: its beginning. */
+  /** The place in the shown view. Empty: its beginning. */
   readonly path: ReadonlySignal<string> = this.#path;
   readonly #expert = signal(loadSetting('expert', v.boolean()) ?? false);
-  /** Whether the pilot wants to see what only few need: the line. */
+  /** Whether the pilot wants to see the line, which few need. */
   readonly expert: ReadonlySignal<boolean> = this.#expert;
   readonly #leaving = new Set<(view: View) => void>();
 
@@ -44,7 +44,7 @@ export class Views {
     });
   }
 
-  /** The address of what is shown, from `#`. */
+  /** The present address, from `#`. */
   get address(): string {
     return hashOf({ view: this.#shown.peek(), path: this.#path.peek() });
   }
@@ -55,8 +55,8 @@ export class Views {
   }
 
   /**
-   * Tells that a view is about to go, while it can still be looked at.
-   * @returns a function that ends it.
+   * Calls `tell` when a view is about to go, while it is still there.
+   * @returns a function that ends this.
    */
   onLeave(tell: (view: View) => void): () => void {
     this.#leaving.add(tell);
@@ -64,12 +64,12 @@ export class Views {
   }
 
   /**
-   * Keeps the address of a window and the view together.
-   * @returns a function that ends it.
+   * Keeps the address of a window and the view the same.
+   * @returns a function that ends this.
    */
   follow(window: AddressWindow): () => void {
     const read = (): void => {
-      // A setting that comes in the address is shown over the view that is there.
+      // A setting in the address is shown over the present view.
       if (isLink(window.location.hash)) return;
       const { view, path } = addressAt(window.location.hash) ?? PROGRAM;
       this.show(view, path);

@@ -8,14 +8,14 @@ import { ValueTable } from '../write/value-table.js';
 import './program-pair.css';
 
 interface ProgramPairProps {
-  /** Both have one layout. */
+  /** Both have the same layout. */
   readonly first: TimerProgram;
   readonly second: TimerProgram;
-  /** What the two are called. */
+  /** The names of the two. */
   readonly names: readonly [string, string];
-  /** What the picture is called. */
+  /** The name of the picture. */
   readonly title: string;
-  /** What can be done with each value that differs; then they stand one under the other, however many. */
+  /** A control for each value that differs. With it, the values stand one below the other, however many there are. */
   readonly actionOf?: ((change: Change) => ComponentChildren) | undefined;
   readonly children?: ComponentChildren;
 }

@@ -5,8 +5,8 @@ interface Stored {
 }
 
 /**
- * A stored record as it is called now. Until version 4 of the storage a program had `timers`, the name of a step gave a
- * `column`, and a memory round trip a `home`. What is no record of ours is left as it is: the schemas judge it.
+ * A stored record with the present names. Until version 4 of the storage a program had `timers`, the name of a step a
+ * `column`, and a memory round trip a `home`. Anything else stays as it is; the schemas check it.
  */
 export function withPresentNames(stored: unknown): unknown {
   if (Array.isArray(stored)) return stored.map(withPresentNames);
@@ -20,6 +20,6 @@ export function withPresentNames(stored: unknown): unknown {
 function presentName(name: string, record: Stored): string {
   if (name === 'timers' && 'positions' in record) return 'times';
   if (name === 'home' && record.kind === 'memories') return 'original';
-  // Only the parameters of a step have one: a number, beside what else its name says.
+  // Only the parameters of a step have it: as a number, beside the rest of its name.
   return name === 'column' && typeof record.column === 'number' ? 'slot' : name;
 }

@@ -1,15 +1,15 @@
 /**
- * Why the browser did not keep something, or did not give it back.
+ * Why the browser did not store something, or did not give it back.
  * - `slow`: it has not answered in time. It may still do it.
  * - `blocked`: another tab holds an older version of the storage.
  * - `full`: there is no room.
- * - `newer`: a newer version of this page has arranged the storage.
+ * - `newer`: a newer version of this page has changed the storage.
  * - `missing`: the browser has no storage for this page, or it is switched off.
  * - `failed`: anything else.
  */
 export type StorageErrorCode = 'slow' | 'blocked' | 'full' | 'newer' | 'missing' | 'failed';
 
-/** What the storage of the browser says instead of doing what it was asked for. */
+/** The error of the browser's storage. */
 export class StorageError extends Error {
   override readonly name = 'StorageError';
   readonly code: StorageErrorCode;
@@ -19,7 +19,7 @@ export class StorageError extends Error {
     this.code = code;
   }
 
-  /** Whatever a browser has thrown, by code; a StorageError stays what it is. */
+  /** The error of a browser as a code. A StorageError stays as it is. */
   static of(cause: unknown): StorageError {
     if (cause instanceof StorageError) return cause;
     const { name = '', message = String(cause) } = cause instanceof Error ? cause : {};
@@ -27,21 +27,21 @@ export class StorageError extends Error {
   }
 }
 
-/** By the name of what browsers throw. */
+/** By the names of the browsers' errors. */
 const CODES: Readonly<Record<string, StorageErrorCode>> = {
   QuotaExceededError: 'full',
   VersionError: 'newer',
   SecurityError: 'missing',
 };
 
-/** So long the storage has for one thing, in milliseconds. */
+/** How long the storage may take for one call, in milliseconds. */
 export const STORAGE_LIMIT = 5000;
 
 /**
- * What the storage gives, if it gives it in time: a browser may leave a question open for ever. What comes later is
- * skipped.
- * @param work a promise, or what begins it: whatever that throws at once is a rejection, too.
- * @param ms milliseconds.
+ * The answer of the storage, if it comes in time: a browser may leave a question open for ever. A late answer is
+ * ignored.
+ * @param work a promise, or a function that gives one. An error that the function throws counts as a rejection.
+ * @param ms how long to wait, in milliseconds.
  * @throws StorageError
  */
 export async function withinLimit<T>(work: Promise<T> | (() => Promise<T>), ms: number = STORAGE_LIMIT): Promise<T> {
@@ -58,23 +58,25 @@ export async function withinLimit<T>(work: Promise<T> | (() => Promise<T>), ms: 
   }
 }
 
-/** Told how the storage does. */
+/** Hears how the storage works. */
 export interface StorageWatch {
-  /** Something was given back, or kept: also when it came too late for whoever had asked. */
+  /** The storage has given something back, or kept it; also when that came too late for the caller. */
   answered(shelf: string, kind: StorageCall): void;
-  /** Something was refused, or has not come for a while. */
+  /** The storage has refused something, or has not answered for a while. */
   failed(shelf: string, kind: StorageCall, code: StorageErrorCode): void;
 }
 
-/** What can be asked of the storage: to give something back, or to keep something, or to throw it away. */
+/** The two kinds of calls: to give something back, or to store or delete something. */
 export type StorageCall = 'read' | 'change';
 
-/** After so long it is said that the storage does not answer, in milliseconds. */
+/** After this many milliseconds without an answer, the failure is reported. */
 const SAID_AFTER = 3000;
-/** So long a storage has that did not answer before: nobody has to wait for it again and again. */
+/**
+ * How long a storage may take that did not answer before: nobody should wait for it again and again. In milliseconds.
+ */
 const SHORT_LIMIT = 250;
 
-/** Asks one shelf of a storage, and waits no longer than makes sense by what it did before. */
+/** Asks one shelf of a storage, and waits only as long as its earlier answers make sensible. */
 export class StorageQuestions {
   readonly #watch: StorageWatch;
   readonly #shelf: string;
@@ -87,14 +89,13 @@ export class StorageQuestions {
   }
 
   /**
-   * @param now at once, and not after the changes before it: the page is left, and nothing that is waited for comes
-   * back to it.
+   * @param now at once instead of after earlier changes: the pilot leaves the page, and no answer may come any more.
    * @throws StorageError
    */
   async ask<T>(kind: StorageCall, work: () => Promise<T>, now = false): Promise<T> {
     const limit = this.#limit;
     const say = setTimeout(() => this.#watch.failed(this.#shelf, kind, 'slow'), Math.min(limit, SAID_AFTER));
-    // A change that comes late must not undo the one after it: they go one by one, however long that takes.
+    // A late change must not undo a later one: changes go one by one, however long that takes.
     const answer = kind === 'change' && !now ? this.#changes.then(work) : (async () => work())();
     if (kind === 'change') this.#changes = Promise.allSettled([this.#changes, answer]);
     answer.then(

@@ -14,12 +14,12 @@ import { type History, MAX_STEPS, STEP_CODES } from '../editing/history.js';
 import { withPresentNames } from './former-names.js';
 
 /*
- * What is stored is checked as strictly as what comes over a wire: an error of another version, of the browser or of a
- * disk must not become a value that somebody writes to a timer.
+ * Stored data is checked as strictly as data from the wire: a fault of another version, of the browser or of a disk
+ * must not become a value that somebody writes to a timer.
  */
 
 const whole = (min: number, max: number) => v.pipe(v.number(), v.safeInteger(), v.minValue(min), v.maxValue(max));
-/** Milliseconds since 1970, as far as a calendar goes. */
+/** Milliseconds since 1970, up to the latest JavaScript date. */
 const date = v.pipe(v.number(), v.finite(), v.minValue(0), v.maxValue(8.64e15));
 const key = v.pipe(v.string(), v.maxLength(200));
 /** The number of a tab, see `TabNumber`. */
@@ -48,9 +48,9 @@ interface Ranges {
   readonly position: readonly [number, number];
   readonly throttle: readonly [number, number];
 }
-/** What a timer can say. */
+/** The values that a timer can report. */
 const HELD: Ranges = { time: [0, MAX_TIME], position: [0, 255], throttle: [0, 255] };
-/** What can be typed, and is then refused for what it is: it is kept until it is put right. */
+/** The values that can be typed. Those that no timer takes are kept until the pilot corrects them. */
 const TYPED: Ranges = { time: [-1e9, 1e9], position: [-999_999, 999_999], throttle: [-999_999, 999_999] };
 
 const programIn = ({ time, position, throttle }: Ranges): v.GenericSchema<unknown, TimerProgram> =>
@@ -83,7 +83,7 @@ const params = v.pipe(
   ),
   v.check((found) => Object.keys(found).length <= 20, 'more than a name says'),
 );
-/** The setting that a program belongs to. One that cannot be read is no reason to lose what was typed. */
+/** The setting that a program belongs to. If it cannot be read, what was typed must not be lost. */
 const of = v.optional(v.fallback(v.optional(v.object({ id: key, saved: held })), undefined));
 const backupOf = v.optional(v.fallback(v.optional(key), undefined));
 const steps = v.pipe(
@@ -108,27 +108,25 @@ export const draftSchema = v.pipe(
     /** What the timer held when the work began. */
     baseline: held,
     working: wanted,
-    /** Texts in fields that are no values yet, by field. */
+    /** Texts in fields that are not values yet, by field. */
     texts,
     of,
     backupOf,
-    /**
-     * What can be undone and redone; older drafts have none. One that cannot be read is no reason to lose the draft.
-     */
+    /** The steps to undo and redo; older drafts have none. If they cannot be read, the draft must not be lost. */
     history: v.optional(v.fallback(v.optional(history), undefined)),
     /** Milliseconds since 1970. */
     savedAt: date,
     /** When the baseline was read, in milliseconds since 1970; older drafts do not say. */
     readAt: v.optional(v.nullable(date)),
-    /** When it was made, for a program that was read from no timer, in milliseconds since 1970. */
+    /** When it was made, in milliseconds since 1970; only for a program that was read from no timer. */
     madeAt: v.exactOptional(date),
-    /** A program that was made here and is put away: it does not come to the screen by itself any more. */
+    /** Set for a program that was made here and closed: it comes to the screen only when the pilot opens it. */
     shelved: v.exactOptional(v.boolean()),
-    /** Whether it came from the simulated timer. */
+    /** Whether it comes from the simulated timer. */
     simulated: v.boolean(),
-    /** The model that it is for, by its id; absent where that is not known. */
+    /** The id of the model that it is for; absent when it is not known. */
     model: v.exactOptional(key),
-    /** The number of the tab that it was worked on in, see `TabNumber`. */
+    /** The number of the tab in which it was worked on, see `TabNumber`. */
     tab: v.optional(tab, 1),
   }),
   v.check(({ baseline, working }) => sameLayout(baseline.identity, working.identity), 'the two are not of one layout'),
@@ -136,8 +134,8 @@ export const draftSchema = v.pipe(
 export type Draft = v.InferOutput<typeof draftSchema>;
 
 /**
- * A job that has begun to change a timer, kept from before its first byte until its end was seen. A write, under the
- * kind of timer and the memory that it is for; or a memory round trip, under the kind alone.
+ * A job that changes a timer, kept from before its first byte until somebody has seen its end. A write has the kind of
+ * timer and the memory as key; a memory round trip the kind alone.
  */
 export const unfinishedSchema = v.variant('kind', [
   v.pipe(
@@ -145,15 +143,15 @@ export const unfinishedSchema = v.variant('kind', [
       kind: v.literal('write'),
       key,
       startedAt: date,
-      /** What the timer held by the last reading before. */
+      /** What the timer held in the last reading before. */
       before: held,
       /** What it was to hold. */
       goal: held,
       /** When `before` was read, in milliseconds since 1970; older records do not say. */
       readAt: v.optional(v.nullable(date), null),
-      /** When a fresh reading explained what the timer holds: from then on only the offer to finish it is left. */
+      /** When a fresh reading has explained what the timer holds. From then on only the offer to finish it is left. */
       seenAt: v.optional(v.nullable(date), null),
-      /** The number of the tab in which it is under way, see `TabNumber`; null when that has seen its end. */
+      /** The number of the tab in which it is in progress, see `TabNumber`; null once that tab has seen its end. */
       tab: v.optional(v.nullable(tab), null),
     }),
     v.check(({ before, goal }) => sameLayout(before.identity, goal.identity), 'the two are not of one layout'),
@@ -163,7 +161,7 @@ export const unfinishedSchema = v.variant('kind', [
     key,
     startedAt: date,
     identity,
-    /** The memory that was current, and is to be current again; counted from 0. */
+    /** The memory that was current and has to be restored, counted from 0. */
     original: whole(0, 254),
   }),
 ]);
@@ -171,20 +169,20 @@ export type Unfinished = v.InferOutput<typeof unfinishedSchema>;
 export type UnfinishedWrite = Extract<Unfinished, { kind: 'write' }>;
 export type UnfinishedRoundTrip = Extract<Unfinished, { kind: 'memories' }>;
 
-/** What one memory of a timer held at a time: before a write, or when the pilot asked for it. */
+/** What one memory of a timer held: before a write, or when the pilot asked for a backup. */
 export const backupSchema = v.object({
-  /** Sorts by time. */
+  /** Its order is the order of time. */
   key,
   savedAt: date,
   reason: v.picklist(['write', 'memories']),
   program: held,
   simulated: v.boolean(),
-  /** The model whose timer it was, by its id; absent where that was not known. */
+  /** The id of the model that the timer belongs to; absent when that was not known. */
   model: v.exactOptional(key),
 });
 export type Backup = v.InferOutput<typeof backupSchema>;
 
-/** What one function of the program room takes for what it says. */
+/** A schema made from a check of the program room. */
 const checked = <T>(require: (value: unknown) => T): v.GenericSchema<unknown, T> =>
   v.pipe(
     v.unknown(),
@@ -197,7 +195,7 @@ const checked = <T>(require: (value: unknown) => T): v.GenericSchema<unknown, T>
       }
     }),
   );
-/** Until now nobody looked whether the ends of a servo stand in order: a model from a file may have them otherwise. */
+/** Earlier versions did not check the order of a servo's ends: a model from a file may have them swapped. */
 function withEndsInOrder(model: unknown): unknown {
   const { servos } = { ...(model as Partial<Model> | null) };
   if (!Array.isArray(servos) || !servos.some((use: Partial<ServoUse> | null) => isTurned(use))) return model;
@@ -212,17 +210,17 @@ function isTurned(use: Partial<ServoUse> | null): boolean {
   return typeof low === 'number' && typeof high === 'number' && low > high;
 }
 
-/** The place in the order that the pilot has given: smaller comes first. */
+/** The place in the pilot's order; smaller comes first. */
 const order = v.pipe(v.number(), v.finite());
 
-/** A model of the library, under its id. */
+/** A model of the library, by its id. */
 export const modelSchema = v.object({
   key,
   model: v.pipe(v.unknown(), v.transform(withEndsInOrder), checked(requireModel)),
   order,
   /** Milliseconds since 1970. */
   changedAt: date,
-  /** What the memories of its timer held when they were last seen to be verified, each once. */
+  /** What the memories of its timer held when they were last verified, one entry for each. */
   verified: v.pipe(
     v.array(
       v.object({ program: held, at: date, /** Of a simulated timer. */ simulated: v.exactOptional(v.boolean()) }),
@@ -232,22 +230,22 @@ export const modelSchema = v.object({
 });
 export type ModelRecord = v.InferOutput<typeof modelSchema>;
 
-/** A setting of the library, under its id. */
+/** A setting of the library, by its id. */
 export const settingSchema = v.object({ key, setting: checked(requireSetting), order, changedAt: date });
 export type SettingRecord = v.InferOutput<typeof settingSchema>;
 
-/** A flight of the log, under its id. */
+/** A flight of the log, by its id. */
 export const flightSchema = v.object({ key, flight: checked(requireFlight), changedAt: date });
 export type FlightRecord = v.InferOutput<typeof flightSchema>;
 
-/** What was tried on the bench and is neither kept nor put back yet, under the kind of timer and the memory. */
+/** Positions that were tried on the bench and neither kept nor put back, by kind of timer and memory. */
 export const trialsSchema = v.pipe(
   v.unknown(),
   v.transform(withPresentNames),
   v.array(v.object({ key, before: held, touched: v.array(v.string()) })),
 );
 
-/** What is remembered of a port. Two adapters of one make share it: nothing tells them apart. */
+/** What is remembered of a port. Two adapters of one kind share it, because nothing tells them apart. */
 export const portSchema = v.object({
   key,
   usedAt: date,
@@ -259,9 +257,9 @@ export const portSchema = v.object({
     dtr: v.nullable(v.boolean()),
     rts: v.nullable(v.boolean()),
   }),
-  /** The rate at which a timer answered last; null when none has. */
+  /** The rate at which a timer last answered; null for none. */
   foundRate: v.nullable(whole(1, 100_000_000)),
-  /** What was assumed of the timers at this port, by kind of timer: a first guess for the next one. */
+  /** What was assumed about the timers on this port, by kind of timer: a first guess for the next one. */
   quirks: v.record(
     v.string(),
     v.object({
@@ -276,12 +274,11 @@ export const portSchema = v.object({
 export type PortRecord = v.InferOutput<typeof portSchema>;
 
 /**
- * What was stored and cannot be read, as it was found: it may matter to somebody, and a later version may be able to
- * read it.
+ * Stored data that cannot be read, unchanged: it may matter to somebody, and a later version may be able to read it.
  */
 export const asideSchema = v.object({
   key: v.pipe(v.string(), v.maxLength(1000)),
-  /** Where it lay. */
+  /** The shelf on which it was. */
   shelf: v.pipe(v.string(), v.maxLength(100)),
   /** When it was set aside, in milliseconds since 1970. */
   at: date,

@@ -1,4 +1,4 @@
-/** Whether two values say the same, in whatever order their fields stand. */
+/** Whether two values are equal, in any order of their fields. */
 export function isSame(one: unknown, other: unknown): boolean {
   return one === other || ordered(one) === ordered(other);
 }

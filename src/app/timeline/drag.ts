@@ -3,10 +3,10 @@ import { type Identity, MAX_POSITION, MAX_TIME } from '../../protocol/index.js';
 import { type Edit, setValues } from '../editing/edit.js';
 import { groupOf, type StepName } from '../editing/history.js';
 
-/** A handle is in hand; it was let go; it was let go where it was taken, as if nothing had been done. */
+/** `moving`: the handle is held. `done`: it was released. `back`: it was released where it began, or put back. */
 export type DragPhase = 'moving' | 'done' | 'back';
 
-/** All edits of one movement are of one group: one step for who wants to undo it. */
+/** All edits of one movement are of one group, so undo takes them back as one step. */
 export type OnEdit = (edit: Edit, phase: DragPhase) => void;
 
 export interface Limits {
@@ -14,20 +14,20 @@ export interface Limits {
   readonly max: number;
 }
 
-/** The step of a time of this class in hundredths of a second: 1 where the manual gives none. */
+/** The step of a time of this class, in hundredths of a second; 1 where the manual gives none. */
 export function timeStep(identity: Identity, slot: number): number {
   return manualRange(identity, slot)?.step ?? 1;
 }
 
-/** The step of a field: of a time in hundredths of a second, of a position 1. */
+/** The step of a field: for a time in hundredths of a second, for a position 1. */
 export function stepOf(identity: Identity, field: ProgramField): number {
   return field.kind === 'time' ? timeStep(identity, field.slot) : 1;
 }
 
 /**
- * How far a field can be moved. A time keeps its place among its neighbours, at least one step away from each; a
- * neighbour that it has reached or passed already does not hold it there. The motor stop lies between launch and DT.
- * @param free lifts the neighbours.
+ * The range in which a field can move. A time stays between its neighbours, at least one step from each; a neighbour
+ * that it has reached or passed already does not hold it. The motor stop lies between launch and DT.
+ * @param free lets a time pass its neighbours.
  */
 export function limitsOf(program: TimerProgram, field: ProgramField, free = false): Limits {
   if (field.kind !== 'time') return { min: 0, max: MAX_POSITION };
@@ -41,17 +41,19 @@ export function limitsOf(program: TimerProgram, field: ProgramField, free = fals
   const after = times[slot === 0 ? identity.functions : slot + 1] ?? MAX_TIME + 1;
   const min = before < time ? Math.ceil((before + 1) / step) * step : before === time ? time : 0;
   const max = after > time ? Math.floor((after - 1) / step) * step : after === time ? time : largest;
-  // Between close neighbours there may be no whole step: then it stays where it is.
+  // Close neighbours may leave no whole step between them: then the time stays.
   return { min: Math.min(min, time), max: Math.max(max, time) };
 }
 
-/** The nearest value that a field can be moved to: a whole step inside of its limits. */
+/** The nearest value to which a field can move: a whole step within its limits. */
 export function snapped(program: TimerProgram, field: ProgramField, value: number, free = false): number {
   const step = stepOf(program.identity, field);
   return within(Math.round(value / step) * step, limitsOf(program, field, free));
 }
 
-/** The value some steps up or down. From between two steps the first one goes to the next of them. */
+/**
+ * The value some steps up or down. From between two steps, the first step goes to the nearest one in that direction.
+ */
 export function stepped(program: TimerProgram, field: ProgramField, steps: number, free = false): number {
   const step = stepOf(program.identity, field);
   const value = valueAt(program, field) ?? 0;
@@ -63,7 +65,7 @@ function within(value: number, { min, max }: Limits): number {
   return Math.min(max, Math.max(min, value));
 }
 
-/** One movement of one handle, from taking hold to letting go. */
+/** One movement of one handle, from taking it to releasing it. */
 export class DragEdit {
   readonly program: TimerProgram;
   readonly field: ProgramField;
@@ -80,7 +82,7 @@ export class DragEdit {
     this.#original = this.#last = valueAt(program, field) ?? 0;
   }
 
-  /** The value that the handle stands at. */
+  /** The present value of the handle. */
   get value(): number {
     return this.#last;
   }
@@ -92,13 +94,13 @@ export class DragEdit {
     this.#tell('moving');
   }
 
-  /** The handle is let go. Nothing is said of a movement that was none. */
+  /** The handle is released. A movement that changed nothing is not reported. */
   finish(): void {
     if (this.#moved) this.#tell(this.#last === this.#original ? 'back' : 'done');
     this.#moved = false;
   }
 
-  /** Puts back what was there. */
+  /** Puts the old value back. */
   cancel(): void {
     this.#last = this.#original;
     this.finish();

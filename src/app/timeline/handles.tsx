@@ -17,14 +17,16 @@ export interface HandlesProps {
   readonly keys: HandleKeys;
   readonly front: number;
   readonly selected: ProgramField | null;
-  /** The program as it is by now. */
+  /** Gives the present program. */
   readonly now: () => TimerProgram;
-  /** Absent when nothing can be changed: then there are the marks, but no handles. */
+  /** Absent when nothing can be changed: then there are marks, but no handles. */
   readonly onEdit: OnEdit | undefined;
   readonly onSelect: ((field: ProgramField) => void) | undefined;
 }
 
-/** The marks above the plot, the end of the motor and the steps of the servo in hand, in the order of the slots. */
+/**
+ * The marks above the plot, the end of the motor run and the steps of the selected servo, in the order of the slots.
+ */
 export function Handles(props: HandlesProps) {
   const { geometry, front, onEdit } = props;
   const { program, flags, stages, layout, measures, motorStop } = geometry;
@@ -77,12 +79,12 @@ export function Handles(props: HandlesProps) {
   );
 }
 
-/** A number in a smaller circle than this is smaller, too; in pixels. */
+/** In a circle with a smaller radius the number is smaller, too. In pixels. */
 const LETTERS = 11;
 
 interface FlagFigureProps {
   readonly flag: Flag;
-  /** Whether something of this slot is selected: its time or a position. */
+  /** Whether a value of this slot is selected: its time or a position. */
   readonly isChosen: boolean;
 }
 
@@ -104,26 +106,26 @@ function FlagFigure({ flag, isChosen }: FlagFigureProps) {
   );
 }
 
-/** What a finger needs, in pixels. */
+/** The size that a finger needs, in pixels. */
 const FINGER = 44;
 
 interface HandleProps extends HandlesProps {
   readonly field: ProgramField;
   readonly x: number;
   readonly y: number;
-  /** What is drawn at it, and what that depends on. */
+  /** Draws it, and what the drawing depends on. */
   readonly figure: () => JSX.Element;
   readonly on: string;
 }
 
-/** One handle, drawn again only when something of its own has changed. */
+/** One handle. It is drawn again only when something of its own has changed. */
 function Handle({ geometry, model, keys, selected, now, onEdit, onSelect, field, x, y, figure, on }: HandleProps) {
   const { program, layout } = geometry;
   const latest = useRef(geometry);
   latest.current = geometry;
   const key = fieldKey(field);
   const isSelected = selected !== null && fieldKey(selected) === key;
-  // Out of view it can still get the focus, which brings it into view.
+  // Outside of the view it can still get the focus, which brings it into view.
   const inView = layout.shows(layout.x(timeOf(program, field)));
   const place = `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})`;
   const classes = `handle ${field.kind} ${isSelected ? 'selected' : ''} ${inView ? '' : 'away'}`;

@@ -16,8 +16,8 @@ const STEPS: Readonly<Record<string, number>> = {
 const MANY = 10;
 
 /**
- * The value that a key gives to a field; null when it is not a key for that. Shift counts for ten, Alt lifts the
- * neighbours.
+ * The value that a key gives to a field; null for any other key. Shift makes ten steps;
+ * Alt lets a time pass its neighbours.
  */
 export function valueByKey(program: TimerProgram, field: ProgramField, event: KeyboardEvent): number | null {
   if (event.ctrlKey || event.metaKey) return null;
@@ -28,7 +28,7 @@ export function valueByKey(program: TimerProgram, field: ProgramField, event: Ke
   return stepped(program, field, event.shiftKey ? steps * MANY : steps, event.altKey);
 }
 
-/** Keys at a handle. While one is held it is one movement, which ends when it is let go. */
+/** Keys on a handle. While a key is held it is one movement, which ends when the key is released. */
 export class HandleKeys {
   readonly #model: TimelineModel;
   #edit: DragEdit | null = null;
@@ -53,7 +53,7 @@ export class HandleKeys {
     if (value !== valueAt(program, field)) this.#edit.move(value);
   }
 
-  /** The key is let go, or the handle has lost the focus. */
+  /** The key was released, or the handle has lost the focus. */
   readonly up = (): void => {
     this.#edit?.finish();
     this.#edit = null;
@@ -64,9 +64,9 @@ const ZOOM = 1.5;
 const PAN = 0.2;
 
 /**
- * Keys at the picture as a whole: left and right go from mark to mark, with Shift they move what is in view; up and
- * down go from servo to servo; + and − zoom.
- * @param anchor the place of the scale about which they do.
+ * Keys on the picture as a whole: left and right go from mark to mark, with Shift they move the view; up and down go
+ * from servo to servo; + and − zoom.
+ * @param anchor the place of the scale around which to zoom.
  */
 export function pictureKey(
   event: KeyboardEvent,

@@ -8,11 +8,11 @@ interface LaneButtonsProps {
   readonly layout: Layout;
   readonly front: number;
   readonly model: TimelineModel;
-  /** What the pilot calls what the servos move, for each servo. */
+  /** The pilot's names for what each servo moves. */
   readonly names: readonly string[] | undefined;
 }
 
-/** The name of each servo at the left edge of its lane: it takes the servo in hand. */
+/** The name of each servo at the left edge of its lane. A click selects the servo. */
 export function LaneButtons({ layout, front, model, names }: LaneButtonsProps) {
   const { timeline, servoName } = messages.value;
   return (
@@ -27,7 +27,7 @@ export function LaneButtons({ layout, front, model, names }: LaneButtonsProps) {
             top: `${from}px`,
             height: `${until - from}px`,
             width: `${layout.box.left}px`,
-            // Between the positions at the left edge of the lane in hand.
+            // Between the position figures at the left edge of the selected lane.
             paddingBottom: `${servo === front ? (until - from) / 2 : 0}px`,
           }}
           aria-pressed={servo === front}

@@ -1,24 +1,27 @@
 import type { Lane } from './layout.js';
 
-/** What lies between two lanes, and inside of a lane above the highest position and below 0: pixels. */
+/** Pixels between two lanes, and inside a lane above the highest position and below 0. */
 const GAP = 2;
 const INSET = { tall: 10, low: 4 };
-/** The lane in hand is at least this high where there is room, and has the whole way for a finger then. */
+/** The selected lane has at least this height where there is room, which gives a finger its full way. In pixels. */
 const TALL = 180;
-/** How high the others are: at least, so that a step of ten is seen; at most, as more would tell no more. */
+/**
+ * The height of the other lanes in pixels: at least, so that a step of ten is visible;
+ * at most, because more shows nothing more.
+ */
 const LOW = { least: 24, most: 64 };
-/** Where there is no room for that, the lane in hand has at least this. */
+/** Where there is less room, the selected lane has at least this height, in pixels. */
 const LEAST_TALL = 110;
 
-/** The least height of all lanes of so many servos, in pixels. */
+/** The least height of all lanes for this number of servos, in pixels. */
 export function leastHeight(servos: number): number {
   return LEAST_TALL + Math.max(0, servos - 1) * (LOW.least + GAP);
 }
 
 /**
- * A lane for each servo, from above: equal positions of two servos are never drawn as if they were different. The one
- * in hand is tall, the others are low.
- * @param front the servo in hand; null where all are alike.
+ * A lane for each servo, from top to bottom, so that equal positions of two servos never look different. The lane of
+ * the selected servo is tall, the others are low.
+ * @param front the selected servo; null when all lanes are equal.
  */
 export function lanesOf(servos: number, front: number | null, top: number, bottom: number): Lane[] {
   const others = front === null ? servos : servos - 1;
@@ -36,7 +39,7 @@ export function lanesOf(servos: number, front: number | null, top: number, botto
   return lanes;
 }
 
-/** The servo in whose lane a height lies; above the first and below the last it is the nearest one. */
+/** The servo whose lane is at this height; above the first and below the last lane, the nearest one. */
 export function laneAt(lanes: readonly Lane[], y: number): number {
   const at = lanes.findIndex(({ until }) => y <= until);
   return at < 0 ? lanes.length - 1 : at;

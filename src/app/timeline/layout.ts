@@ -3,13 +3,13 @@ import { MAX_POSITION } from '../../protocol/index.js';
 import type { Stage } from './preview/flight.js';
 import type { Scale } from './scale.js';
 
-/** The part of the time axis that is in view, in places of its scale. */
+/** The visible part of the time axis, in places of its scale. */
 export interface TimeView {
   readonly start: number;
   readonly span: number;
 }
 
-/** The room of the plot inside the picture, in pixels. */
+/** The area of the plot inside the picture, in pixels. */
 export interface Box {
   readonly left: number;
   readonly right: number;
@@ -17,24 +17,24 @@ export interface Box {
   readonly bottom: number;
 }
 
-/** The strip of the picture in which the positions of one servo are drawn, in pixels. */
+/** The strip in which the positions of one servo are drawn, in pixels. */
 export interface Lane {
   /** Its edges. */
   readonly from: number;
   readonly until: number;
-  /** Where the highest position lies, and where 0. */
+  /** The heights of the highest position and of 0. */
   readonly top: number;
   readonly bottom: number;
 }
 
-/** Where times and positions lie in the picture. */
+/** Converts between times and positions, and places in the picture. */
 export class Layout {
   readonly scale: Scale;
   readonly view: TimeView;
   readonly box: Box;
   /** One for each servo. */
   readonly lanes: readonly Lane[];
-  /** The position at the upper edge of each lane. */
+  /** The position at the top of each lane. */
   readonly highest: number;
 
   constructor(scale: Scale, view: TimeView, box: Box, lanes: readonly Lane[], highest: number) {
@@ -54,7 +54,7 @@ export class Layout {
     return this.scale.time(this.view.start + ((x - this.box.left) / this.width) * this.view.span);
   }
 
-  /** How high a position of a servo lies. */
+  /** The height of a servo's position. */
   y(servo: number, position: number): number {
     const { top, bottom } = this.lanes[servo] ?? this.box;
     return bottom - (Math.min(position, this.highest) / this.highest) * (bottom - top);
@@ -70,29 +70,33 @@ export class Layout {
     return this.box.right - this.box.left;
   }
 
-  /** Whether a place of the picture is beside the plot by no more than a mark is wide. */
+  /** Whether a place lies in the plot, or at most the width of a mark beside it. */
   shows(x: number): boolean {
     return x >= this.box.left - 1 && x <= this.box.right + 1;
   }
 }
 
-/** The position at the upper edge: the last step, or what one byte can hold where a timer holds more than that. */
+/**
+ * The position at the top of a lane: the last step;
+ * or, when a timer holds more than that, the most that a byte can hold.
+ */
 export function highestOf(programs: readonly TimerProgram[]): number {
   return programs.some(({ positions }) => positions.some((row) => row.some((p) => p > MAX_POSITION)))
     ? 255
     : MAX_POSITION;
 }
 
-/** A servo's line, as the data of paths. */
+/** The line of a servo, as the data of paths. */
 export interface LinePaths {
-  /** Where it stands and how it goes from one position to the next. */
+  /** The positions, and how it goes from one to the next. */
   readonly line: string;
-  /** Where it would have to go back in time. */
+  /** The parts where it would have to go back in time. */
   readonly back: string;
 }
 
 /**
- * The line of one servo. Programs with the same stages give lines of the same parts, so that one can become another.
+ * The line of one servo. Programs with the same stages give lines with the same parts,
+ * so that one can change into another.
  */
 export function lineOf(
   { positions }: TimerProgram,
@@ -117,13 +121,13 @@ export function lineOf(
 }
 
 /**
- * Moves numbers as little as may be, so that neighbours are `gap` apart; equal ones keep their order. Where there is no
- * room for that they are closer.
+ * Moves numbers as little as possible, so that neighbours are `gap` apart. Equal numbers keep their order. Where there
+ * is too little room they are closer.
  */
 export function spread(numbers: readonly number[], gap: number, min: number, max: number): number[] {
   const order = numbers.map((_, i) => i).sort((a, b) => (numbers[a] as number) - (numbers[b] as number) || a - b);
   const each = Math.min(gap, (max - min) / Math.max(1, numbers.length - 1));
-  // Groups that touch are moved together, to where their members would be on the average.
+  // Groups that touch are joined and moved to the average place of their members.
   const groups: { first: number; members: number[] }[] = [];
   for (const i of order) {
     let group = { first: numbers[i] as number, members: [i] };
@@ -141,7 +145,7 @@ export function spread(numbers: readonly number[], gap: number, min: number, max
     groups.push({ ...group, first: Math.max(min, Math.min(longest, group.first)) });
   }
   const result = [...numbers];
-  // From the upper edge down, in case that the edge has pushed a group into the one before it.
+  // From the end back, in case that the edge has pushed a group into the one before.
   let limit = max;
   for (const { first, members } of groups.reverse()) {
     const start = Math.min(first, limit - (members.length - 1) * each);

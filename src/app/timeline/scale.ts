@@ -1,35 +1,32 @@
-/** The length of run-out that is shown, and played, after the last event: hundredths of a second. */
+/** How much is shown, and played, after the last event, in hundredths of a second. */
 export const RUN_OUT = 300;
 
-/**
- * More than anybody can type: later times are drawn here, so that nothing is counted through to a time that never
- * comes.
- */
+/** More than anybody can type. Later times are drawn here, so that no loop counts up to a time that never comes. */
 const LAST_DRAWN = 1e9;
 
-/** A time as it can be drawn, whatever a program holds: hundredths of a second from launch, finite. */
+/** A time in a form that can be drawn, whatever a program holds: finite hundredths of a second from launch. */
 export function drawable(time: number): number {
   return Number.isNaN(time) ? 0 : Math.min(LAST_DRAWN, Math.max(0, time));
 }
 
-/** Gaps shorter than this are drawn nearly in proportion, longer ones ever more compressed: hundredths of a second. */
+/** Shorter gaps are drawn nearly in proportion, longer ones more and more compressed. In hundredths of a second. */
 const BEND = 50;
-/** At most this share of the picture is dealt out evenly, however many marks there are; the rest follows the times. */
+/** At most this share of the picture is divided evenly between the gaps. The rest follows the times. */
 const EVEN_SHARE = 0.8;
 
 /**
- * A time axis. Times are hundredths of a second from launch, places run from 0 at launch to 1 at the end of the
- * picture. Strictly rising and straight between its knots, so that every place has one time and every time one place,
+ * A time axis. Times are hundredths of a second from launch. Places run from 0 at launch to 1 at the end of the
+ * picture. It rises strictly and is straight between its knots, so every place has one time and every time one place,
  * also past the end.
  */
 export class Scale {
   readonly times: readonly number[];
   readonly places: readonly number[];
-  /** Places for each hundredth of a second past the last knot: as in the most compressed gap. */
+  /** Places for each hundredth of a second past the last knot, as in the most compressed gap. */
   readonly #beyond: number;
 
   /**
-   * @param times strictly rising, the first is 0; at least two.
+   * @param times at least two, strictly rising, the first is 0.
    * @param places one for each time, strictly rising, the first is 0.
    */
   constructor(times: readonly number[], places: readonly number[]) {
@@ -45,7 +42,7 @@ export class Scale {
     return this.times.at(-1) as number;
   }
 
-  /** Where a time lies. Times before launch lie at 0. */
+  /** The place of a time. Times before launch lie at 0. */
   place(time: number): number {
     if (time <= 0) return 0;
     if (time >= this.end) return (this.places.at(-1) as number) + (time - this.end) * this.#beyond;
@@ -53,7 +50,7 @@ export class Scale {
     return (this.places[i - 1] as number) + (time - (this.times[i - 1] as number)) * this.#rate(i);
   }
 
-  /** The time that lies at a place, not rounded: the inverse of {@link place}. */
+  /** The time at a place, not rounded: the inverse of {@link place}. */
   time(place: number): number {
     if (place <= 0) return 0;
     const last = this.places.at(-1) as number;
@@ -69,18 +66,18 @@ export class Scale {
 }
 
 export interface StretchOptions {
-  /** The least distance of neighbouring marks, as a share of the picture; less where there are too many for it. */
+  /** The least distance of neighbouring marks, as a share of the picture; less when there are too many marks. */
   readonly minGap: number;
-  /** What the run-out takes, as a share of the picture. */
+  /** The width of the run-out, as a share of the picture. */
   readonly runOut: number;
-  /** Times that get room by their length alone, as those of a second program. */
+  /** Times that get room only by their length, such as those of a second program. */
   readonly others?: readonly number[];
 }
 
 /**
- * An axis that shows 0.05 s and 6 min alike: the gap between two neighbouring marks gets a share that all gaps have and
- * a share that grows with the logarithm of its length.
- * @param marks times that must be told apart, in any order; launch is always one.
+ * An axis that shows both 0.05 s and 6 min. Each gap between two neighbouring marks gets an equal share, and a share
+ * that grows with the logarithm of its length.
+ * @param marks times that must be distinct in the picture, in any order. Launch always counts as one.
  */
 export function stretchedScale(marks: readonly number[], { minGap, runOut, others = [] }: StretchOptions): Scale {
   const own = rising([0, ...marks.map(drawable)]);

@@ -2,7 +2,7 @@ import './servo-class.css';
 
 const COLOURS = 6;
 
-/** The class that gives what belongs to a servo its colour, `--servo`: the same everywhere. */
+/** The class that gives everything of a servo its colour, `--servo`. */
 export function servoClass(servo: number): string {
   return `colour-${servo % COLOURS}`;
 }

@@ -2,10 +2,10 @@ import type { TimerProgram } from '../../program/index.js';
 import { RUN_OUT, stretchedScale } from './scale.js';
 import './small-lanes.css';
 
-/** The picture is stretched to the room that it gets; these are its own measures. */
+/** The picture's own measures in units. It is stretched to the room that it gets. */
 const WIDTH = 520;
 const LANE = 100;
-/** Between the line of a servo and the edge of its lane. */
+/** The distance between the line of a servo and the edge of its lane. */
 const EDGE = 14;
 const MAX_POSITION = 130;
 /** The least distance of two functions, and the room after DT, as shares of the width. */
@@ -13,13 +13,13 @@ const SPACING = { minGap: 0.05, runOut: 0.06 };
 
 interface SmallLanesProps {
   readonly program: TimerProgram;
-  /** What each servo is called, at its lane. Without them the picture is too small for names. */
+  /** The names at the lanes. Without them the picture is too small for names. */
   readonly names?: readonly string[];
 }
 
 /**
- * A program to be recognised by: a lane for each servo, how long the motor runs, DT. It says nothing to who does not
- * see it: its figures stand beside it.
+ * A small picture by which a pilot recognises a program: a lane for each servo, the motor run, DT. Screen readers skip
+ * it: its figures stand beside it.
  */
 export function SmallLanes({ program, names }: SmallLanesProps) {
   const { identity, times, positions } = program;
@@ -35,7 +35,7 @@ export function SmallLanes({ program, names }: SmallLanesProps) {
         {positions.map((row, servo) => {
           const y = (position: number): number =>
             round(LANE * (servo + 1) - EDGE - ((LANE - 2 * EDGE) * Math.min(MAX_POSITION, position)) / MAX_POSITION);
-          // A function that comes before the one above it is drawn where that ends.
+          // A function that comes before the one above it is drawn where that one ends.
           let last = 0;
           const path = row.map((position, slot) => {
             last = slot === 0 ? 0 : Math.max(last, x(times[slot] ?? 0));

@@ -1,7 +1,7 @@
 import { formatTime } from '../editing/units.js';
 import type { Scale } from './scale.js';
 
-/** Round times, each a whole number of the next: hundredths of a second. */
+/** Round times in hundredths of a second. Each is a multiple of the next. */
 const LEVELS = [30000, 6000, 3000, 1000, 500, 100, 50, 10, 5, 1];
 
 /** Where there is room for times. */
@@ -15,9 +15,9 @@ export interface TickRoom {
 }
 
 /**
- * The times to be written at an axis: those that must be there, then as many others as have room, round ones last.
- * @param fixed times that are written whatever stands beside them.
- * @param wished times that are written before any round one.
+ * The times to show on an axis: those that must be there, then as many others as fit, round ones last.
+ * @param fixed times that are always shown.
+ * @param wished times that come before any round one.
  * @returns hundredths of a second, in rising order.
  */
 export function ticks(
@@ -36,12 +36,12 @@ export function ticks(
     for (let knot = 1; knot < scale.times.length; knot++) {
       const [first, last] = [scale.times[knot - 1] as number, scale.times[knot] as number];
       const rate = scale.place(last) - scale.place(first);
-      // In this gap they would stand too close: so would all the finer ones.
+      // In this gap they would stand too close, and all finer ones, too.
       if ((rate / (last - first)) * level < gap) continue;
       const begin = Math.max(first, scale.time(from));
       const end = Math.min(last, scale.time(to));
       const lowest = Math.ceil(begin / level);
-      // No more than have room, whatever the numbers are.
+      // No more than fit, whatever the numbers are.
       const count = Math.min(Math.floor(end / level) - lowest, Math.ceil((to - from) / gap)) + 1;
       for (let i = 0; i < count; i++) {
         const time = (lowest + i) * level;
@@ -56,7 +56,7 @@ export function ticks(
     .sort((a, b) => a - b);
 }
 
-/** A time as short as it can be said: `0`, `0.5`, `12`, `3:00`. */
+/** A time in its shortest form: `0`, `0.5`, `12`, `3:00`. */
 export function shortTime(hundredths: number): string {
   const text = formatTime(hundredths);
   return text.includes(':') ? text : text.replace(/\.?0+$/, '');

@@ -7,8 +7,8 @@ import { motorStopOf, stagesOf } from './preview/flight.js';
 import './timeline-table.css';
 
 /**
- * The picture as a table: when each function begins and ends, and where the servos stand meanwhile. Made when it is
- * opened.
+ * The picture as a table: when each function begins and ends, and the positions of the servos.
+ * Made only when it is opened.
  */
 export function TimelineTable({ program }: { program: TimerProgram }) {
   const open = useSignal(false);
@@ -21,7 +21,7 @@ export function TimelineTable({ program }: { program: TimerProgram }) {
     >
       <summary>{messages.value.timeline.asTable}</summary>
       {open.value && (
-        // With many servos it scrolls, by the keyboard too.
+        // With many servos it scrolls, also by keyboard.
         <section class="timeline-scroll" tabindex={0} aria-label={messages.value.timeline.tableCaption}>
           <Stages program={program} />
         </section>
@@ -56,10 +56,10 @@ function Stages({ program }: { program: TimerProgram }) {
   );
 }
 
-/** More of these are counted and not listed. */
+/** Further ones are only counted. */
 const MOST_NOTES = 3;
 
-/** What the picture shows that is not plain: functions that are skipped, and times that fall. */
+/** Notes on what the picture shows and is not plain: functions that are skipped, and times that fall. */
 export function TimelineNotes({ program }: { program: TimerProgram }) {
   const { timeline } = messages.value;
   const { identity } = program;
@@ -80,7 +80,7 @@ export function TimelineNotes({ program }: { program: TimerProgram }) {
   );
 }
 
-/** Whether a slot has other positions than the one after it. */
+/** Whether a slot has other positions than the next one. */
 function changes({ positions }: TimerProgram, slot: number): boolean {
   return positions.some((row) => row[slot] !== row[slot + 1]);
 }

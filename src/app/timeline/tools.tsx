@@ -6,11 +6,11 @@ const ZOOM = 2;
 
 interface ToolsProps {
   readonly model: TimelineModel;
-  /** The place of the scale about which it zooms: that of the mark in hand, or of the time that is asked about. */
+  /** The place of the scale around which to zoom: that of the selected mark, or of the time in question. */
   readonly anchor: () => number | undefined;
 }
 
-/** How much of the flight is in view. */
+/** Buttons for how much of the flight is in view. */
 export function Tools({ model, anchor }: ToolsProps) {
   const { timeline } = messages.value;
   return (
@@ -29,7 +29,7 @@ export function Tools({ model, anchor }: ToolsProps) {
   );
 }
 
-/** Whether the axis is stretched where much happens, or shows every second with the same length. */
+/** Switches between an axis that is stretched where much happens, and one on which every second has the same length. */
 export function TrueScale({ model }: { model: TimelineModel }) {
   return (
     <label class="timeline-even">
@@ -43,7 +43,7 @@ export function TrueScale({ model }: { model: TimelineModel }) {
   );
 }
 
-/** A plain line drawing for a button. */
+/** A simple line drawing for a button. */
 export function Icon({ path }: { path: string }) {
   return (
     <svg class="icon" width="20" height="20" aria-hidden="true">

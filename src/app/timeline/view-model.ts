@@ -5,22 +5,20 @@ import type { TimeView } from './layout.js';
 import type { Scale } from './scale.js';
 
 const ALL: TimeView = { start: 0, span: 1 };
-/** The deepest zoom: this many times the whole. */
+/** The deepest zoom, as a multiple of the whole. */
 const DEEPEST = 60;
 
 /** A handle that is being moved. */
 export interface Moving {
   readonly edit: DragEdit;
-  /** The axis as it was when the handle was taken: it stands still until the handle is let go. */
+  /** The axis when the handle was taken. It stands still until the handle is released. */
   readonly scale: Scale;
 }
 
 /** A time of the flight in hundredths of a second, or a servo. */
 export type SpokenPlace = { readonly time: number } | { readonly servo: number };
 
-/**
- * What a pilot looks at in a timeline, and what is in hand. It belongs to the screen; nothing of it is in the program.
- */
+/** What a pilot looks at in a timeline, and the handle that is held. It belongs to the screen, not to the program. */
 export class TimelineModel {
   readonly #even = signal(false);
   readonly #asked = signal<number | null>(null);
@@ -34,29 +32,29 @@ export class TimelineModel {
   readonly #view = signal<TimeView>(ALL);
   /** Whether every second has the same length. */
   readonly even: ReadonlySignal<boolean> = this.#even;
-  /** The time that a pointer or a key has asked about, in hundredths of a second. */
+  /** The time that a pointer or a key asks about, in hundredths of a second. */
   readonly asked: ReadonlySignal<number | null> = this.#asked;
-  /** What a key has asked about or taken in hand: it is said to who does not see it. */
+  /** What a key has asked about or selected, for screen readers. */
   readonly spoken: ReadonlySignal<SpokenPlace | null> = this.#spoken;
-  /** The servo in hand: its lane is tall and has handles. */
+  /** The selected servo, whose lane is tall and has handles. */
   readonly front: ReadonlySignal<number> = this.#front;
   readonly moving: ReadonlySignal<Moving | null> = this.#moving;
-  /** How finely the handle in hand is moved: 0 as far as the pointer, 1 as finely as can be. */
+  /** How finely the held handle moves: 0 as far as the pointer, 1 as finely as possible. */
   readonly fineness: ReadonlySignal<number> = this.#fineness;
-  /** What the mouse is over and could take hold of; null while something is in hand. */
+  /** The field under the mouse that it could take; null while a handle is held. */
   readonly pointed: ReadonlySignal<ProgramField | null> = this.#pointed;
-  /** Whether the keyboard is among the handles. */
+  /** Whether the keyboard focus is on a handle. */
   readonly entered: ReadonlySignal<boolean> = this.#entered;
-  /** The field whose handle shall have the focus as soon as it is there. */
+  /** The field whose handle gets the focus as soon as it is there. */
   readonly wanted: ReadonlySignal<ProgramField | null> = this.#wanted;
-  /** What is in view. */
+  /** The part in view. */
   readonly view: ReadonlySignal<TimeView> = this.#view;
 
   get zoomed(): boolean {
     return this.#view.value.span < 1;
   }
 
-  /** The picture goes away: nothing is asked about any more. What is in view stays for when it comes back. */
+  /** The picture goes away: nothing is asked about any more. The view stays for when it comes back. */
   leave(): void {
     this.askAloud(null);
     this.pointAt(null);
@@ -64,7 +62,7 @@ export class TimelineModel {
     this.#wanted.value = null;
   }
 
-  /** Gives every second the same length, or room to where much happens; all is in view then. */
+  /** Gives every second the same length, or more room to where much happens. Then everything is in view. */
   setEven(even: boolean): void {
     this.#even.value = even;
     this.fit();
@@ -75,7 +73,7 @@ export class TimelineModel {
     this.#asked.value = time;
   }
 
-  /** Asks about a time, and says it. */
+  /** Asks about a time, and tells screen readers. */
   askAloud(time: number | null): void {
     this.#asked.value = time;
     this.#spoken.value = time === null ? null : { time };
@@ -85,7 +83,7 @@ export class TimelineModel {
     this.#front.value = servo;
   }
 
-  /** Takes a servo in hand, and says it. */
+  /** Selects a servo, and tells screen readers. */
   bringToFrontAloud(servo: number): void {
     this.#front.value = servo;
     this.#spoken.value = { servo };
@@ -95,7 +93,7 @@ export class TimelineModel {
     this.#pointed.value = field;
   }
 
-  /** Takes a handle in hand. @param scale the axis as it is now. */
+  /** Takes a handle. @param scale the present axis. */
   take(edit: DragEdit, scale: Scale): void {
     const { field } = edit;
     this.#asked.value = null;
@@ -105,19 +103,19 @@ export class TimelineModel {
     this.#moving.value = { edit, scale };
   }
 
-  /** The handle in hand is moved more or less finely from now on. */
+  /** Sets how finely the held handle moves. */
   refine(fineness: number): void {
     this.#fineness.value = fineness;
   }
 
-  /** Lets go of the handle. What is in view may have left the picture with it, and comes back. */
+  /** Releases the handle. The view may have left the picture with it, and comes back. */
   letGo(): void {
     if (!this.#moving.peek()) return;
     this.#moving.value = null;
     this.settle();
   }
 
-  /** The keyboard goes among the handles, or leaves them. */
+  /** The keyboard focus goes to the handles, or leaves them. */
   setEntered(entered: boolean): void {
     this.#entered.value = entered;
   }
@@ -129,8 +127,7 @@ export class TimelineModel {
 
   /**
    * Shows less or more.
-   * @param anchor the place of the scale that stays where it is, or comes into view; the middle of what is in view if
-   * there is none.
+   * @param anchor the place of the scale that stays where it is, or comes into view. Default: the middle of the view.
    */
   zoom(factor: number, anchor?: number): void {
     const { start, span } = this.#view.peek();
@@ -141,9 +138,9 @@ export class TimelineModel {
   }
 
   /**
-   * Moves what is in view.
+   * Moves the view.
    * @param by a share of it, positive to later times.
-   * @param past lets it leave the end of the picture.
+   * @param past lets it pass the end of the picture.
    */
   pan(by: number, past = false): void {
     const { start, span } = this.#view.peek();
@@ -151,25 +148,25 @@ export class TimelineModel {
     else this.#show(start + by * span, span);
   }
 
-  /** Shows two places at given shares of what is in view. */
+  /** Shows two places at given shares of the view. */
   hold(a: { place: number; share: number }, b: { place: number; share: number }): void {
     const span = Math.min(1, Math.max(1 / DEEPEST, (b.place - a.place) / (b.share - a.share)));
     const middle = (a.place + b.place) / 2;
     this.#show(middle - ((a.share + b.share) / 2) * span, span);
   }
 
-  /** Shows all. */
+  /** Shows everything. */
   fit(): void {
     this.#view.value = ALL;
   }
 
-  /** Brings a place of the scale into view, if it is not. */
+  /** Brings a place of the scale into view. */
   reveal(place: number): void {
     const { start, span } = this.#view.peek();
     if (place < start || place > start + span) this.#show(place - span / 2, span);
   }
 
-  /** Puts what is in view back inside of the picture. */
+  /** Moves the view back inside the picture. */
   settle(): void {
     const { start, span } = this.#view.peek();
     this.#show(start, span);

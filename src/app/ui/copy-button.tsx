@@ -6,17 +6,17 @@ import './copy-button.css';
 
 interface CopyButtonProps {
   readonly label: string;
-  /** Made when it is asked for. */
+  /** Called on a click. */
   readonly text: () => string;
 }
 
-/** Copies a text. Where the browser does not let it, the text is shown, marked, to be copied by hand. */
+/** Copies a text. Where the browser does not allow it, shows the text, selected, so that the pilot can copy it. */
 export function CopyButton({ label, text }: CopyButtonProps) {
   const { line } = messages.value;
   const { copied, refused, copy, forget } = useCopy(text);
   return (
     <span class="copy-button">
-      {/* The text to be copied by hand takes the focus from here, and stays. */}
+      {/* The text to copy by hand takes the focus from here, and stays. */}
       <button type="button" onClick={() => void copy()} onBlur={() => copied.value && forget()}>
         {label}
       </button>

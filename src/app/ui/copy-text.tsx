@@ -4,8 +4,8 @@ import { useCopy } from './use-copy.js';
 import './copy-text.css';
 
 /**
- * A line to be typed elsewhere, with a button that copies it. A click on the line marks all of it, for where there is
- * no clipboard.
+ * A line to type elsewhere, with a button that copies it.
+ * A click on the line selects it, for when there is no clipboard.
  */
 export function CopyText({ text }: { text: string }) {
   const words = messages.value.help;

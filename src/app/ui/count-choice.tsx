@@ -6,7 +6,7 @@ interface CountChoiceProps {
   readonly onChoose: (count: number) => void;
 }
 
-/** A number of a few, chosen from a list. */
+/** Chooses a small number from a list. */
 export function CountChoice({
   label,
   range: [first, last],

@@ -4,15 +4,18 @@ import './hold-button.css';
 
 interface HoldButtonProps {
   readonly label: string;
-  /** What it says while it is held. */
+  /** The text while it is held. */
   readonly holding: string;
   readonly disabled: boolean;
   readonly onHeld: () => void;
-  /** The id of what warns of it. */
+  /** The id of the warning about it. */
   readonly describedBy: string;
 }
 
-/** A button that has to be held, by pointer, Space or Enter. A bar fills meanwhile; letting go takes it back. */
+/**
+ * A button that has to be held, with the pointer, Space or Enter. A bar fills in the meantime;
+ * releasing the button stops it.
+ */
 export function HoldButton({ label, holding, disabled, onHeld, describedBy }: HoldButtonProps) {
   const latest = useRef(onHeld);
   latest.current = onHeld;
@@ -45,7 +48,7 @@ export function HoldButton({ label, holding, disabled, onHeld, describedBy }: Ho
       onKeyDown={(event) => {
         if (event.key !== ' ' && event.key !== 'Enter') return;
         event.preventDefault();
-        // A key that still repeats itself after it has happened begins no second hold.
+        // A key that still repeats after the act begins no second hold.
         if (!event.repeat) hold.press();
       }}
       onKeyUp={release}

@@ -2,7 +2,7 @@ import type { TimerProgram } from '../../program/index.js';
 import { keyFigures } from '../messages/key-figures.js';
 import './key-figures.css';
 
-/** What a pilot looks at first, large: DT, and on class Q the motor stop. */
+/** The figures that a pilot looks at first, large: DT, and on class Q the motor stop. */
 export function KeyFigures({ program }: { readonly program: TimerProgram }) {
   return (
     <dl class="figure-list">

@@ -6,19 +6,19 @@ import './modal.css';
 interface ModalProps {
   readonly open: boolean;
   readonly title: string;
-  /** What stays in sight under the title, however long the rest is. */
+  /** Stays in sight under the title, however long the rest is. */
   readonly head?: ComponentChildren;
   readonly titleId: string;
   /** Escape was pressed. */
   readonly onEscape: () => void;
-  /** It was closed by the browser; `held` says that it has to stay. */
+  /** The browser has closed it; `held` says that it must stay open. */
   readonly held: boolean;
   readonly children: ComponentChildren;
 }
 
-/** A dialog over the page that follows a model: open when the model says so, and never closed past it. */
+/** A dialog that follows a model: open while the model says so, and never closed without it. */
 export function Modal({ open, ...props }: ModalProps) {
-  // Shut there is nothing of it in the page.
+  // While it is closed, nothing of it is in the page.
   return open ? <OpenModal {...props} /> : null;
 }
 
@@ -26,21 +26,22 @@ function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<Moda
   const dialog = useRef<HTMLDialogElement>(null);
   const heading = useRef<HTMLHeadingElement>(null);
   useUnsaved();
-  // Before the next picture: an empty dialog is never seen.
+  // Before the next frame, so that nobody sees an empty dialog.
   useLayoutEffect(() => {
     const { current: opened } = dialog;
     opened?.showModal();
-    // A browser gives the focus to the first button and scrolls there: it begins at its top.
+    // A browser would focus the first button and scroll there, but the dialog should begin at its top.
     first(dialog.current, heading.current)?.focus({ preventScroll: true });
     opened?.scrollTo?.(0, 0);
     return () => {
-      // Closed before it goes: a browser then gives the focus back to what had it. Nobody is told of that any more.
+      // Closed before it goes, so that the browser gives the focus back to where it was. Nobody is told of this close.
       dialog.current = null;
       opened?.close();
     };
   }, []);
   useLayoutEffect(() => {
-    // What had the focus may have gone with the step before; a button of this one might be pressed unawares.
+    // The focused control may have gone with the last step. The focus must not fall on a button of this one, which
+    // might be pressed by mistake.
     if (!dialog.current?.contains(document.activeElement)) first(dialog.current, heading.current)?.focus();
   });
   return (
@@ -55,7 +56,7 @@ function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<Moda
       }}
       onClose={() => {
         if (!dialog.current || dialog.current.open) return;
-        // A browser lets Escape be refused once, then closes anyway.
+        // A browser allows Escape to be refused once, then closes anyway.
         if (held) dialog.current.showModal();
         else onEscape();
       }}
@@ -71,7 +72,7 @@ function OpenModal({ title, head, titleId, onEscape, held, children }: Omit<Moda
   );
 }
 
-/** What has the focus at first: a field that is there to be typed in at once, else the title. */
+/** What gets the focus first: a field that is ready for typing, else the title. */
 function first(dialog: HTMLElement | null, title: HTMLElement | null): HTMLElement | null {
   return dialog?.querySelector<HTMLElement>('[autofocus]') ?? title;
 }

@@ -1,6 +1,6 @@
 import './plane-icon.css';
 
-/** A model in the air: it stands beside the memory that flies next. */
+/** A model in the air. It marks the memory that flies next. */
 export function PlaneIcon() {
   return (
     <svg class="plane" viewBox="0 0 24 24" width="15" height="15" fill="currentColor" aria-hidden="true">

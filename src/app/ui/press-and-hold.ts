@@ -1,9 +1,9 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 
-/** So many milliseconds a button has to be held before it does what it says. */
+/** How long a button has to be held before it acts, in milliseconds. */
 export const HOLD = 1200;
 
-/** Something that happens only when a button is pressed and held: once for each hold, however long that lasts. */
+/** An act that needs a button to be pressed and held: once for each hold, however long it lasts. */
 export class PressAndHold {
   readonly #holding = signal(false);
   readonly #done: () => void;
@@ -14,12 +14,12 @@ export class PressAndHold {
     this.#done = done;
   }
 
-  /** Whether it is being held and has not happened yet. */
+  /** Whether it is being held and has not acted yet. */
   get holding(): ReadonlySignal<boolean> {
     return this.#holding;
   }
 
-  /** The button went down. A key that repeats itself while it is down counts once. */
+  /** The button went down. A repeating key counts once. */
   press(): void {
     if (this.#pressed) return;
     this.#pressed = true;
@@ -30,7 +30,7 @@ export class PressAndHold {
     }, HOLD);
   }
 
-  /** The button was let go, or the finger has left it. */
+  /** The button was released, or the finger has left it. */
   release(): void {
     clearTimeout(this.#timer);
     this.#pressed = false;

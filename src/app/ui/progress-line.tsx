@@ -2,7 +2,7 @@ import type { Progress } from '../../client/index.js';
 import { messages } from '../messages/index.js';
 import './progress-line.css';
 
-/** What a bad line costs; null on a good one, where nobody needs to know for how long a bad one is borne. */
+/** How a bad line delays the job; null on a good line, where nobody needs to know for how long a bad one is tried. */
 export function disturbedText(progress: ProgressLineProps['progress']): string | null {
   if (!progress?.repeats || !progress.endsBy) return null;
   return messages.value.disturbed(progress.repeats, Math.max(0, Math.ceil((progress.endsBy - Date.now()) / 1000)));
@@ -15,7 +15,7 @@ interface ProgressLineProps {
   readonly onStop?: () => void;
 }
 
-/** A job under way: what it is, how far it has come, and how to stop it. */
+/** A job in progress: what it does, how far it is, and a button to stop it. */
 export function ProgressLine({ label, progress, onStop }: ProgressLineProps) {
   const share = progress && progress.total > 0 ? { value: progress.done, max: progress.total } : {};
   const disturbed = disturbedText(progress);

@@ -4,7 +4,7 @@ import './qr-code.css';
 
 interface QrCodeProps {
   readonly text: string;
-  /** What it is, for who does not see it. */
+  /** Its name for screen readers. */
   readonly label: string;
 }
 
@@ -20,10 +20,10 @@ export function QrCode({ text, label }: QrCodeProps) {
   );
 }
 
-/** So many modules around it stay white, by the standard. */
+/** So many modules around it stay white, as the standard requires. */
 const QUIET = 4;
 
-/** A QR code as one path, a module to the unit. */
+/** A QR code as one path. One unit is one module. */
 export function qrPath(text: string): { readonly size: number; readonly path: string } {
   const { size, data } = encode(text, { ecc: 'L', boostEcc: true, border: QUIET });
   const runs = data.flatMap((row, y) => {

@@ -1,7 +1,7 @@
 import './segment-choice.css';
 
 interface SegmentChoiceProps<T extends string> {
-  /** Of the radio buttons. */
+  /** The name of the group of radio buttons. */
   readonly name: string;
   readonly title: string;
   readonly choices: readonly T[];
@@ -10,7 +10,7 @@ interface SegmentChoiceProps<T extends string> {
   readonly onChoose: (choice: T) => void;
 }
 
-/** A few choices, one tap each: whoever stands in the sun cannot read a menu. */
+/** A choice of a few buttons, one tap each: in the sun nobody can read a menu. */
 export function SegmentChoice<T extends string>(props: SegmentChoiceProps<T>) {
   const { name, title, choices, names, chosen, onChoose } = props;
   return (

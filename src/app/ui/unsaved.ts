@@ -3,10 +3,10 @@ import { useLayoutEffect } from 'preact/hooks';
 
 const open = signal(0);
 
-/** Whether anything is open that a reload would lose: a dialog, or a form with what is not kept yet. */
+/** Whether anything is open that a reload would lose: a dialog, or a form with unsaved content. */
 export const unsaved: ReadonlySignal<boolean> = computed(() => open.value > 0);
 
-/** Says of what is drawn here whether a reload would lose something. A dialog says so by itself, see {@link Modal}. */
+/** Reports whether a reload would lose something of the caller. Dialogs report it themselves, see {@link Modal}. */
 export function useUnsaved(isUnsaved = true): void {
   useLayoutEffect(() => {
     if (!isUnsaved) return undefined;

@@ -1,20 +1,20 @@
 import { type ReadonlySignal, useSignal } from '@preact/signals';
 import { copyText } from '../browser/clipboard.js';
 
-/** A text on its way to the clipboard. */
+/** Copies a text to the clipboard. */
 export interface Copying {
   /** Whether it was just copied. */
   readonly copied: ReadonlySignal<boolean>;
-  /** The text that the browser did not let this page copy, to be copied by hand; null when there is none. */
+  /** The text that the browser did not copy, so that the pilot can copy it by hand; null for none. */
   readonly refused: ReadonlySignal<string | null>;
   copy(): Promise<void>;
-  /** What became of it is said no more. */
+  /** Clears the result. */
   forget(): void;
 }
 
 /**
- * @param text made when it is asked for.
- * @param onRefused the browser does not let this page copy it.
+ * @param text called on a click.
+ * @param onRefused called when the browser does not allow copying.
  */
 export function useCopy(text: () => string, onRefused?: () => void): Copying {
   const copied = useSignal(false);

@@ -6,12 +6,12 @@ import { NoticeText } from '../ui/notice-text.js';
 import { ProgressLine } from '../ui/progress-line.js';
 
 interface RunningStepProps extends Pick<ComponentProps<typeof ProgressLine>, 'label' | 'progress'> {
-  /** The pilot has asked to stop; the request under way comes to its end. */
+  /** Whether the pilot has asked to stop. The request in progress still comes to its end. */
   readonly stopping?: boolean;
   readonly onStop: () => void;
 }
 
-/** A job under way in a dialog, and the button that stops it. */
+/** A job in progress in a dialog, with a button that stops it. */
 export function RunningStep({ label, progress, stopping = false, onStop }: RunningStepProps) {
   const { write } = messages.value;
   return (
@@ -29,12 +29,12 @@ export function RunningStep({ label, progress, stopping = false, onStop }: Runni
 
 interface JobStepProps {
   readonly runner: JobRunner;
-  /** What is done, by how far it has come. */
+  /** What the job does, by how far it is. */
   readonly label: (progress: Progress | null) => string;
   readonly onStop: () => void;
 }
 
-/** The job of a dialog: how far it has come, or what it asks. */
+/** The job of a dialog: its progress, or its question. */
 export function JobStep({ runner, label, onStop }: JobStepProps) {
   const job = runner.job.value;
   if (job?.asking) return <UnkeptStep onAnswer={(goOn) => runner.answer(goOn)} />;
@@ -42,7 +42,7 @@ export function JobStep({ runner, label, onStop }: JobStepProps) {
   return <RunningStep label={label(progress)} progress={progress} stopping={job?.stopping ?? false} onStop={onStop} />;
 }
 
-/** The browser keeps no copy of what a memory holds. Nothing is written into it before the pilot has answered. */
+/** The browser cannot keep a copy of a memory. Nothing is written into it before the pilot has answered. */
 function UnkeptStep({ onAnswer }: { readonly onAnswer: (goOn: boolean) => void }) {
   const { write } = messages.value;
   return (
@@ -64,11 +64,11 @@ function UnkeptStep({ onAnswer }: { readonly onAnswer: (goOn: boolean) => void }
 
 interface ClosingButtonsProps {
   readonly onClose: () => void;
-  /** What can be done about what did not succeed; null when there is nothing. */
+  /** The next step after a failure; null when there is none. */
   readonly again?: { readonly label: string; readonly disabled: boolean; readonly onClick: () => void } | null;
 }
 
-/** The end of a dialog: once more, where that helps, and Close. */
+/** The last buttons of a dialog: try again, where that helps, and Close. */
 export function ClosingButtons({ onClose, again = null }: ClosingButtonsProps) {
   return (
     <div class="buttons">

@@ -3,20 +3,20 @@ import { messages } from '../messages/index.js';
 import { ComparisonGrid } from './comparison-grid.js';
 import { ValueTable } from './value-table.js';
 
-/** More values than these are found sooner where they stand in the program. */
+/** More values are easier to find at their places in the program. */
 export const LONG_LIST = 8;
 
 interface DifferenceProps {
-  /** What the timer holds, and what it shall hold. */
+  /** What the timer holds, and what it will hold. */
   readonly before: TimerProgram;
   readonly goal: TimerProgram;
   readonly changes: readonly Change[];
 }
 
-/** What a write would change: value by value, and where that is long, in the grid of the program. */
+/** What a write would change: as a list, and when that is long, in the grid of the program. */
 export function Difference({ before, goal, changes }: DifferenceProps) {
   const { from, to } = messages.value.write;
-  // What is not known of the timer, the grid could not show.
+  // The grid cannot show a value that is not known.
   const isKnown = changes.every((change) => change.from !== null && change.from === valueAt(before, change.field));
   if (changes.length > LONG_LIST && isKnown)
     return <ComparisonGrid first={goal} second={before} names={[to, from]} replaces />;

@@ -3,7 +3,7 @@ import { replaceAll } from '../editing/edit.js';
 import type { Session } from '../session/session.js';
 import type { WriteFlow } from './write-flow.js';
 
-/** The ways on from an interrupted write. Each shows the difference first, like any other write. */
+/** What the pilot can do after an interrupted write. Each way shows the difference first, like any other write. */
 export class FinishWrite {
   readonly #session: Session;
   readonly #write: WriteFlow;
@@ -13,17 +13,17 @@ export class FinishWrite {
     this.#write = write;
   }
 
-  /** Writes what is still missing. */
+  /** Writes the values that are still missing. */
   finish(): Promise<void> {
     return this.#toward('goal');
   }
 
-  /** Puts back what was there before. */
+  /** Puts back the values from before. */
   goBack(): Promise<void> {
     return this.#toward('before');
   }
 
-  /** Shows what was to be written as edits; the interrupted write is no more. */
+  /** Shows the goal as edits and forgets the interrupted write. */
   async show(): Promise<void> {
     const goal = this.#program('goal');
     if (!goal) return;
@@ -38,7 +38,7 @@ export class FinishWrite {
     await this.#write.open();
   }
 
-  /** What is not known of the idle throttle stays as the timer holds it. */
+  /** An unknown idle throttle stays as the timer holds it. */
   #program(end: 'goal' | 'before'): TimerProgram | null {
     const offer = this.#session.recovery.offer.value;
     const { baseline } = this.#session.editor;

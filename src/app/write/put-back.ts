@@ -4,8 +4,8 @@ import type { Session } from '../session/session.js';
 import type { WriteFlow } from './write-flow.js';
 
 /**
- * Puts a short DT back to the long one from before, as an edit, and shows it as any write is shown.
- * @returns whether that is shown now.
+ * Puts the long DT from before back as an edit, and shows the write.
+ * @returns whether the write is shown.
  */
 export async function putBackDt({ editor, shortDt }: Session, write: WriteFlow): Promise<boolean> {
   const short = shortDt.held.value;

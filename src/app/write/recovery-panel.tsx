@@ -16,7 +16,7 @@ interface RecoveryPanelProps {
 /** What an earlier job left behind on a timer of this kind, and what can be done about it. */
 export function RecoveryPanel({ session, write, finishWrite }: RecoveryPanelProps) {
   const offer = session.recovery.offer.value;
-  // In the middle of something else it waits.
+  // It waits while something else is open.
   if (!offer || write.current.value) return null;
   return (
     <section class="recovery notice bad" aria-labelledby="recovery-title">
@@ -145,7 +145,7 @@ function MemoryLeft({ session, offer: { record, current } }: MemoryLeftProps) {
   );
 }
 
-/** It is another timer, for which the offer is not meant; or nothing shall be done about it. */
+/** For a timer that the offer is not meant for, or a pilot who wants to do nothing about it. */
 function NotNow({ recovery }: { readonly recovery: InterruptedJobs }) {
   const { recovery: words } = messages.value;
   return (
@@ -165,7 +165,7 @@ function memoryText(memory: number | null): string {
   return memory === null ? recovery.unknownMemory : memoryName(memory);
 }
 
-/** Every value that the write was to change, or that nothing explains: before, wanted, held. */
+/** Each value that the write was to change, or that nothing explains: before, wanted, held. */
 function rows({ before, goal }: OfferOf<'write'>['record'], part: OfferOf<'write'>['part'], read: TimerProgram) {
   return [...part.foreign, ...part.missing, ...part.written].map(({ field }) => ({
     field,

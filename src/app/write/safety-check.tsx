@@ -2,7 +2,7 @@ import { messages } from '../messages/index.js';
 import type { Safety } from '../session/safety.js';
 import './safety-check.css';
 
-/** Said once for each connection, before anything is written or moved. */
+/** Asked once for each connection, before anything is written or moved. */
 export function SafetyCheck({ safety }: { readonly safety: Safety }) {
   return (
     <label class="check safety">

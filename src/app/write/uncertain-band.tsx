@@ -8,16 +8,16 @@ import { kindKey } from '../session/record-keys.js';
 import type { Session } from '../session/session.js';
 import './uncertain-band.css';
 
-/** So many values are named where neither DT nor the motor stop is among them. */
+/** How many values are named when neither DT nor the motor stop is among them. */
 const NAMED = 2;
 
 interface UncertainBandProps {
   readonly session: Session;
-  /** Reads a memory that is not the current one. */
+  /** Reads a memory that is not current. */
   readonly onLook: (memory: number) => void;
 }
 
-/** What is not known of what timers hold, in every view, until a reading explains it. */
+/** The uncertain content of timers, in every view, until a reading explains it. */
 export function UncertainBand({ session, onLook }: UncertainBandProps) {
   const { knowledge: words } = messages.value;
   const all = session.knowledge.uncertain.value;
@@ -32,8 +32,8 @@ export function UncertainBand({ session, onLook }: UncertainBandProps) {
 }
 
 /**
- * The same over a dialog, which covers the page: of the timer at hand alone, or of the one on the screen where none is
- * connected.
+ * The same for a dialog, which covers the page: only about the connected timer, or without one about that of the
+ * program on the screen.
  */
 export function UncertainNote({ session }: { readonly session: Session }) {
   const shown = session.editor.identity.value;
@@ -92,7 +92,7 @@ function UncertainMemory({ session, one, onLook }: UncertainMemoryProps) {
   );
 }
 
-/** What would make it certain, where that can be done from here. */
+/** The button that makes it certain, where that is possible from here. */
 function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
   const { knowledge: words, memoryName } = messages.value;
   const { memory } = one;
@@ -113,7 +113,7 @@ function WayToRead({ session, one, onLook }: UncertainMemoryProps) {
   );
 }
 
-/** Whether the timer that is connected may be the one: it is of that kind, and the pilot has not said otherwise. */
+/** Whether the connected timer may be that timer: it is of the same kind, and the pilot has not said otherwise. */
 function isHere(session: Session, one: Uncertain): boolean {
   const connected = session.connection.value?.identity;
   return connected !== undefined && sameKind(session, connected, one) && !session.knowledge.isOfOther(one.key);
@@ -125,7 +125,7 @@ function sameKind(session: Session, connected: Identity, one: Uncertain): boolea
 
 /**
  * “It is not known what M1 holds: DT is 3:00 or 6:00. Do not fly before it is read.”
- * @param timer null: the one at hand.
+ * @param timer null for the connected one.
  */
 function uncertainText(one: Uncertain, timer: string | null): string {
   const { knowledge: words, memoryName } = messages.value;

@@ -6,20 +6,20 @@ import './value-table.css';
 
 interface ValueTableProps {
   readonly identity: Identity;
-  /** What the columns are of. */
+  /** The headings of the columns. */
   readonly names: readonly string[];
   readonly rows: readonly {
     readonly field: ProgramField;
     /** One for each column; null when it is not known. */
     readonly values: readonly (number | null)[];
-    /** Stands behind the last value. */
+    /** Stands after the last value. */
     readonly note?: ComponentChildren;
   }[];
-  /** Whether the last column is the one that counts. */
+  /** Whether to emphasise the last column. */
   readonly lastCounts?: boolean;
 }
 
-/** Values of some fields side by side. */
+/** The values of some fields side by side. */
 export function ValueTable({ identity, names, rows, lastCounts = false }: ValueTableProps) {
   const { write } = messages.value;
   const last = names.length - 1;
@@ -59,7 +59,7 @@ export function ValueTable({ identity, names, rows, lastCounts = false }: ValueT
   );
 }
 
-/** The same in one sentence, to be read aloud or sent to someone. */
+/** The same in one sentence, to read aloud or to send to somebody. */
 export function DifferenceInWords({
   identity,
   changes,

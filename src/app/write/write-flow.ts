@@ -8,16 +8,16 @@ import type { JobContext, JobEnd } from '../session/job-runner.js';
 import type { Session } from '../session/session.js';
 import { JobDialog } from './job-dialog.js';
 
-/** What the dialog has shown: this is written, or nothing is. */
+/** What the dialog has shown: exactly this is written, or nothing. */
 export interface Shown {
   readonly connection: TimerConnection;
   /** What the timer holds, by the reading for this dialog. */
   readonly baseline: TimerProgram;
   readonly goal: TimerProgram;
   readonly changes: readonly Change[];
-  /** Whose timer it is; null where that is not known. */
+  /** The model that the timer belongs to; null when it is not known. */
   readonly model: Model | null;
-  /** The values are of another model. */
+  /** Set when the values are of another model. */
   readonly crossing: Crossing | null;
 }
 
@@ -26,35 +26,35 @@ export type WriteStep =
   | {
       readonly step: 'review';
       readonly shown: Shown;
-      /**
-       * Why it is shown once more: the timer holds something else than was shown, or something else is wanted by now.
-       * Nothing was sent.
-       */
+      /** Why the difference is shown again: the timer, the edits or the model have changed since. Nothing was sent. */
       readonly moved: 'timer' | 'edits' | 'model' | null;
     }
-  /** Where the browser does not keep a copy of what the timer holds, the job asks the pilot before anything is sent. */
+  /** Where the browser cannot keep a copy of the timer's content, the job asks the pilot before anything is sent. */
   | { readonly step: 'running' }
   | {
       readonly step: 'done';
       readonly report: WriteReport;
-      /** What was written, as the dialog had shown it. */
+      /** What was written, as the dialog has shown it. */
       readonly shown: Shown;
       /** Milliseconds since 1970. */
       readonly at: number;
-      /** What became of the write has to be seen: only its button closes it, not an Escape meant for something else. */
+      /**
+       * Whether only its button closes the result, because the pilot has to see it: an Escape may be meant for
+       * something else.
+       */
       readonly stays: boolean;
-      /** Positions were not kept, perhaps because the servos did not move. */
+      /** Whether positions were not kept, perhaps because the servos did not move. */
       readonly notHeld: boolean;
     }
   | { readonly step: 'refused'; readonly error: TimerError };
 
-/** Shows the difference, writes it, and says what became of it. */
+/** Shows the difference, writes it, and shows the result. */
 export class WriteFlow extends JobDialog<WriteStep> {
   readonly #acknowledged = signal(false, { name: 'acknowledged' });
   readonly #crossed = signal(false, { name: 'crossed' });
-  /** The pilot wants values of one model in the timer of another. */
+  /** Whether the pilot agrees to write values of one model into the timer of another. */
   readonly crossed: ReadonlySignal<boolean> = this.#crossed;
-  /** The pilot has read the serious findings. */
+  /** Whether the pilot has read the serious findings. */
   readonly acknowledged: ReadonlySignal<boolean> = this.#acknowledged;
   readonly serious: ReadonlySignal<readonly Finding[]> = computed(() =>
     this.#session.editor.findings.value.filter(({ severity }) => severity === 'serious'),
@@ -66,7 +66,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
       (this.serious.value.length === 0 || this.acknowledged.value) &&
       (!this.#crossing.value || this.crossed.value),
   );
-  /** The values that are shown go into the timer of another model. */
+  /** Set when the shown values would go into the timer of another model. */
   readonly #crossing = computed(() => {
     const step = this.current.value;
     return step?.step === 'review' ? step.shown.crossing : null;
@@ -83,12 +83,12 @@ export class WriteFlow extends JobDialog<WriteStep> {
     });
   }
 
-  /** Reads the timer afresh and shows the difference: what is written is told apart from what the timer holds now. */
+  /** Reads the timer afresh and shows the difference from what it holds now. */
   async open(): Promise<void> {
     const { editor } = this.#session;
     const memory = editor.working.value?.memory;
     if (editor.blocked.value || !(await this.#session.reader.read()) || editor.blocked.value) return;
-    // Another memory is current by now: the edits were set aside, and the pilot is told so.
+    // Another memory is current now. The edits are kept, and the pilot was told.
     if (editor.working.value?.memory !== memory) return;
     this.#review(null);
   }
@@ -98,14 +98,14 @@ export class WriteFlow extends JobDialog<WriteStep> {
     this.#acknowledged.value = read;
   }
 
-  /** The pilot wants values of one model in the timer of another, or takes that back. */
+  /** The pilot agrees to write values of one model into the timer of another, or no longer agrees. */
   cross(wanted: boolean): void {
     this.#crossed.value = wanted;
   }
 
   /**
-   * Writes what was shown, on the connection where it was shown; shows it once more where anything else is wanted by
-   * now.
+   * Writes what was shown, on the connection on which it was shown.
+   * If something has changed since, shows it again instead.
    */
   async start(): Promise<void> {
     const { editor, knowledge } = this.#session;
@@ -121,7 +121,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
       try {
         await this.#write(shown, connection, options);
       } catch (error) {
-        // These come before the first byte; after anything else it is not known what was sent.
+        // These errors come before the first byte. After any other, nobody knows what was sent.
         if (error instanceof TimerError || error instanceof CodecError) await knowledge.ended(shown.baseline);
         throw error;
       }
@@ -180,7 +180,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
     const { signal, onProgress, stillOn, ask } = options;
     this.show({ step: 'running' });
     const isSimulated = link.simulated.value;
-    // The goal and a backup are kept before the first byte: whatever happens, what the timer holds can be explained.
+    // Goal and backup are kept before the first byte: whatever happens, the content of the timer can then be explained.
     const kept = shown.changes.length === 0 || (await recovery.begin(baseline, goal, isSimulated));
     stillOn();
     if (!kept) {
@@ -192,7 +192,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
     const at = Date.now();
     batch(() => {
       if (report.held) {
-        // What was read back to its end needs no finding out at the next meeting.
+        // A complete read back leaves nothing to find out later.
         if (!report.stopped) void knowledge.ended(baseline);
         knowledge.read(report.held, at, report.result === 'verified');
         if (report.stopped) recovery.wasRead(report.held, isSimulated);
@@ -209,7 +209,7 @@ export class WriteFlow extends JobDialog<WriteStep> {
   #refused(end: Extract<JobEnd<void>, { good: false }>): void {
     const session = this.#session;
     const { error, lost } = end;
-    // Another job holds the wire: it can be tried again.
+    // Another job has the wire: the pilot can try again.
     if (error === null && !lost) return;
     if (!(error instanceof TimerError)) {
       this.show(null);

@@ -19,12 +19,12 @@ import {
   type Storage,
   type Unfinished,
 } from '../../../src/app/storage/index.js';
-// Here before it is asked for: time stands still in these tests.
+// Loaded before anybody asks for it: time stands still in these tests.
 import '../../../src/app/session/recognition-rule.js';
 import { MockSerial } from '../../../src/mock-serial/index.js';
 import { Adapter, type TimerOptions } from '../../serial/bench.js';
 
-/** Keeps records as long as the test lasts, in the place of a shelf of the browser's storage. */
+/** Keeps records during the test, in place of a shelf of the browser's storage. */
 class MemoryShelf<T extends { readonly key: string }> implements Keeper<T> {
   readonly records = new Map<string, T>();
   readonly #store: MemoryStore;
@@ -62,7 +62,7 @@ class MemoryShelf<T extends { readonly key: string }> implements Keeper<T> {
   }
 }
 
-/** The browser's storage. The same one again stands for a reload. */
+/** The browser's storage. Used again, it stands for a reload. */
 export class MemoryStore implements Storage {
   readonly drafts = new MemoryShelf<Draft>(this);
   readonly unfinished = new MemoryShelf<Unfinished>(this);
@@ -72,7 +72,7 @@ export class MemoryStore implements Storage {
   readonly models = new MemoryShelf<ModelRecord>(this);
   readonly settings = new MemoryShelf<SettingRecord>(this);
   readonly flights = new MemoryShelf<FlightRecord>(this);
-  /** As in a browser whose storage is full or switched off. */
+  /** Whether it fails, like the storage of a browser that is full or switched off. */
   broken = false;
 
   async erase(): Promise<void> {
@@ -89,19 +89,19 @@ export class MemoryStore implements Storage {
 const ALONE: Locks = { request: async (_, __, work) => work({}) };
 
 export interface BenchOptions extends TimerOptions, Partial<Pick<ModelOptions, 'erasers' | 'reload' | 'platform'>> {
-  /** Default: a new one. The same one again stands for a reload. */
+  /** Default: a new one. Used again, it stands for a reload. */
   readonly store?: MemoryStore;
   /** Whether this browser has Web Serial. Default true. */
   readonly webSerial?: boolean;
-  /** Between this page and other tabs of it. Default: none. */
+  /** The channel to other tabs of this page. Default: none. */
   readonly channel?: TabChannel;
-  /** Default: the only one. */
+  /** Default: the only tab. */
   readonly tab?: TabNumber;
-  /** False: the page is left as it is before anything was asked of the browser. Default true. */
+  /** False leaves the page as it is before it asks the browser for anything. Default true. */
   readonly started?: boolean;
 }
 
-/** Everything of the app but its screen, before a timer that is not there. Time is turned by {@link run} alone. */
+/** Everything of the page but its screen, with a virtual timer. Only {@link run} and {@link idle} turn the time. */
 export async function appBench({
   store = new MemoryStore(),
   webSerial = true,
@@ -146,7 +146,7 @@ export async function appBench({
 
 export type AppBench = Awaited<ReturnType<typeof appBench>>;
 
-/** A bench on which the pilot has connected and read. */
+/** A bench after the pilot has connected and read. */
 export async function connectedBench(options: BenchOptions = {}): Promise<AppBench> {
   const bench = await appBench(options);
   await run(bench.session.timer.connect());
@@ -154,19 +154,19 @@ export async function connectedBench(options: BenchOptions = {}): Promise<AppBen
 }
 
 /**
- * The page is loaded anew, in the middle of whatever it was doing: the same storage, the same timer as it is now,
- * awake.
+ * Loads the page again, in the middle of whatever it was doing: with the same storage, and the same timer in its
+ * present state, awake.
  */
 export async function reloaded({ store, timer: { core } }: AppBench): Promise<AppBench> {
   const { identity } = core;
-  // A new clock: the page that is gone does nothing more.
+  // A new clock, so that the old page does nothing more.
   const bench = await appBench({ store, identity, plug: { granted: true } });
   bench.timer.core.memories.splice(0, core.memories.length, ...structuredClone(core.memories));
   bench.timer.core.memory = core.memory;
   return bench;
 }
 
-/** Turns the clock from appointment to appointment until the promise settles. */
+/** Turns the clock from callback to callback until the promise settles. */
 export async function run<T>(promise: Promise<T>): Promise<T> {
   let settled = false;
   const done = (): void => {
@@ -175,7 +175,7 @@ export async function run<T>(promise: Promise<T>): Promise<T> {
   promise.then(done, done);
   await vi.advanceTimersByTimeAsync(0);
   while (!settled) {
-    // What an appointment has set off may make another one a little later.
+    // A callback may have set another one that comes a little later.
     if (vi.getTimerCount() === 0) await vi.advanceTimersByTimeAsync(0);
     if (vi.getTimerCount() === 0 && !settled)
       throw new Error('Nothing is due on the clock, and the promise has not settled.');
@@ -184,9 +184,7 @@ export async function run<T>(promise: Promise<T>): Promise<T> {
   return promise;
 }
 
-/**
- * Lets everything happen that is under way: more time than any job takes, while what waits for ever goes on waiting.
- */
+/** Lets everything happen that is in progress: more time than any job takes. What waits for ever goes on waiting. */
 export async function idle(ms = 20_000): Promise<void> {
   await vi.advanceTimersByTimeAsync(ms);
 }

@@ -3,7 +3,7 @@ import * as v from 'valibot';
 import { loadSetting, saveSetting } from '../../browser/settings.js';
 import type { Library } from '../../session/library.js';
 
-/** It is time for an export: so much has changed since the last one, or since it was put off. */
+/** An export is due: much has changed since the last one, or since the pilot put it off. */
 export interface ExportDue {
   readonly changes: number;
   /** Days since the last export; null when there was none. */
@@ -12,20 +12,20 @@ export interface ExportDue {
 
 const SETTING = 'library-exported';
 const DAY = 86_400_000;
-/** Fewer changes than these, or younger ones, are not worth a word. */
+/** Fewer changes, or younger ones, are not worth a reminder. */
 const ENOUGH = 5;
 const LONG = 30 * DAY;
 
 const date = v.nullable(v.pipe(v.number(), v.finite()));
 const schema = v.object({ exportedAt: date, putOffAt: date });
 
-/** When all of the library was exported last, and whether it is time to say that it should be again. */
+/** When the whole library was last exported, and whether the next export is due. */
 export class ExportMarks {
-  /** Null while there is nothing to say. */
+  /** Null while no export is due. */
   readonly due: ReadonlySignal<ExportDue | null>;
   readonly #marks = signal(loadSetting(SETTING, schema) ?? { exportedAt: null, putOffAt: null });
 
-  /** @param now in milliseconds since 1970; it is asked when something has changed. */
+  /** @param now gives milliseconds since 1970. Called when something has changed. */
   constructor(library: Pick<Library, 'models' | 'settings' | 'flights'>, now: () => number = Date.now) {
     this.due = computed(() => {
       const { exportedAt, putOffAt } = this.#marks.value;
@@ -33,12 +33,12 @@ export class ExportMarks {
         ({ list }): readonly { changedAt: number }[] => list.value,
       );
       const at = now();
-      // One of the future was made while the clock of a device was wrong; that of another may go ahead a little.
+      // A mark in the future was made with a wrong clock. The clock of another device may be a little ahead.
       const isRight = (mark: number | null): mark is number => mark !== null && mark <= at + DAY;
       const since = Math.max(0, ...[exportedAt, putOffAt].filter(isRight));
       const changed = records.filter(({ changedAt }) => changedAt > since).map(({ changedAt }) => changedAt);
       if (changed.length < ENOUGH) return null;
-      // Before any export the first entry is as good a beginning.
+      // Before the first export, counting begins with the first entry.
       const from = since || Math.min(...changed);
       if (at - from < LONG) return null;
       return { changes: changed.length, days: isRight(exportedAt) ? Math.floor((at - exportedAt) / DAY) : null };
@@ -49,7 +49,7 @@ export class ExportMarks {
     this.#set({ exportedAt: at, putOffAt: null });
   }
 
-  /** The pilot has read it, and does not want to hear of it for a while. */
+  /** The pilot has read the reminder and does not want it again for a while. */
   putOff(): void {
     this.#set({ ...this.#marks.peek(), putOffAt: Date.now() });
   }

@@ -7,11 +7,11 @@ import './file-buttons.css';
 interface ExportButtonProps {
   readonly files: LibraryFiles;
   readonly part: FilePart;
-  /** What the file is called before its date. */
+  /** The name of the file, before its date. */
   readonly title: string;
 }
 
-/** Saves a part of the library to a file; once it has one, into that or into another. */
+/** Saves a part of the library to a file. After the first time: to the same file, or to another one. */
 export function ExportButton({ files, part, title }: ExportButtonProps) {
   const { export: words } = filesMessages.value;
   const chosen = files.chosen(part);
@@ -29,7 +29,7 @@ export function ExportButton({ files, part, title }: ExportButtonProps) {
   );
 }
 
-/** The files of the library as a whole, and the word that it is time for one. */
+/** The file of the whole library, and the reminder that an export is due. */
 export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) {
   const words = filesMessages.value;
   const field = useRef<HTMLInputElement>(null);
@@ -46,7 +46,7 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
         aria-label={words.import.button}
         onChange={({ currentTarget }) => {
           void files.open([...(currentTarget.files ?? [])]);
-          // The same file again is to be read again.
+          // So that the same file can be chosen again.
           currentTarget.value = '';
         }}
       />
@@ -58,7 +58,7 @@ export function LibraryFileButtons({ files }: { readonly files: LibraryFiles }) 
 
 const ALL: FilePart = { kind: 'all' };
 
-/** The word that it is time for an export: once, and then for a while no more. */
+/** The reminder that an export is due. Shown once, then not for a while. */
 export function ExportReminder({ files }: { readonly files: LibraryFiles }) {
   const { reminder: words } = filesMessages.value;
   const due = files.marks.due.value;

@@ -29,7 +29,7 @@ export function FileDrop({ files }: { readonly files: LibraryFiles }) {
   ) : null;
 }
 
-/** What the system has opened the page with; a file that it does not hand out is none. */
+/** The file with which the system has opened the page. A file that the system does not give out counts as none. */
 async function openLaunched(files: LibraryFiles, handles: readonly FileSystemHandle[]): Promise<void> {
   const found = await Promise.all(
     handles.map((handle) =>

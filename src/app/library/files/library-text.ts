@@ -2,10 +2,10 @@ import { type EntryFacts, type Flight, formatLibraryFile, type Model, type Setti
 import { CodecError } from '../../../protocol/index.js';
 import type { EntryCounts, Records } from './import-plan.js';
 
-/** What a file is made of: everything, one model with what belongs to it, or one setting with its model. */
+/** What a file contains: everything, one model with all that belongs to it, or one setting with its model. */
 export type FilePart = { readonly kind: 'all' } | { readonly kind: 'model' | 'setting'; readonly id: string };
 
-/** The records that belong to a part of the library, in their order. */
+/** The records of a part of the library, in their order. */
 export function partOf({ models, settings, flights }: Records, part: FilePart): Records {
   if (part.kind === 'all') return { models, settings, flights };
   if (part.kind === 'model') {
@@ -23,12 +23,12 @@ export function partOf({ models, settings, flights }: Records, part: FilePart): 
   };
 }
 
-/** What a file holds, and its text; or why there is none. */
+/** The text of a file and how much it holds; or why there is none. */
 export type Made = { readonly text: string; readonly holds: EntryCounts } | 'too-large' | 'nothing';
 
 /**
  * Makes a library file.
- * @param isAll what the pilot's timers held when they were seen last goes along: it is for his own devices alone.
+ * @param isAll also writes what the pilot's timers last held: only his own devices need that.
  */
 export function textOf(records: Records, isAll: boolean, version: string, now: number): Made {
   const { models, settings, flights } = records;

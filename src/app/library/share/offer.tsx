@@ -16,7 +16,7 @@ interface OfferProps {
   readonly page: string;
 }
 
-/** A setting as a link, and as a QR code for the device beside this one. */
+/** A setting as a link, and as a QR code for another device nearby. */
 export function SettingOffer({ sharing, shared, page }: OfferProps) {
   const { offer: words } = share;
   const id = useId();

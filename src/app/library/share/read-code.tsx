@@ -7,7 +7,7 @@ import { Scanner, type ScanState } from './scanner.js';
 import type { Sharing } from './sharing.js';
 import './read-code.css';
 
-/** A QR code, or a link, comes in: from the camera, a picture, or what is pasted. */
+/** Reads a QR code or a link: from the camera, a picture, or pasted text. */
 export function ReadCode({ sharing }: { readonly sharing: Sharing }) {
   const { read: words } = share;
   const scanner = useMemo(() => new Scanner((link) => sharing.take(link)), [sharing]);
@@ -44,7 +44,7 @@ export function ReadCode({ sharing }: { readonly sharing: Sharing }) {
             onChange={({ currentTarget }) => {
               const [chosen] = currentTarget.files ?? [];
               if (chosen) void scanner.readPicture(chosen);
-              // The same file can be chosen again.
+              // So that the same file can be chosen again.
               currentTarget.value = '';
             }}
           />
@@ -60,7 +60,7 @@ export function ReadCode({ sharing }: { readonly sharing: Sharing }) {
   );
 }
 
-/** What the camera shows. */
+/** The live picture of the camera. */
 function Finder({ stream, scanner }: { readonly stream: MediaStream; readonly scanner: Scanner }) {
   const { read: words } = share;
   const video = useRef<HTMLVideoElement>(null);
@@ -78,7 +78,7 @@ function Finder({ stream, scanner }: { readonly stream: MediaStream; readonly sc
   return <video ref={video} class="read-video" muted playsInline aria-label={words.view} />;
 }
 
-/** What goes on, and what went wrong. */
+/** What is happening, and what went wrong. */
 function Said({ state }: { readonly state: ScanState }) {
   const { read: words } = share;
   if (state.kind === 'fault' || state.kind === 'other') {
@@ -92,7 +92,7 @@ function Said({ state }: { readonly state: ScanState }) {
   return <p role="status">{said}</p>;
 }
 
-/** So much of what another QR code says. */
+/** How many characters of another QR code's text are shown. */
 const SHOWN = 80;
 
 function shortened(text: string): string {

@@ -21,7 +21,7 @@ interface ReceivedSettingProps {
   readonly onLibrary: (model: string | null, key: string) => void;
 }
 
-/** What a link holds: to be looked at, kept or opened, or left alone. */
+/** The setting in a link: to look at, keep, open, or ignore. */
 export function ReceivedSetting(props: ReceivedSettingProps) {
   const { session, sharing, link } = props;
   const received = useMemo(() => new Received(session, link), [session, link]);
@@ -75,7 +75,7 @@ function Shown({ shared }: { readonly shared: SharedSetting }) {
       <div class="received-lanes">
         <SmallLanes program={program} names={program.positions.map((_, servo) => servoName(servo))} />
       </div>
-      {/* With many servos it scrolls, by the keyboard too. */}
+      {/* With many servos it scrolls, also by keyboard. */}
       <section class="received-table" tabindex={0} aria-label={table.tableCaption}>
         <TimesTable program={program} caption={table.tableCaption} />
       </section>
@@ -87,14 +87,14 @@ function Shown({ shared }: { readonly shared: SharedSetting }) {
 
 type WaysProps = ReceivedSettingProps & { readonly received: Received; readonly shared: SharedSetting };
 
-/** What can be done with it. */
+/** What the pilot can do with it. */
 function Ways({ session, sharing, received, shared, onProgram, onLibrary }: WaysProps) {
   const { received: words } = share;
   const id = useId();
   const failed = useSignal(false);
   const { opened, connection, library, editor } = session;
   const obstacle = opened.obstacle(shared.program);
-  // Before that it is not known which models there are: one might be made a second time.
+  // Until then the models are not known, and one might be made twice.
   const isLoaded = library.models.loaded.value && library.settings.loaded.value;
   const known = received.known.value;
   const kept = received.kept.value;

@@ -7,33 +7,33 @@ import { QrReader, WIDEST_LOOK } from '../../browser/qr-reader.js';
 /** Why nothing was read. */
 export type ScanFault = CameraFault | 'picture' | 'large' | 'nothing' | 'reader';
 
-/** What is said of it. */
+/** The state that the page shows. */
 export type ScanState =
   | { readonly kind: 'idle' }
-  /** The browser asks the pilot for the camera. */
+  /** The browser asks the pilot for permission to use the camera. */
   | { readonly kind: 'starting' }
   | { readonly kind: 'looking'; readonly stream: MediaStream }
   | { readonly kind: 'picture' }
   | { readonly kind: 'fault'; readonly fault: ScanFault }
-  /** A QR code that holds something else. */
+  /** A QR code with another content. */
   | { readonly kind: 'other'; readonly text: string };
 
-/** Between two looks at what the camera shows, in milliseconds. */
+/** The pause between two looks at the camera's picture, in milliseconds. */
 const PAUSE = 150;
-/** What the camera shows is looked at once: the next picture comes soon. */
+/** Each picture of the camera is searched in one size only: the next one comes soon. */
 const ONE_LOOK = [800];
 
-/** Reads a QR code, from a camera or a picture. The camera is asked for by the pilot alone, and let go of at once. */
+/** Reads a QR code from a camera or a picture. Only the pilot starts the camera. It is released as soon as possible. */
 export class Scanner {
   readonly #state = signal<ScanState>({ kind: 'idle' });
   readonly state: ReadonlySignal<ScanState> = this.#state;
   readonly #onLink: (link: string) => void;
   readonly #reader = new QrReader();
   #camera: Camera | null = null;
-  /** What was begun last: whatever comes from earlier is too late. */
+  /** Goes up with each new action, so that the late result of an earlier one is ignored. */
   #turn = 0;
 
-  /** @param onLink a setting was found. */
+  /** @param onLink called when a setting was found. */
   constructor(onLink: (link: string) => void) {
     this.#onLink = onLink;
   }
@@ -56,8 +56,8 @@ export class Scanner {
   }
 
   /**
-   * Looks at what the camera shows, again and again, until something is found or the camera is stopped.
-   * @returns a function that ends it.
+   * Searches the camera's picture again and again, until something is found or the camera stops.
+   * @returns a function that ends this.
    */
   watch(video: HTMLVideoElement): () => void {
     let waiting: ReturnType<typeof setTimeout> | undefined;
@@ -74,7 +74,7 @@ export class Scanner {
     };
   }
 
-  /** Looks at a picture that the pilot has chosen. */
+  /** Searches a picture that the pilot has chosen. */
   async readPicture(file: Blob): Promise<void> {
     const turn = this.#begin({ kind: 'picture' });
     const isLate = (): boolean => turn !== this.#turn;
@@ -93,7 +93,7 @@ export class Scanner {
     else this.#fail(isReady ? 'nothing' : 'reader');
   }
 
-  /** Lets go of the camera, and forgets what was said. */
+  /** Releases the camera and clears the message. */
   stop(): void {
     this.#begin({ kind: 'idle' });
   }
@@ -101,7 +101,7 @@ export class Scanner {
   /** @returns whether it is a setting. */
   #take(text: string, { goesOn }: { readonly goesOn: boolean }): boolean {
     if (!text.includes(LINK_MARK)) {
-      // The camera may see other codes on its way.
+      // On its way, the camera may see other codes.
       if (!goesOn) this.#state.value = { kind: 'other', text };
       return false;
     }

@@ -4,7 +4,7 @@ import type { Sharing } from './sharing.js';
 
 interface ShareButtonProps {
   readonly sharing: Sharing;
-  /** Made when it is asked for. */
+  /** Called on a click. */
   readonly shared: () => SharedSetting;
 }
 
@@ -17,7 +17,7 @@ export function ShareButton({ sharing, shared }: ShareButtonProps) {
   );
 }
 
-/** A setting comes in by QR code or link. */
+/** Opens the dialog that reads a QR code or link. */
 export function ReadCodeButton({ sharing }: { readonly sharing: Sharing }) {
   return (
     <button type="button" onClick={() => sharing.read()}>

@@ -3,15 +3,15 @@ import { messages, timerName } from '../../messages/index.js';
 import type { Session } from '../../session/session.js';
 import type { Sharing } from './sharing.js';
 
-/** Offers the program on the screen, as it stands there. */
+/** Offers the program on the screen, edits included. */
 export function offerScreen(session: Session, sharing: Sharing): void {
   const shared = screenOf(session);
   if (shared) sharing.offer(shared);
 }
 
 /**
- * The program on the screen as a setting: under the name of the one that it belongs to, else that of timer and memory.
- * Null where there is none, or a field without a value.
+ * The program on the screen as a setting, under the name of its own setting, or else of timer and memory. Null when
+ * there is no program, or a field has no value.
  */
 function screenOf({ editor, opened, modelAtHand }: Session): SharedSetting | null {
   const program = editor.working.value;

@@ -10,20 +10,20 @@ import type { Sharing } from './sharing.js';
 interface SharingDialogProps {
   readonly session: Session;
   readonly sharing: Sharing;
-  /** Something else is asked just now: what came by link waits. */
+  /** Another question that is open now: a link that comes in waits for it. */
   readonly asked: ReadonlySignal<unknown>;
   /** The address of this page. */
   readonly page: string;
-  /** What was opened is to be seen. */
+  /** Shows the program that was opened. */
   readonly onProgram: () => void;
-  /** A setting of the library is to be seen, by its model and its key. */
+  /** Shows a setting of the library, by its model and its key. */
   readonly onLibrary: (model: string | null, key: string) => void;
 }
 
-/** A setting on its way to another device, or from one. */
+/** Sends a setting to another device, or receives one. */
 export function SharingDialog({ session, sharing, asked, page, onProgram, onLibrary }: SharingDialogProps) {
   const { offer, received, read } = share;
-  // It is asked in the middle of nothing: not while bytes move, and not over another question.
+  // The dialog must not interrupt: it waits while bytes move, and while another question is open.
   const isFree = useComputed(() => !session.runner.busy.value && asked.value === null);
   const current = sharing.current.value;
   const title =

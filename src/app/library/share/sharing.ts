@@ -1,19 +1,19 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { LINK_MARK, type SharedSetting } from '../../../program/index.js';
 
-/** What is open of it; one at a time. */
+/** What is open: one thing at a time. */
 export type SharingStep =
   /** A setting of this device is offered as a link and a QR code. */
   | { readonly step: 'offer'; readonly shared: SharedSetting }
-  /** A link has come, perhaps a damaged one: what it holds is shown. */
+  /** A link has come in, perhaps damaged. Its setting is shown. */
   | { readonly step: 'received'; readonly link: string }
-  /** A QR code is to be read, or a link pasted. */
+  /** The pilot reads a QR code or pastes a link. */
   | { readonly step: 'read' };
 
-/** What is used of the window. */
+/** The part of the window that is used. */
 export type LinkWindow = Pick<Window, 'location' | 'history' | 'addEventListener' | 'removeEventListener'>;
 
-/** Settings on their way to another device, and from one: all that is needed before any of that is shown. */
+/** The state of sharing: everything that is needed before its dialogs are loaded. */
 export class Sharing {
   readonly #current = signal<SharingStep | null>(null);
   readonly current: ReadonlySignal<SharingStep | null> = this.#current;
@@ -24,7 +24,7 @@ export class Sharing {
     this.#current.value = { step: 'offer', shared };
   }
 
-  /** Shows what a link holds. */
+  /** Shows the setting in a link. */
   take(link: string): void {
     this.#current.value = { step: 'received', link };
   }
@@ -41,10 +41,10 @@ export class Sharing {
   }
 
   /**
-   * Takes links out of the address of a window, also while the page is open. The address stays until the pilot has
-   * answered: a reload before that asks again, one after it does not.
-   * @param address the address that the page has without it, from `#`.
-   * @returns a function that ends it.
+   * Takes links from the address of a window, also later while the page is open. The address stays until the pilot has
+   * answered: a reload before that asks again, a reload after it does not.
+   * @param address gives the address of the page without the link, from `#`.
+   * @returns a function that ends this.
    */
   follow(window: LinkWindow, address: () => string): () => void {
     const read = (): void => {
@@ -61,7 +61,7 @@ export class Sharing {
   }
 }
 
-/** Whether a fragment of an address is a setting, and no view. */
+/** Whether the fragment of an address is a setting, and not a view. */
 export function isLink(hash: string): boolean {
   return hash.startsWith(LINK_MARK);
 }

@@ -1,25 +1,25 @@
-/** Up to here beside where it took it a pointer moves what it holds as far as itself, in pixels. */
+/** Up to this distance from where it took the handle, the pointer moves the value as far as itself. In pixels. */
 const PLAIN = 48;
-/** From here on it moves it as finely as can be. */
+/** From this distance on, it moves the value as finely as possible. In pixels. */
 const FINEST = 180;
-/** Then a step of the value takes at least so many pixels: a finger finds each. */
+/** There, one step of the value takes at least this many pixels, so that a finger finds each. */
 const STEP = 10;
-/** And what is held goes at most this share of the way of the pointer. */
+/** And the handle goes at most this share of the pointer's way. */
 const SLOW = 1 / 4;
 
 /**
- * How finely a pointer moves what it holds: the further away, the finer, so that a finger finds a single step.
- * @param away from where it took it, across the movement, in pixels.
- * @returns 0 for as far as itself, 1 for as finely as can be.
+ * How finely a pointer moves a value: the further away it is, the finer, so that a finger finds a single step.
+ * @param away the distance from where it took the handle, across the movement, in pixels.
+ * @returns 0 for as far as the pointer, 1 for as finely as possible.
  */
 export function finenessAt(away: number): number {
   return Math.min(1, Math.max(0, (Math.abs(away) - PLAIN) / (FINEST - PLAIN)));
 }
 
 /**
- * How far a value goes.
- * @param plain how far it would go if it went with the pointer.
- * @param way of the pointer in pixels.
+ * How far a value moves.
+ * @param plain how far it would move with the pointer.
+ * @param way the way of the pointer in pixels.
  * @param step of the value.
  */
 export function refined(plain: number, way: number, step: number, fineness: number): number {

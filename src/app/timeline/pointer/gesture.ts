@@ -8,36 +8,36 @@ export interface Point {
   readonly y: number;
 }
 
-/** What the pointer works on, as it was drawn last. */
+/** What the pointer works on, as last drawn. */
 export interface Target {
   readonly svg: SVGSVGElement;
   readonly geometry: Geometry;
-  /** The program as it is by now. */
+  /** Gives the present program. */
   readonly now: () => TimerProgram;
   /** Absent when nothing can be changed. */
   readonly onEdit: OnEdit | undefined;
 }
 
-/** What a pointer has reported. */
+/** A report of the pointer. */
 export interface Report {
   readonly point: Point;
-  /** Whether Alt is held: a time then passes its neighbours. */
+  /** Whether Alt is held, so that a time may pass its neighbours. */
   readonly free: boolean;
   /** Whether it is a finger. */
   readonly coarse: boolean;
 }
 
-/** What is being done with the pointer: it hovers, looks, moves a handle, or pinches. */
+/** What the pointer does: it hovers, looks, moves a handle, or pinches. */
 export interface Gesture {
-  /** Whether the finger that does this scrolls the page no more. */
+  /** Whether its finger no longer scrolls the page. */
   readonly holdsPage: boolean;
   /**
-   * The pointer has moved; called once for each frame that is drawn, with the last report.
-   * @returns whether it has to be called again at the next frame, even if the pointer stands still.
+   * The pointer has moved. Called once for each frame, with the last report.
+   * @returns whether to call it again at the next frame, even if the pointer stands still.
    */
   move(target: Target, report: Report): boolean;
-  /** The pointer was let go. */
+  /** The pointer was released. */
   up(target: Target, report: Report): void;
-  /** Nothing was meant by it: what it changed is put back. */
+  /** The gesture was not meant: puts back what it changed. */
   cancel(): void;
 }

@@ -2,7 +2,7 @@ import type { TimelineModel } from '../view-model.js';
 import type { Gesture, Report, Target } from './gesture.js';
 import { fieldUnder, timeUnder } from './under-pointer.js';
 
-/** A pointer passes over: it asks for the time, and its shape says what could be taken hold of. */
+/** The pointer passes over: asks for the time, and shows by its shape what it could take. */
 export class Hover implements Gesture {
   readonly holdsPage = false;
   readonly #model: TimelineModel;

@@ -2,18 +2,18 @@ import type { TimelineModel } from '../view-model.js';
 import type { Gesture, Point, Report, Target } from './gesture.js';
 import { servoUnder, timeUnder } from './under-pointer.js';
 
-/** A pointer that moves less than this has not moved, in pixels. */
+/** A smaller movement counts as standing still, in pixels. */
 const STILL = 4;
 
 /**
- * A pointer is down beside the handles: it asks for the time or moves what is in view; a click takes the servo
- * of the lane in hand.
+ * The pointer is down beside the handles: it asks for the time, or moves the view.
+ * A click selects the servo of the lane.
  */
 export class Look implements Gesture {
   readonly holdsPage = false;
   readonly #model: TimelineModel;
   readonly #from: Point;
-  /** Whether there is more of the picture than is in view. */
+  /** Whether the picture is larger than the view. */
   readonly #pans: boolean;
   #last: Point;
   #moved = false;

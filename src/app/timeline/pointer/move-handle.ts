@@ -5,21 +5,21 @@ import type { TimelineModel } from '../view-model.js';
 import { finenessAt, refined } from './fineness.js';
 import type { Gesture, Point, Report, Target } from './gesture.js';
 
-/** Beside the plot the picture follows a handle, by this share of the way it is beside it, in each frame. */
+/** Outside of the plot the picture follows the handle, in each frame by this share of the distance. */
 const FOLLOW = 0.02;
 
-/** So far a finger trembles that only taps, in pixels. */
+/** How far a tapping finger may tremble, in pixels. */
 const TREMBLE = 5;
 
-/** A handle is in hand, and its value with it: the further the pointer is from where it took it, the finer. */
+/** A handle is held and moves its value. The further the pointer is from where it took the handle, the finer. */
 export class MoveHandle implements Gesture {
   readonly holdsPage = true;
   readonly #model: TimelineModel;
   readonly #edit: DragEdit;
   readonly #from: Point;
-  /** Where the pointer was told to be last, along the way of the handle. */
+  /** The last reported place of the pointer, along the way of the handle. */
   #last: number;
-  /** Where the handle would be along its way if it were not bound to steps and limits, in pixels. */
+  /** Where the handle would be without steps and limits, along its way, in pixels. */
   #at: number;
   #moved = false;
 
@@ -69,7 +69,9 @@ export class MoveHandle implements Gesture {
     this.#model.letGo();
   }
 
-  /** Whether it is meant. What a finger has trembled is no way that it went. @param way from where it was taken. */
+  /**
+   * Whether the pointer really moves it. The trembling of a finger does not count. @param way from where it was taken.
+   */
   #hasMoved(way: number, trembling: number): boolean {
     if (this.#moved || Math.abs(way) < Math.max(1, trembling)) return this.#moved;
     this.#last += Math.sign(way) * trembling;
@@ -77,7 +79,7 @@ export class MoveHandle implements Gesture {
     return true;
   }
 
-  /** The value that lies at a place along the way of the handle, not rounded. */
+  /** The value at a place along the way of the handle, not rounded. */
   #valueAt(layout: Layout, at: number): number {
     const { field } = this.#edit;
     return field.kind === 'position' ? layout.position(field.servo, at) : layout.time(at);
@@ -89,8 +91,8 @@ export class MoveHandle implements Gesture {
   }
 
   /**
-   * A time that goes with the pointer stays in the plot; beside it the picture follows.
-   * @returns whether it does: nothing reports while the pointer stands still there.
+   * Moves a time with the pointer. It stays in the plot; beyond the edge the picture follows.
+   * @returns whether the picture follows: the pointer stands still there and sends no reports.
    */
   #followPointer(layout: Layout, x: number, free: boolean): boolean {
     const { program, field, value } = this.#edit;
@@ -104,7 +106,7 @@ export class MoveHandle implements Gesture {
     return follows;
   }
 
-  /** What is moved finely takes the picture with it at its edges. */
+  /** A handle that is moved finely takes the picture with it at its edges. */
   #keepInView(layout: Layout): void {
     const { left, right } = layout.box;
     const beside = this.#at - Math.min(right, Math.max(left, this.#at));

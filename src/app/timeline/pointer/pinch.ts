@@ -2,18 +2,18 @@ import type { TimelineModel } from '../view-model.js';
 import type { Gesture, Point, Target } from './gesture.js';
 import { placeUnder } from './under-pointer.js';
 
-/** Fingers closer than this share of the plot are not told apart. */
+/** Two fingers closer than this share of the plot do not move the view. */
 const CLOSEST = 0.02;
 
-/** Two fingers are down: what was under each stays there. */
+/** Two fingers are down: the places under them stay under them. */
 export class Pinch implements Gesture {
   readonly holdsPage = true;
   readonly #model: TimelineModel;
   readonly #fingers: ReadonlyMap<number, Point>;
-  /** What each finger came down on, in places of the scale. */
+  /** The place of the scale under each finger at the beginning. */
   readonly #places: ReadonlyMap<number, number>;
 
-  /** @param fingers where each finger is, as it is and as it changes. */
+  /** @param fingers where each finger is; updated while they move. */
   constructor(model: TimelineModel, { geometry: { layout } }: Target, fingers: ReadonlyMap<number, Point>) {
     this.#model = model;
     this.#fingers = fingers;

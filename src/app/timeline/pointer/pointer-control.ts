@@ -6,21 +6,21 @@ import { MoveHandle } from './move-handle.js';
 import { Pinch } from './pinch.js';
 import { fieldUnder, placeUnder } from './under-pointer.js';
 
-/** So much a wheel zooms for each pixel that it turns. */
+/** How much a wheel zooms for each pixel that it turns. */
 const ZOOM = 1.0025;
 
 /**
- * Mouse, pen and fingers on a timeline. What they do is one gesture after the other, which is told of once for each
- * frame that is drawn, however often the pointer reports.
+ * Mouse, pen and fingers on a timeline. They make one gesture after another, which hears of them once for each frame,
+ * however often the pointer reports.
  */
 export class PointerControl {
   readonly #model: TimelineModel;
   readonly #target: () => Target | null;
   readonly #hover: Hover;
-  /** Where each pointer is that is down. */
+  /** Where each pressed pointer is. */
   readonly #down = new Map<number, Point>();
   #gesture: Gesture;
-  /** What the gesture has not been told yet, or is told again at the next frame. */
+  /** A report that the gesture has not had yet, or gets again at the next frame. */
   #latest: Report | null = null;
   #frame = 0;
 
@@ -46,7 +46,7 @@ export class PointerControl {
     }
   };
 
-  /** The first finger, or the mouse, is down: on a handle, or on what lies behind. */
+  /** The first finger, or the mouse, is down: on a handle, or beside the handles. */
   #begun(event: PointerEvent, target: Target): Gesture {
     const { onEdit } = target;
     const from = pointIn(target.svg, event);
@@ -55,8 +55,8 @@ export class PointerControl {
   }
 
   /**
-   * A finger on a handle, or a second one, does not scroll the page; a finger beside the handles does. Comes after
-   * {@link down}.
+   * A finger on a handle, or a second finger, does not scroll the page; a finger beside the handles does.
+   * Comes after {@link down}.
    */
   readonly touch = (event: TouchEvent): void => {
     if (this.#gesture.holdsPage) event.preventDefault();
@@ -75,8 +75,8 @@ export class PointerControl {
   };
 
   /**
-   * With Ctrl, as pinching a touchpad gives it, the wheel zooms; sideways it moves what is in view; else it scrolls the
-   * page.
+   * With Ctrl, which pinching a touchpad also gives, the wheel zooms. Sideways it moves the view.
+   * Otherwise it scrolls the page.
    */
   readonly wheel = (event: WheelEvent): void => {
     const target = this.#target();
@@ -96,7 +96,7 @@ export class PointerControl {
     if (target && !fieldUnder(target, this.#model.front.value, pointIn(target.svg, event), false)) this.#model.fit();
   };
 
-  /** Lets go of everything, putting back what was being moved. */
+  /** Releases everything and puts back what was being moved. */
   readonly cancel = (): void => {
     this.#gesture.cancel();
     this.#end();
@@ -117,7 +117,7 @@ export class PointerControl {
   };
 
   readonly #lost = (event: PointerEvent): void => {
-    // The browser has taken the finger for scrolling the page: nothing was meant by it here.
+    // The browser uses the finger to scroll the page, so it was not meant for the picture.
     if (this.#down.delete(event.pointerId)) this.cancel();
   };
 
@@ -179,7 +179,7 @@ function pointIn(svg: SVGSVGElement, event: MouseEvent): Point {
   return { x: event.clientX - left, y: event.clientY - top };
 }
 
-/** The way of a wheel in pixels, whether it counts in those, in lines or in pages. */
+/** The way of a wheel in pixels, whether it counts in pixels, lines or pages. */
 function pixels(way: number, { deltaMode }: WheelEvent): number {
   return way * ([1, 16, 400][deltaMode] ?? 1);
 }

@@ -4,16 +4,16 @@ import { laneAt } from '../lanes.js';
 import type { Layout } from '../layout.js';
 import type { Point, Target } from './gesture.js';
 
-/** How near a pointer must come, in pixels: a finger covers 44, a mouse points. */
+/** How near a pointer must come, in pixels: a finger covers 44, a mouse is exact. */
 const REACH = { coarse: 22, fine: 13 };
-/** And from inside of another lane: who taps there means that. */
+/** The same from inside another lane, in pixels: a tap there means that lane. */
 const REACH_FROM_OTHER = 12;
 const LINE_REACH = 7;
 const MARK_REACH = 4;
 
 /**
- * The field whose handle is under a pointer: the nearest one within reach. A mouse can also take the line in hand by
- * any part of it, and a function by its upright; a finger would do that without wanting to.
+ * The field whose handle is under a pointer: the nearest one in reach. A mouse can also take any part of the selected
+ * line, and a function by its vertical line; a finger would do that by mistake.
  */
 export function fieldUnder(
   { geometry, onEdit }: Pick<Target, 'geometry' | 'onEdit'>,
@@ -41,7 +41,7 @@ export function fieldUnder(
   return mark ? { kind: 'time', slot: mark.slot } : null;
 }
 
-/** The slot at which the line in hand stands under a pointer; null where there is nothing of it. */
+/** The slot of the selected line under a pointer; null where there is no line. */
 function slotUnder({ program, stages, layout }: Geometry, front: number, { x, y }: Point): number | null {
   let found: number | null = null;
   let nearest = LINE_REACH;
@@ -62,10 +62,10 @@ export function servoUnder({ layout }: Geometry, { y }: Point): number | null {
   return y < top || y > bottom ? null : laneAt(layout.lanes, y);
 }
 
-/** A pointer this near to a mark asks about the very time of the mark. */
+/** A pointer this near to a mark asks for exactly its time, in pixels. */
 const SNAP = 5;
 
-/** The time that a pointer asks about, in whole hundredths of a second. */
+/** The time under a pointer, in whole hundredths of a second. */
 export function timeUnder({ flags, stages, motorStop, layout }: Geometry, x: number): number {
   const marks = flags.map(({ slot, at }) => ({ time: stages[slot]?.from ?? 0, distance: Math.abs(at - x) }));
   if (motorStop !== null) marks.push({ time: motorStop, distance: Math.abs(layout.x(motorStop) - x) });

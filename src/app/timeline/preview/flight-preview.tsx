@@ -14,17 +14,17 @@ import './flight-preview.css';
 
 export interface FlightPreviewProps {
   readonly program: TimerProgram;
-  /** What plays it, to be shared with a timeline; one of its own if there is none. */
+  /** The player, when a timeline shares it. Default: its own. */
   readonly player?: Player | undefined;
-  /** What each servo moves, by the pilot's word; null where that has to be guessed. */
+  /** What each servo moves, as the pilot says; null when that has to be guessed. */
   readonly named: readonly ServoUse[] | null;
   readonly onName: (uses: readonly ServoUse[] | null) => void;
 }
 
-/** More servos than this are listed without what they move. */
+/** With more servos, the list does not say what they move. */
 const MANY = 4;
 
-/** The flight as the program has it: what the servos move, when the motor stops, what comes when. */
+/** The flight of the program: what the servos move, when the motor stops, and what comes when. */
 export function FlightPreview({ program, player: given, named, onName }: FlightPreviewProps) {
   const { preview } = messages.value;
   const id = useId();
@@ -71,11 +71,11 @@ interface ShownProps {
 
 interface FlightProps extends ShownProps {
   readonly uses: readonly ServoUse[];
-  /** How far the sketch is to be believed. */
+  /** How far to trust the sketch. */
   readonly children: ComponentChildren;
 }
 
-/** The sketch and what it means, drawn again when something happens and not at each frame. */
+/** The sketch and its explanation. Drawn again when something happens, not at each frame. */
 function Flight({ program, player, uses, children }: FlightProps) {
   const { preview, servoName } = messages.value;
   const { identity } = program;
@@ -137,7 +137,7 @@ function Clock({ player }: { readonly player: Player }) {
   return <strong class="preview-clock">{momentText(player.shown.value)}</strong>;
 }
 
-/** What came last. It is said when it comes in a flight that is gone through, and not of what is only looked at. */
+/** The latest event. A screen reader hears it during a flight, but not while the pilot only looks. */
 function Happening({ program, player }: ShownProps) {
   const { timeline } = messages.value;
   const text = useMemo(
@@ -152,7 +152,7 @@ function Happening({ program, player }: ShownProps) {
   return <p role={isUnderWay.value ? 'status' : undefined}>{text.value}</p>;
 }
 
-/** What happened last up to a time; all of it, where several things happened at once. */
+/** The latest event up to a time; all of them when several happen at once. */
 function lastText(program: TimerProgram, time: number): string {
   const { preview } = messages.value;
   const events = eventsBetween(program, -1, time);

@@ -2,21 +2,21 @@ import type { ProgramField, TimerProgram } from '../../../program/index.js';
 import { drawable, RUN_OUT } from '../scale.js';
 
 /**
- * How a slot of a program is run through: its positions are `held` until the next one, or `passed` over because the
- * next one has the same time, or the next one lies `back` before it; what the timer does then is not known.
+ * How a flight passes a slot. `held`: its positions stay until the next slot. `passed`: the next slot has the same
+ * time. `back`: the next slot has an earlier time, and nobody knows what the timer then does.
  */
 export type Passing = 'held' | 'passed' | 'back';
 
-/** One slot of a program on its way, in the order of the numbers. Times are hundredths of a second from launch. */
+/** One slot of a flight, in the order of the slots. Times are hundredths of a second from launch. */
 export interface Stage {
   readonly slot: number;
   readonly from: number;
-  /** The time of the next slot; null after DT, which is the last. */
+  /** The time of the next slot; null for DT, the last one. */
   readonly until: number | null;
   readonly passing: Passing;
 }
 
-/** Start, the functions and DT. Start is at launch: the time of slot 0 means something else. */
+/** Start, the functions and DT. Start counts as at launch, because the time of slot 0 has another meaning. */
 export function stagesOf({ times }: TimerProgram): Stage[] {
   return times.map((time, slot) => {
     const from = slot === 0 ? 0 : drawable(time);
@@ -27,24 +27,24 @@ export function stagesOf({ times }: TimerProgram): Stage[] {
   });
 }
 
-/** When the motor stops, in hundredths of a second; null where a program does not say: on any class but Q. */
+/** When the motor stops, in hundredths of a second; null for any class but Q. */
 export function motorStopOf({ identity, times }: TimerProgram): number | null {
   return identity.timerClass === 'Q' ? (times[0] ?? null) : null;
 }
 
-/** The time at which a field has its place in the flight: the positions of the start have theirs at launch. */
+/** The time in the flight to which a field belongs. The positions of the start belong to launch. */
 export function timeOf({ times }: TimerProgram, field: ProgramField): number {
   if (field.kind === 'idleThrottle' || (field.kind === 'position' && field.slot === 0)) return 0;
   return times[field.slot] ?? 0;
 }
 
-/** Every time at which something happens, launch not among them. */
+/** Every time at which something happens, without launch. */
 export function marksOf(program: TimerProgram): number[] {
   const stop = motorStopOf(program);
   return (stop === null ? program.times.slice(1) : program.times).map(drawable);
 }
 
-/** The time at which there is nothing more to show: a few seconds after the last event. */
+/** The end of what is shown: a few seconds after the last event. */
 export function flightEnd(program: TimerProgram): number {
   return Math.max(0, ...marksOf(program)) + RUN_OUT;
 }
@@ -53,13 +53,12 @@ export function flightEnd(program: TimerProgram): number {
 export interface Reached {
   readonly slot: number;
   /**
-   * False where times fall and one of the later slots has come before this one is over: what the timer does is not
-   * known.
+   * False where times fall and a later slot has come before this one is over: nobody knows what the timer then does.
    */
   readonly certain: boolean;
 }
 
-/** The last slot that has come, together with all before it, at a time from launch. */
+/** The last slot whose time, with the times of all slots before it, has come. */
 export function reachedAt({ times }: TimerProgram, time: number): Reached {
   const missing = times.findIndex((at, slot) => slot > 0 && at > time);
   if (missing < 0) return { slot: times.length - 1, certain: true };
@@ -71,7 +70,7 @@ export type FlightEvent =
   | { readonly kind: 'slot'; readonly slot: number; readonly time: number }
   | { readonly kind: 'motor-stop'; readonly time: number };
 
-/** What happens after one time and up to another, in the order in which it does. */
+/** The events after one time and up to another, in their order. */
 export function eventsBetween(program: TimerProgram, after: number, upTo: number): FlightEvent[] {
   const stop = motorStopOf(program);
   const events: FlightEvent[] = [

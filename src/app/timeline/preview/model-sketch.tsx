@@ -4,33 +4,33 @@ import { servoClass } from '../servo-class.js';
 import type { Surface } from './surfaces.js';
 import './model-sketch.css';
 
-/** How a surface stands: degrees, above 0 its trailing edge is up or to the right, and the servo that turns it. */
+/** The angle of a surface in degrees (above 0: trailing edge up, or to the right), and the servo that turns it. */
 export interface SurfaceAngle {
   readonly degrees: number;
   readonly servo: number;
 }
 
 export interface ModelSketchProps {
-  /** Null where nothing turns it. */
+  /** Null where no servo turns it. */
   readonly turned: Readonly<Record<Surface, SurfaceAngle | null>>;
-  /** Whether the model has a propeller: all but those of class E. */
+  /** Whether the model has a propeller: every class but E. */
   readonly propeller: boolean;
-  /** Null where nobody knows: the motor of an F1B is of rubber. */
+  /** Null when it is not known: the motor of an F1B is rubber. */
   readonly motorRuns: boolean | null;
-  /** Whether the propeller turns now, and surfaces go gently to where they shall stand: while it is played. */
+  /** Whether the propeller turns and surfaces move gently: while the flight is played. */
   readonly turning: boolean;
-  /** It comes down: DT was reached, and something moved. */
+  /** Whether the model comes down: DT was reached, and something moved. */
   readonly comesDown: boolean;
-  /** A servo lets go of the tailplane, without one that turns it. */
+  /** Whether a servo releases the tailplane, and none turns it. */
   readonly letGo: boolean;
 }
 
-/** How far a tailplane tips up that was let go, in degrees. */
+/** How far a released tailplane tips up, in degrees. */
 const LET_GO = 42;
 
 /**
- * A free-flight model from the side, and below it the fuselage from above, one under the other as in a workshop
- * drawing. The surfaces that servos move have the colours of their lanes.
+ * A free-flight model from the side, and below it the fuselage from above, as in a workshop drawing. Surfaces have the
+ * colours of their servos' lanes.
  */
 export function ModelSketch(props: ModelSketchProps) {
   return (
@@ -72,7 +72,7 @@ function FromTheSide({ turned, propeller, motorRuns, turning, letGo }: ModelSket
   );
 }
 
-/** Wing and tailplane are cut off: what is seen from here is the rudder. */
+/** Wing and tailplane are cut off: this view shows the rudder. */
 function FromAbove({ turned: { rudder, tailplane, wing } }: ModelSketchProps) {
   return (
     <>
@@ -96,7 +96,7 @@ interface HingedProps {
   /** The hinge. */
   readonly x: number;
   readonly y: number;
-  /** How far behind the hinge the line goes that shows where straight is. */
+  /** How far behind the hinge the line for the straight position ends. */
   readonly reach: number;
   readonly children: ComponentChildren;
 }
@@ -109,7 +109,7 @@ function Hinged({ name, turned, x, y, reach, children }: HingedProps) {
       <g
         class={turned ? 'surface' : 'body'}
         data-surface={name}
-        // To the eye a trailing edge goes up; a drawing turns with the clock.
+        // A trailing edge should go up, but drawings turn clockwise.
         style={{ transform: `rotate(${-degrees}deg)` }}
       >
         {children}
@@ -123,7 +123,7 @@ interface PropellerProps {
   readonly turning: boolean;
 }
 
-/** Folded along the fuselage; while the motor runs, a disc seen from its edge. Its hub alone where it is not known. */
+/** Folded along the fuselage; while the motor runs, a disc seen from its edge. Only the hub when it is not known. */
 function Propeller({ motorRuns, turning }: PropellerProps) {
   return (
     <g transform="translate(42 66)" class="propeller">

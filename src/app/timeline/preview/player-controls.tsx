@@ -14,7 +14,7 @@ interface PlayerControlsProps {
   readonly player: Player;
 }
 
-/** Play and pause, from event to event, where, how fast, and whether it ticks. */
+/** The controls: play and pause, previous and next event, place, speed, ticks. */
 export function PlayerControls({ program, player }: PlayerControlsProps) {
   const { preview } = messages.value;
   const back = (): void => {
@@ -71,7 +71,7 @@ function speedOf(text: string): Speed {
   return SPEEDS.find((speed) => String(speed) === text) ?? SPEEDS[0];
 }
 
-/** A tick for each thing that happens while it is played, a deeper one for DT; silent until it is switched on. */
+/** A tick for each event while the flight is played, a deeper one for DT. Silent until the pilot switches it on. */
 function Ticks({ program, player }: PlayerControlsProps) {
   const on = useSignal(false);
   const sound = useMemo(() => new TickSound(), []);
@@ -105,10 +105,7 @@ function Ticks({ program, player }: PlayerControlsProps) {
 const SPEAKER = 'M3 8H6L10 4V16L6 12H3Z';
 const WAVES = 'M13 7C15 9 15 11 13 13M15 4C19 8 19 12 15 16';
 
-/**
- * The slider has this many places. They are spread over the flight as on the timeline, so that short steps can be
- * found.
- */
+/** How many places the slider has. They are spread as on the timeline, so that short steps can be found. */
 const PLACES = 500;
 const MIN_GAP = 0.05;
 

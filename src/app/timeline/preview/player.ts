@@ -1,11 +1,11 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { drawable, RUN_OUT } from '../scale.js';
 
-/** What turns the player's clock: the frames of the screen, or a test. */
+/** Drives the player's clock: the frames of the screen, or a test. */
 export interface Frames {
   /**
    * Calls back once, at the next frame, with a time in milliseconds that never runs backwards.
-   * @returns a function that takes it back.
+   * @returns a function that cancels the call.
    */
   next(callback: (now: number) => void): () => void;
 }
@@ -18,37 +18,37 @@ export const screenFrames: Frames = {
   },
 };
 
-/** How many times faster than the flight. */
+/** How many times faster than real time. */
 export const SPEEDS = [1, 2, 5, 10, 60] as const;
 export type Speed = (typeof SPEEDS)[number];
 
-/** Between two frames no more time passes than this, in milliseconds: a page that was hidden goes on where it was. */
+/** The most milliseconds that count between two frames: a page that was hidden goes on where it was. */
 const LONGEST_FRAME = 250;
 /** Hundredths of a second in a millisecond. */
 const UNITS = 0.1;
 
 /**
- * A flight that is played: a time that runs from launch to a few seconds after the last event. Until it is played or
- * gone through it shows what the pilot has in hand, and what is asked about at any time.
+ * Plays a flight: a time that runs from launch to a few seconds after the last event. Before it is played, it shows the
+ * time that the pilot has selected, or asks about.
  */
 export class Player {
   readonly #time = signal(0);
   readonly #playing = signal(false);
   readonly #speed = signal<Speed>(1);
   readonly #end = signal(RUN_OUT);
-  /** Somebody plays it, or has gone to a time of it: it stays there. */
+  /** Whether the flight was played or sought: it then stays at that time. */
   readonly #underWay = signal(false);
   readonly #inHand = signal(0);
   readonly #asked = signal<number | null>(null);
-  /** What is to be shown, in hundredths of a second from launch. */
+  /** The time to show, in hundredths of a second from launch. */
   readonly shown: ReadonlySignal<number> = computed(
     () =>
       this.#asked.value ?? (this.#underWay.value ? this.#time.value : Math.min(this.#end.value, this.#inHand.value)),
   );
-  /** Where the flight is, to be marked on a timeline; null until it is under way. */
+  /** The place of the flight, to mark on a timeline; null until it was played or sought. */
   readonly cursor: ReadonlySignal<number | null> = computed(() => (this.#underWay.value ? this.#time.value : null));
   readonly #frames: Frames;
-  /** Not rounded, so that slow frames do not lose any of it. */
+  /** Not rounded, so that slow frames lose nothing. */
   #exact = 0;
   #stop: (() => void) | null = null;
 
@@ -56,7 +56,7 @@ export class Player {
     this.#frames = frames;
   }
 
-  /** Hundredths of a second from launch, whole. */
+  /** Whole hundredths of a second from launch. */
   get time(): ReadonlySignal<number> {
     return this.#time;
   }
@@ -69,7 +69,7 @@ export class Player {
     return this.#speed;
   }
 
-  /** Where the flight ends, in hundredths of a second. */
+  /** The end of the flight, in hundredths of a second. */
   get end(): ReadonlySignal<number> {
     return this.#end;
   }
@@ -80,7 +80,7 @@ export class Player {
     if (this.#exact > this.#end.value) this.#goTo(this.#end.value);
   }
 
-  /** The pilot has something of this time in hand: a flight that is played goes on, one that stands gives way to it. */
+  /** The pilot has selected something at this time. A playing flight goes on; a paused one goes there. */
   take(time: number): void {
     batch(() => {
       this.#inHand.value = drawable(time);
@@ -88,12 +88,12 @@ export class Player {
     });
   }
 
-  /** Shows a time for as long as somebody asks about it; null for no longer. */
+  /** Shows a time while somebody asks about it; null ends that. */
   ask(time: number | null): void {
     this.#asked.value = time === null ? null : drawable(time);
   }
 
-  /** Goes on, else begins with what is in hand; from the end it starts again at launch. */
+  /** Goes on playing. The first time it begins at the selected time; from the end it begins at launch again. */
   play(): void {
     if (this.#playing.peek()) return;
     batch(() => {
@@ -128,7 +128,7 @@ export class Player {
     this.#speed.value = speed;
   }
 
-  /** From what is in hand; but behind the last event there is nothing to be seen. */
+  /** Begins at the selected time, unless that is after the last event. */
   #begin(): void {
     const inHand = this.#inHand.peek();
     this.#goTo(inHand < this.#end.peek() - RUN_OUT ? inHand : 0);
@@ -140,7 +140,7 @@ export class Player {
       const passed = before === null ? 0 : Math.min(LONGEST_FRAME, now - before);
       this.#goTo(Math.min(this.#end.peek(), this.#exact + passed * UNITS * this.#speed.peek()));
       if (this.#exact >= this.#end.peek()) this.#playing.value = false;
-      // Whoever follows the time may have paused it, or started it afresh.
+      // A listener of the time may have paused or restarted it.
       if (this.#playing.peek() && !this.#stop) this.#await(now);
     });
   }

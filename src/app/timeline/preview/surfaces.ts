@@ -1,13 +1,13 @@
 import type { Duty, ServoUse, TimerProgram } from '../../../program/index.js';
 import { MAX_POSITION } from '../../../protocol/index.js';
 
-/** What the sketch of a model can turn. */
+/** The surfaces that the sketch can turn. */
 export const SURFACES = ['rudder', 'tailplane', 'wing'] as const;
 export type Surface = (typeof SURFACES)[number];
 
 /**
- * How far a surface turns on the sketch at the ends of a servo's way, in degrees: down or to the left, up or to the
- * right. Chosen to be seen; not those of any model.
+ * How far a surface turns in the sketch at the ends of a servo's travel, in degrees: down or left, up or right. Chosen
+ * to be visible; they are those of no real model.
  */
 const SWING: Readonly<Record<Surface, readonly [number, number]>> = {
   rudder: [28, 28],
@@ -15,20 +15,20 @@ const SWING: Readonly<Record<Surface, readonly [number, number]>> = {
   wing: [8, 8],
 };
 
-/** The first servos of most models; what comes after them nobody can guess. */
+/** The first servos of most models. Nobody can guess any further ones. */
 const USUAL: readonly Duty[] = ['rudder', 'tailplane', 'wing'];
 const MIDDLE = MAX_POSITION / 2;
 
 /**
- * What the servos may move, where the pilot has not said it: S1 the rudder, S2 the tailplane, S3 the wing; a servo that
- * is alone turns a disc. Each uses the way that the program uses, and at DT the tailplane goes up.
+ * A guess of what the servos move: S1 the rudder, S2 the tailplane, S3 the wing; a single servo turns a disc. Each uses
+ * the travel that the program uses, and at DT the tailplane goes up.
  */
 export function guessedUses({ positions }: TimerProgram): ServoUse[] {
   return positions.map((row, servo) => {
     const duty: Duty = positions.length === 1 ? 'release' : (USUAL[servo] ?? 'other');
     const steps = row.map(onWay);
     const most = Math.max(...steps.map((at) => Math.abs(at - MIDDLE)));
-    // A rudder is trimmed about its middle, and a turn is seen as one.
+    // A rudder is trimmed around its middle, so that a turn looks like one.
     const isRudder = duty === 'rudder';
     const low = isRudder ? MIDDLE - most : Math.min(...steps);
     const high = isRudder ? MIDDLE + most : Math.max(...steps);
@@ -39,8 +39,8 @@ export function guessedUses({ positions }: TimerProgram): ServoUse[] {
 }
 
 /**
- * How a surface stands at a slot of a program, in degrees from the fuselage: above 0 its trailing edge is up, that of a
- * rudder to the right. The tailplane of the glide is drawn straight. Null where no servo turns it.
+ * The angle of a surface at a slot, in degrees from the fuselage. Above 0: trailing edge up, for a rudder to the right.
+ * The tailplane of the glide is drawn straight. Null when no servo turns it.
  */
 export function turnOf(
   program: TimerProgram,
@@ -57,17 +57,17 @@ export function turnOf(
   if (off === 0) return 0;
   const [down, up] = SWING[surface];
   const rising = up / (1 - straight);
-  // A small trim looks small on both sides.
+  // A small trim looks small in both directions.
   const turn = off * (off > 0 ? rising : Math.min(rising, down / straight));
   return Math.round(turn * 10) / 10;
 }
 
-/** The servo that turns a surface, the first where there are several; -1 if there is none. */
+/** The servo that turns a surface; the first of several, -1 for none. */
 export function servoOf(surface: Surface, uses: readonly ServoUse[]): number {
   return uses.findIndex(({ duty }) => duty === surface);
 }
 
-/** Where a position lies on the way that the servo uses: 0 is all down or to the left, 1 all up or to the right. */
+/** Where a position lies on the servo's travel: 0 is fully down or left, 1 fully up or right. */
 function shareOf({ low, high, reversed }: ServoUse, position: number): number {
   const share = high > low ? Math.min(1, Math.max(0, (onWay(position) - low) / (high - low))) : 0.5;
   return reversed ? 1 - share : share;
@@ -78,12 +78,12 @@ function onWay(position: number): number {
   return Math.min(MAX_POSITION, Math.max(0, position));
 }
 
-/** What DT does: which servos move then. A DT at which none does brings nothing down. */
+/** The servos that move at DT. If none moves, DT brings no model down. */
 export function movedAtDt({ positions }: TimerProgram): number[] {
   return positions.flatMap((row, servo) => (row.at(-1) === row.at(-2) ? [] : [servo]));
 }
 
-/** Whether the tailplane tips up at DT because a servo lets it go then. */
+/** Whether the tailplane tips up at DT because a servo releases it. */
 export function isLetGo(program: TimerProgram, uses: readonly ServoUse[]): boolean {
   return movedAtDt(program).some((servo) => uses[servo]?.duty === 'release');
 }

@@ -1,22 +1,19 @@
 import { type Service, service, tried } from '../../browser/services.js';
 
-/** How a tick sounds: hertz, seconds, and how loud it begins. */
+/** The sound of a tick: hertz, seconds, and its volume at the beginning. */
 const HIGH = 1400;
 const LOW = 500;
 const LENGTH = 0.07;
 const LOUDNESS = 0.25;
 
-/**
- * Short ticks from the loudspeaker. It makes its first use of the loudspeaker when it is first asked to, as browsers
- * want it.
- */
+/** Short ticks. It opens the loudspeaker only when it is first asked to, as browsers require. */
 export class TickSound {
   #context: InstanceType<Service<'AudioContext'>> | null = null;
 
-  /** To be called on a click: only then a browser lets sound through. */
+  /** Call it on a click: only then a browser allows sound. */
   allow(): void {
     const Context = service('AudioContext');
-    // Where there is no sound a flight is watched anyway.
+    // Without sound the flight can still be watched.
     this.#context ??= tried(() => Context && new Context());
     void tried(() => this.#context?.resume().catch(() => {}));
   }
@@ -34,7 +31,7 @@ export class TickSound {
     tone.stop(start + LENGTH * (low ? 4 : 1));
   }
 
-  /** Gives the loudspeaker back. */
+  /** Releases the loudspeaker. */
   close(): void {
     void tried(() => this.#context?.close().catch(() => {}));
     this.#context = null;
