@@ -50,7 +50,7 @@ function expectNothingLost(bench: AppBench, store: FaultyStore, typed: string, r
 }
 
 describe.each(EACH)('where %s %s', (door, fault) => {
-  it('the page is drawn, nothing typed is lost and nothing is claimed to be kept that is not', async () => {
+  it('the page is drawn, nothing typed is lost, and the page never says that something is kept when it is not', async () => {
     const store = await left();
     store.fail(door, fault);
     const bench = await appBench({ store, started: false, plug: { granted: true } });
@@ -178,7 +178,7 @@ async function written(store: FaultyStore, end: (typeof ENDS)[number], begin: ()
   return bench;
 }
 
-it.each(ENDS)('a write which %s has no false word, whatever the storage does at any of its calls', async (end) => {
+it.each(ENDS)('a write which %s says nothing false, whatever the storage does at any call', async (end) => {
   const asked = new Set<Door>();
   const fine = new FaultyStore();
   await written(fine, end, () => {

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { App } from '../../src/app/app.js';
 import { appBench } from './bench/bench.js';
 
-it('what stands in index.html is the start as the page draws it (vitest -u writes it down anew)', async () => {
+it('index.html contains the start as the page draws it (vitest -u writes it again)', async () => {
   const { models } = await appBench({ started: false });
   const { container } = render(<App models={models} />);
   // No white space between the elements, which the page would not have: lines end inside of them.

@@ -12,7 +12,7 @@ interface HeardNode {
   readonly properties?: readonly { readonly name: string; readonly value: { readonly value?: unknown } }[];
 }
 
-/** A pilot who sees nothing: knows what the accessibility tree says, by role and name, and has keys. */
+/** A pilot who cannot see: has the accessibility tree, by role and name, and the keyboard. */
 class Listener {
   readonly #app: AppPage;
   readonly #tools: CDPSession;
@@ -28,7 +28,7 @@ class Listener {
     return new Listener(app, tools);
   }
 
-  /** The one that has this role and name, as soon as there is one. */
+  /** Waits for the node with this role and name. */
   async hears(role: string, name: string | RegExp): Promise<HeardNode> {
     let found: HeardNode | undefined;
     await expect
@@ -62,7 +62,7 @@ class Listener {
     await this.#app.page.keyboard.press('Enter');
   }
 
-  /** Whether a choice is made. */
+  /** Whether a choice is selected. */
   async isChecked(role: string, name: string | RegExp): Promise<unknown> {
     const { properties = [] } = await this.hears(role, name);
     return properties.find((property) => property.name === 'checked')?.value.value;
@@ -90,51 +90,54 @@ function isCalled({ name }: HeardNode, wanted: string | RegExp): boolean {
 test.each([
   ['a desktop', {}],
   ['a phone', PHONE],
-] as const)('by ear alone on %s: connect, change, write, verify, memories, bench, settings', async (_, options) => {
-  const app = await AppPage.open(options);
-  const ear = await Listener.at(app);
-  await ear.press('button', 'Try a simulated F1Q timer');
-  await ear.hears('table', 'Time and servo positions of each function');
-  await ear.hears('status', /.*/);
-  await ear.hears('StaticText', /^As in the timer, read \d\d:\d\d$/);
-  expect(await ear.nameless(), 'program').toEqual([]);
+] as const)(
+  'with a screen reader alone on %s: connect, change, write, verify, memories, bench, settings',
+  async (_, options) => {
+    const app = await AppPage.open(options);
+    const ear = await Listener.at(app);
+    await ear.press('button', 'Try a simulated F1Q timer');
+    await ear.hears('table', 'Time and servo positions of each function');
+    await ear.hears('status', /.*/);
+    await ear.hears('StaticText', /^As in the timer, read \d\d:\d\d$/);
+    expect(await ear.nameless(), 'program').toEqual([]);
 
-  await ear.enter('DT time', '2:30');
-  await ear.enter('Function 4, S2', '70');
-  await ear.hears('StaticText', '2 changes');
-  await ear.press('button', 'Write 2…');
-  await ear.hears('dialog', 'Write to the timer');
-  await ear.hears('rowheader', 'Function 4, S2');
-  expect(await ear.nameless(), 'difference').toEqual([]);
-  await ear.press('checkbox', /^The propeller is off/, 'Space');
-  expect(await ear.isChecked('checkbox', /^The propeller is off/)).toBe('true');
-  await ear.press('button', 'Write 2 changes');
-  await ear.hears('alert', /.*/);
-  await ear.hears('StaticText', 'Verified.');
-  await ear.press('button', 'Close');
-  await ear.hears('StaticText', /^As in the timer, verified \d\d:\d\d$/);
+    await ear.enter('DT time', '2:30');
+    await ear.enter('Function 4, S2', '70');
+    await ear.hears('StaticText', '2 changes');
+    await ear.press('button', 'Write 2…');
+    await ear.hears('dialog', 'Write to the timer');
+    await ear.hears('rowheader', 'Function 4, S2');
+    expect(await ear.nameless(), 'difference').toEqual([]);
+    await ear.press('checkbox', /^The propeller is off/, 'Space');
+    expect(await ear.isChecked('checkbox', /^The propeller is off/)).toBe('true');
+    await ear.press('button', 'Write 2 changes');
+    await ear.hears('alert', /.*/);
+    await ear.hears('StaticText', 'Verified.');
+    await ear.press('button', 'Close');
+    await ear.hears('StaticText', /^As in the timer, verified \d\d:\d\d$/);
 
-  await ear.press('link', 'Memories');
-  await ear.hears('heading', 'Memories');
-  await ear.press('button', 'Read and keep all…');
-  await ear.press('button', 'Read and keep');
-  await ear.hears('StaticText', /were read and kept/);
-  await ear.press('button', 'Close');
-  await ear.press('button', 'Compare with M1: M2');
-  await ear.hears('heading', 'M2 and M1 compared');
-  expect(await ear.nameless(), 'memories').toEqual([]);
+    await ear.press('link', 'Memories');
+    await ear.hears('heading', 'Memories');
+    await ear.press('button', 'Read and keep all…');
+    await ear.press('button', 'Read and keep');
+    await ear.hears('StaticText', /were read and kept/);
+    await ear.press('button', 'Close');
+    await ear.press('button', 'Compare with M1: M2');
+    await ear.hears('heading', 'M2 and M1 compared');
+    expect(await ear.nameless(), 'memories').toEqual([]);
 
-  await ear.press('link', 'Bench');
-  await ear.hears('heading', 'Bench');
-  expect(await ear.isChecked('checkbox', /^The propeller/), 'it was said before the write').toBe('true');
-  await ear.press('button', 'Function 4');
-  await ear.hears('StaticText', 'Servos at function 4');
-  await ear.press('button', 'Step up Function 4, S1');
-  expect(await ear.nameless(), 'bench').toEqual([]);
+    await ear.press('link', 'Bench');
+    await ear.hears('heading', 'Bench');
+    expect(await ear.isChecked('checkbox', /^The propeller/), 'it was said before the write').toBe('true');
+    await ear.press('button', 'Function 4');
+    await ear.hears('StaticText', 'Servos at function 4');
+    await ear.press('button', 'Step up Function 4, S1');
+    expect(await ear.nameless(), 'bench').toEqual([]);
 
-  await ear.press('link', 'Settings');
-  await ear.hears('heading', 'Settings');
-  await ear.press('radio', 'Dark', 'Space');
-  expect(await ear.isChecked('radio', 'Dark')).toBe('true');
-  expect(await ear.nameless(), 'settings').toEqual([]);
-});
+    await ear.press('link', 'Settings');
+    await ear.hears('heading', 'Settings');
+    await ear.press('radio', 'Dark', 'Space');
+    expect(await ear.isChecked('radio', 'Dark')).toBe('true');
+    expect(await ear.nameless(), 'settings').toEqual([]);
+  },
+);

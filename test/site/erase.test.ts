@@ -11,7 +11,7 @@ function kept({ page }: AppPage) {
   }));
 }
 
-test('everything that is kept on this device is deleted, and nothing of another program at this address', async () => {
+test('everything that the page keeps is deleted, and nothing of another program at this address', async () => {
   const app = await AppPage.open({ bench: { granted: true }, isFirstVisit: true });
   const { page } = app;
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
@@ -35,7 +35,7 @@ test('everything that is kept on this device is deleted, and nothing of another 
     [expect.stringContaining('sidus-timer'), 'another program'],
     1,
   ]);
-  // The page that begins afresh would keep something again: an empty one takes its place.
+  // A page that starts afresh would store something again, so an empty page replaces it.
   const forgotten = page.evaluate(
     () =>
       new Promise((resolve) => {
@@ -56,6 +56,6 @@ test('everything that is kept on this device is deleted, and nothing of another 
   await page.waitForFunction(() => document.title === 'Empty');
   const { settings, ...rest } = await kept(app);
   expect(rest).toEqual({ databases: ['another program'], caches: ['another program'], workers: 0 });
-  // The workbench remembers its timer over a reload.
+  // The workbench keeps its timer through a reload.
   expect(settings.filter((name) => name !== 'workbench')).toEqual(['another program']);
 });

@@ -26,11 +26,11 @@ const steps = async (app: AppPage): Promise<(string | null)[]> => [
   await app.redo.getAttribute('aria-label'),
 ];
 
-/** The tab crashes: nothing of the page has a chance to say goodbye. */
+/** The tab crashes: the page gets no event before it ends. */
 async function crash({ page }: AppPage): Promise<void> {
   const crashed = page.waitForEvent('crash');
   const devTools = await page.context().newCDPSession(page);
-  // There is nobody left to answer.
+  // The crashed page cannot answer.
   void devTools.send('Page.crash').catch(() => {});
   await crashed;
 }
@@ -68,14 +68,14 @@ test('a key that is pressed just before the page is left is kept', async () => {
   await app.connect();
   await app.field('Function 2, S1').focus();
   for (const keys of ['7', '89', '456']) {
-    // The page before may stand there for a while, and has said the same.
+    // The old page may still be shown for a while, with the same text.
     const loaded = app.page.waitForEvent('load');
     await app.field('Function 2, S1').evaluate(async (field, typed) => {
       const input = field as HTMLInputElement;
       for (const key of typed) {
         input.value = key;
         input.dispatchEvent(new InputEvent('input', { bubbles: true }));
-        // What a key sets off has begun when the next one comes.
+        // The effect of a key begins before the next key comes.
         for (let i = 0; i < 20; i++) await Promise.resolve();
       }
       location.reload();
@@ -86,7 +86,7 @@ test('a key that is pressed just before the page is left is kept', async () => {
   }
 });
 
-test('each memory keeps a history of its own, also over a reload', async () => {
+test('each memory keeps its own history, also through a reload', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   const first = await work(app);
@@ -111,7 +111,7 @@ test('each memory keeps a history of its own, also over a reload', async () => {
   await first.goBack(() => app.undo.click());
 });
 
-test('each timer keeps a history of its own: the F1B at the port, and a simulated F1Q', async () => {
+test('each timer keeps its own history: the F1B at the port, and a simulated F1Q', async () => {
   const app = await AppPage.open({ bench: { timerClass: 'B', granted: true } });
   await app.trySimulated('F1Q');
   const simulated = await work(app);

@@ -1,13 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 
-/** Whether the middle of an element is what stands at that place of the screen. */
+/** Whether the middle of an element is visible and not covered. */
 function isInSight(element: Element): boolean {
   const { left, top, width, height } = element.getBoundingClientRect();
   return document.elementFromPoint(left + width / 2, top + height / 2) === element;
 }
 
-/** How much the timer was asked since the page was loaded. */
+/** How many requests the timer got since the page was loaded. */
 const answered = (app: AppPage): Promise<number> => app.bench(({ adapter }) => adapter.timer.core.answered.length);
 
 describe('what no timer can hold is refused at the field', () => {
@@ -87,7 +87,7 @@ describe('what was typed is kept', () => {
       .toBe(0);
   });
 
-  test('when another memory is chosen, text for text, and through a reload', async () => {
+  test('when another memory is selected, text for text, and through a reload', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.connect();
     await app.type('Function 2, S1', 'seven');
@@ -101,14 +101,14 @@ describe('what was typed is kept', () => {
     await expect.poll(() => app.valueOf('Function 2, S1')).toBe('seven');
   });
 
-  test('when its tab is closed in the middle of something, for the next one', async () => {
+  test('when its tab is closed, for the next tab', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.connect();
     await app.type('Function 2, S1', '7');
     await app.kept();
     const other = await app.sibling();
     await other.page.getByRole('heading', { name: 'Set your Sidus timer' }).waitFor();
-    // The browser cannot clear it away before it is done, and until then it seems to be open.
+    // The browser cannot remove the tab before that has ended, and until then it counts as open.
     await app.page.evaluate(() => {
       setTimeout(() => {
         const end = performance.now() + 5000;
@@ -160,7 +160,7 @@ describe('the page starts all the same', () => {
     }
   });
 
-  test('after a later version has stored in another way', async () => {
+  test('after a later version has stored data in another way', async () => {
     const app = await AppPage.open({ bench: {}, before: () => void indexedDB.open('sidus-timer', 99) });
     await app.says('A newer version of this page has changed its storage.');
     await app.connect();

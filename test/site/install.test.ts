@@ -1,7 +1,7 @@
 import { expect, inject, test } from 'vitest';
 import { newKeptPage, newPage } from './page.js';
 
-/** As much of the manifest as is looked at here. */
+/** The part of the manifest that these tests use. */
 interface Manifest {
   readonly id: string;
   readonly screenshots: readonly { readonly src: string; readonly sizes: string; readonly form_factor: string }[];
@@ -18,14 +18,14 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     const { errors, data } = await devtools.send('Page.getAppManifest');
     expect(errors).toEqual([]);
     const { id } = JSON.parse(data ?? '{}') as Manifest;
-    // It stays the same wherever the start should once be: an installed page is never installed twice.
+    // The id stays the same even if the start address changes: no page is installed twice.
     expect(await devtools.send('Page.getAppId')).toMatchObject({
       appId: new URL(id, new URL(inject(site)).origin).href,
     });
   });
 }
 
-test('the pictures that it shows then are as large as it says, small to load, and both kinds are there', async () => {
+test('the screenshots of the manifest have their stated size, are quick to load, and are there in both forms', async () => {
   const page = await newPage();
   await page.goto(inject('site'));
   const { screenshots } = (await (await fetch(new URL('manifest.webmanifest', inject('site')))).json()) as Manifest;
@@ -42,7 +42,7 @@ test('the pictures that it shows then are as large as it says, small to load, an
   }
 });
 
-test('a shortcut leads to what it names, opens nothing by itself, and a reload does not lead there again', async () => {
+test('a shortcut leads to what it names, opens no port, and a reload does not lead there again', async () => {
   const { shortcuts } = (await (await fetch(new URL('manifest.webmanifest', inject('site')))).json()) as Manifest;
   const found: [string, string | undefined, string][] = [];
   for (const { name, url } of shortcuts) {

@@ -61,7 +61,7 @@ describe('the licences of the built page', () => {
 });
 
 describe('a package', () => {
-  test('of two licences goes by the shorter one', () => {
+  test('with two licences uses the shorter one', () => {
     const root = projectWith({ LICENSE: 'Long text', 'LICENSE-MIT': 'Short text\r\n' });
     expect(licencesOf([join(root, 'own.js'), join(root, 'node_modules/other/index.js')], root)).toEqual([
       { name: 'own', version: '1.0.0', licence: 'MIT', text: 'Own text' },

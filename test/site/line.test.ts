@@ -12,7 +12,7 @@ async function opened(options: Parameters<typeof AppPage.open>[0] = {}): Promise
   return app;
 }
 
-/** The file that the page gives when Save is clicked. */
+/** The file that the page downloads after a click on Save. */
 async function saved(app: AppPage): Promise<{ name: string; text: string }> {
   const [download] = await Promise.all([app.page.waitForEvent('download'), app.button('Save').click()]);
   return { name: download.suggestedFilename(), text: await readFile(await download.path(), 'utf8') };
@@ -24,7 +24,7 @@ async function load(app: AppPage, text: string): Promise<void> {
 }
 
 describe('the line', () => {
-  test('is saved, loaded and replayed as a timer, within the rules of the page', async () => {
+  test('can be saved, loaded and replayed as a timer, within the rules of the page', async () => {
     const app = await opened({ acceptDownloads: true });
     await app.goTo('Program');
     await app.type('DT', '6:00');
@@ -47,7 +47,7 @@ describe('the line', () => {
     await expect.poll(() => app.valueOf('DT')).toBe('3:00');
   });
 
-  test('shows damage as such, and only that when asked', async () => {
+  test('shows damage, and only damage when the pilot wants that', async () => {
     const app = await AppPage.open({ bench: {} });
     await app.bench((bench) => bench.damageAfter(70));
     await app.connect();
@@ -59,7 +59,7 @@ describe('the line', () => {
     await app.text('Nothing to show.').waitFor();
   });
 
-  test('stands still while it is paused', async () => {
+  test('does not move while it is paused', async () => {
     const app = await opened();
     await app.button('Pause').click();
     const before = await app.line.locator('tbody tr').count();
@@ -107,12 +107,12 @@ describe('copying', () => {
 });
 
 describe('a frame by hand', () => {
-  test('goes out once for two clicks and a yes, and the program is read again', async () => {
+  test('goes out once after two clicks and a yes, and the program is read again', async () => {
     const app = await opened();
     await app.text('Send a frame by hand').click();
     await app.page.getByRole('combobox', { name: 'Frame' }).selectOption('SETSERVO');
     await app.field('Data, in hex').fill('04 01 46');
-    // An eager finger: the second click does not count as the yes.
+    // A double click: the second click does not count as the yes.
     await app.button('Send…').dblclick();
     await app.page.getByRole('alertdialog', { name: 'Send this frame to the timer?' }).waitFor();
     await app.page.keyboard.press('Enter');

@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 import { EDGE_ROUTES, ROUTES, textOf } from './mouse-routes.js';
 
-/** All of the table is in sight. */
+/** The whole table is visible. */
 const TALL = { viewport: { width: 1280, height: 1200 } };
 
 async function opened(): Promise<AppPage> {
@@ -13,7 +13,7 @@ async function opened(): Promise<AppPage> {
 
 const cell = (app: AppPage, name: string) => app.table.getByRole('textbox', { name, exact: true });
 
-describe('a drag with the mouse selects and moves no value', () => {
+describe('a drag with the mouse selects, and moves no value', () => {
   test('from anywhere to anywhere in the table', async () => {
     const app = await opened();
     const { mouse } = app.page;
@@ -41,7 +41,7 @@ describe('a drag with the mouse selects and moves no value', () => {
     await app.text(/^As in the timer, (read|verified) \d\d:\d\d$/).waitFor();
   });
 
-  test('and gives way to a click', async () => {
+  test('and a click ends the selection', async () => {
     const app = await opened();
     const { mouse } = app.page;
     const start = await textOf(cell(app, 'Function 2, S1'));
@@ -60,7 +60,7 @@ describe('a drag with the mouse selects and moves no value', () => {
     await app.text('1 change').waitFor();
   });
 
-  test('nor does one from a large figure, or of a text from elsewhere', async () => {
+  test('also from a large figure, or with a text from elsewhere', async () => {
     const app = await opened();
     const { mouse } = app.page;
     const before = await app.entries();

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 
-test('a memory is looked at and left, another made to fly next, and Disconnect repeats it', async () => {
+test('the pilot looks at a memory, makes another fly next, and Disconnect repeats that', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   await app.bench(({ adapter }) => {
@@ -10,7 +10,7 @@ test('a memory is looked at and left, another made to fly next, and Disconnect r
     adapter.timer.core.answered.length = 0;
   });
   const current = (): Promise<number> => app.bench(({ adapter }) => adapter.timer.core.memory);
-  /** What went over the wire, SETMEMORY with its memory. */
+  /** The requests on the wire, SETMEMORY with its memory. */
   const asked = (): Promise<string[]> =>
     app.bench(({ adapter }) =>
       adapter.timer.core.answered.map((request) =>

@@ -24,7 +24,7 @@ for (const site of ['site', 'siteUnderPath'] as const) {
     expect(await (await fetch(new URL('LICENSES.txt', inject(site)))).text()).toContain('SIL OPEN FONT LICENSE');
   });
 
-  test(`all that the page at ${new URL(inject(site)).pathname} and its manifest name is there`, async () => {
+  test(`everything that the page at ${new URL(inject(site)).pathname} and its manifest name exists`, async () => {
     const page = await newPage();
     await page.goto(inject(site));
     const named = await page
@@ -49,7 +49,7 @@ for (const site of ['site', 'siteUnderPath'] as const) {
   });
 }
 
-/** What a script that got into the page might try, and the rule that stops it. */
+/** What a foreign script in the page could try, and the rule that stops it. */
 const attempts: [rule: string, attempt: () => unknown][] = [
   ['connect-src', () => fetch('favicon.svg')],
   ['connect-src', () => navigator.sendBeacon('favicon.svg', 'told')],

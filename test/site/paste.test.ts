@@ -3,7 +3,7 @@ import { parseTime } from '../../src/app/editing/units.js';
 import { AppPage } from './app-page.js';
 
 /**
- * What other programs put on the clipboard, and people too; and how many changes it makes at function 1, and at
+ * What other programs and people put on the clipboard, and how many changes it makes at function 1, and at
  * function 8 of S2.
  */
 const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[] = [
@@ -40,7 +40,7 @@ const HOSTILE: readonly { what: string; text: string; takes: [number, number] }[
   },
 ];
 
-/** A pilot who copies from a spreadsheet: the clipboard is the browser's own. */
+/** A pilot who copies from a spreadsheet, with the real clipboard of the browser. */
 async function opened(): Promise<AppPage> {
   const app = await AppPage.open({ bench: {}, permissions: ['clipboard-read', 'clipboard-write'] });
   await app.connect();
@@ -55,7 +55,7 @@ async function paste(app: AppPage, field: string, text: string): Promise<void> {
 
 type Changed = Readonly<Record<string, readonly unknown[]>>;
 
-/** What two texts of a field are, however they are written: the dialog gives units to times. */
+/** The values of two texts of a field, with or without units: the dialog adds units to times. */
 const values = (name: string, texts: readonly string[]): unknown[] =>
   texts.map((text) => (name.endsWith(' time') ? parseTime(text) : text));
 
@@ -68,7 +68,7 @@ const changed = (before: Readonly<Record<string, string>>, after: Readonly<Recor
     }),
   );
 
-/** The same from the lines of the dialog. */
+/** The same values from the lines of the dialog. */
 const read = (lines: readonly string[]): Changed =>
   Object.fromEntries(
     lines.map((line) => {
@@ -77,7 +77,7 @@ const read = (lines: readonly string[]): Changed =>
     }),
   );
 
-/** Pastes twice at a field, refusing at first. @returns how many changes were promised, and done. */
+/** Pastes twice at a field and cancels the first time. @returns how many changes were shown, and made. */
 async function tried(app: AppPage, field: string, text: string): Promise<number> {
   const dialog = app.page.getByRole('dialog', { name: 'Paste' });
   const gone = (): Promise<void> => dialog.waitFor({ state: 'hidden' });
@@ -103,14 +103,14 @@ async function tried(app: AppPage, field: string, text: string): Promise<number>
   return promised.length;
 }
 
-test('from the clipboard, cancelled it changes nothing, taken exactly what was promised', async () => {
+test('a paste changes nothing when cancelled, and exactly what was shown when confirmed', async () => {
   const app = await opened();
   for (const { what, text, takes } of HOSTILE) {
     expect([await tried(app, 'Function 1 time', text), await tried(app, 'Function 8, S2', text)], what).toEqual(takes);
   }
 });
 
-test('a range is copied as a spreadsheet takes it, and pasted where it came from brings all of it back', async () => {
+test('a range is copied in the form of a spreadsheet, and a paste at the same place restores it', async () => {
   const app = await opened();
   const before = await app.entries();
   await app.table.getByRole('textbox', { name: 'Function 2 time', exact: true }).focus();

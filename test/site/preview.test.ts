@@ -5,13 +5,13 @@ import { SIZES } from './well-made.js';
 
 const preview = ({ page }: AppPage) => page.getByRole('region', { name: 'Flight preview' });
 
-/** How the sketch holds a surface, as it is drawn. */
+/** The angle of a surface in the sketch, as drawn. */
 const turned = (app: AppPage, surface: string): Promise<string> =>
   preview(app)
     .locator(`[data-surface=${surface}]`)
     .evaluate((element) => (element as SVGElement).style.transform);
 
-/** What a finger would miss. */
+/** Controls that are too small for a finger. */
 const tooSmall = (part: Locator): Promise<string[]> =>
   part.locator('button, select, input').evaluateAll((controls) =>
     controls
@@ -22,7 +22,7 @@ const tooSmall = (part: Locator): Promise<string[]> =>
       .map((control) => control.outerHTML),
   );
 
-test('the model stands under the timeline, both in one window, at the time of the cell in hand', async () => {
+test('the model is shown under the timeline, both in one window, at the time of the selected cell', async () => {
   const app = await AppPage.open({ viewport: SIZES.desktop });
   await app.trySimulated('F1Q');
   await app.field('Function 6, S2').focus();
@@ -45,7 +45,7 @@ test('the model stands under the timeline, both in one window, at the time of th
   await app.text('No servo moves at DT: this timer does not bring the model down.').first().waitFor();
 });
 
-test('the flight is played by keys alone, and the timeline shows where it is', async () => {
+test('the flight can be played with keys alone, and the timeline shows the time', async () => {
   const app = await AppPage.open({ viewport: SIZES.desktop });
   await app.trySimulated('F1Q');
   const cursor = app.page.locator('.crosshair');
@@ -85,7 +85,7 @@ test('the pilot names the servos once: on the sketch, in the lanes, and after a 
   await preview(app).getByText('A guess, not to scale.').waitFor();
 });
 
-test('on a phone the picture has the preview, for a finger', async () => {
+test('on a phone the picture includes the preview, which works by finger', async () => {
   const app = await AppPage.open({ viewport: SIZES.phone, hasTouch: true });
   await app.trySimulated('F1B');
   await app.button('Picture').click();

@@ -5,7 +5,7 @@ import { AppPage } from './app-page.js';
 const IDENTITY = { timerClass: 'Q', firmware: '536', functions: 10, memories: 4, servos: 3 };
 const THEN = new Date(2025, 10, 12, 14, 32).getTime();
 
-/** What the four memories of a model hold; that of number 0 what a simulated timer holds. */
+/** What the four memories of a model hold. Model 0 holds what a simulated timer holds. */
 function memoriesOf(model: number) {
   return exampleMemories('Q').map(({ times, positions }, memory) => ({
     program: {
@@ -29,14 +29,14 @@ function record(key: string, name: string, model: number, simulated = true) {
   return { key, order: model, changedAt: THEN, verified, model: { id: key, name, ...about } };
 }
 
-/** 300 models of simulated timers, and one of a real timer that holds the very same as the one that is looked for. */
+/** 300 models of simulated timers, and one of a real timer with the same content as the wanted one. */
 const MODELS = [
   record('twin', 'Real twin', 0, false),
   ...Array.from({ length: 299 }, (_, at) => record(`m${at + 1}`, `Model ${at + 1}`, at + 1)),
   record('lancer', 'Lancer 07', 0),
 ];
 
-/** Puts them where the page keeps its models. */
+/** Puts them into the storage of the page. */
 async function keep(app: AppPage, models: readonly object[]): Promise<void> {
   await app.page.evaluate(async (records) => {
     const opened = await new Promise<IDBDatabase>((resolve, reject) => {
@@ -52,7 +52,7 @@ async function keep(app: AppPage, models: readonly object[]): Promise<void> {
   await app.page.reload();
 }
 
-test('the right one of 300 models is found by what its timer holds, and its backup lies with it', async () => {
+test('the right one of 300 models is found by what its timer holds, and gets the backup', async () => {
   const app = await AppPage.open();
   await app.button('Try a simulated F1Q timer').waitFor();
   await keep(app, MODELS);
@@ -73,7 +73,7 @@ test('the right one of 300 models is found by what its timer holds, and its back
   await app.text('1 value differs from what it holds now').waitFor();
 });
 
-test('two programs stand side by side, and a value goes across', async () => {
+test('two programs are shown side by side, and one value is copied', async () => {
   const app = await AppPage.open();
   await app.trySimulated('F1Q');
   await app.type('Function 4, S2', '77');

@@ -1,16 +1,16 @@
 import { expect, test } from 'vitest';
 import { AppPage } from './app-page.js';
 
-/** Of no other test: the second test here is given the profile of the first. */
+/** The second test of this file gets the profile of the first. */
 const OWN = { viewport: { width: 1234, height: 789 } };
 let first: unknown;
 
-test('a test leaves its profile with something of every kind in it,', async () => {
+test('a test leaves something of every kind in its profile,', async () => {
   const { page } = await AppPage.open({ ...OWN, bench: {} });
   first = page.context();
   await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
   await page.evaluate(async () => {
-    // biome-ignore lint/suspicious/noDocumentCookie: what another program might do.
+    // biome-ignore lint/suspicious/noDocumentCookie: what another program could do.
     document.cookie = 'left=1; max-age=1000';
     localStorage.setItem('left', '1');
     sessionStorage.setItem('left', '1');
@@ -23,7 +23,7 @@ test('a test leaves its profile with something of every kind in it,', async () =
   await page.context().setOffline(true);
 });
 
-test('and the next one finds nothing of it but the worker of the page', async () => {
+test('and the next test finds only the worker of the page', async () => {
   const { page } = await AppPage.open(OWN);
   expect(page.context(), 'the same profile').toBe(first);
   const left = await page.evaluate(async () => {

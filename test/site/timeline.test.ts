@@ -15,7 +15,7 @@ interface Seen {
 async function opened(options: AppOptions = {}): Promise<Seen> {
   const app = await AppPage.open({ bench: {}, ...options });
   await app.connect();
-  // On a phone the picture takes the place of the table.
+  // On a phone the picture replaces the table.
   if (options.isMobile) await app.button('Picture').click();
   const mark = app.page.getByRole('group', { name: 'Servo positions over time' }).getByRole('slider', { name: FIELD });
   await mark.scrollIntoViewIfNeeded();
@@ -35,7 +35,7 @@ const stands = (mark: Locator, time: number): Promise<void> =>
   expect.poll(() => mark.getAttribute('aria-valuenow')).toBe(String(time));
 
 /**
- * A mark that was moved: by whole steps of 0.1 s, in the table with the old value, and in one step that can be undone.
+ * Checks a moved mark: by whole steps of 0.1 s, in the table with the old value, and as one undo step.
  */
 async function isMoved({ app, mark }: Seen): Promise<void> {
   const hundredths = Math.round(Number(await mark.getAttribute('aria-valuenow')) * 100);
@@ -65,13 +65,13 @@ describe('the mark of a function is moved', () => {
     await mouse.move(x, y);
     await mouse.down();
     await mouse.move(x + 18, y, { steps: 6 });
-    // While it is in hand the table follows.
+    // The table follows during the drag.
     await expect.poll(() => cell(seen.app).inputValue()).not.toBe('11.50');
     await mouse.up();
     await isMoved(seen);
   });
 
-  test('by mouse, and put back by Escape: it was no step', async () => {
+  test('by mouse, and put back by Escape without an undo step', async () => {
     const { app, mark } = await opened();
     const { mouse, keyboard } = app.page;
     const { x, y } = await middleOf(mark);
@@ -102,7 +102,7 @@ describe('the mark of a function is moved', () => {
     await isMoved(seen);
   });
 
-  test('by finger, step by step where it is far from the mark', async () => {
+  test('by finger, step by step when the finger is far from the mark', async () => {
     const { app, mark } = await opened(PHONE);
     const { x, y } = await middleOf(mark);
     const devTools = await app.page.context().newCDPSession(app.page);
@@ -115,7 +115,7 @@ describe('the mark of a function is moved', () => {
     await stands(mark, 11.6);
   });
 
-  test('by keyboard: each key is a step of its own, and a key that is held is one', async () => {
+  test('by keyboard: each key press is one undo step, and a key that is held is one too', async () => {
     const seen = await opened();
     const { app } = seen;
     const keys = new Keys(app.page);
@@ -132,7 +132,7 @@ describe('the mark of a function is moved', () => {
       await stands(seen.mark, Number(before));
     }
 
-    // The keyboard repeats it.
+    // The keyboard repeats the key.
     for (let i = 0; i < 3; i++) await app.page.keyboard.down('ArrowRight');
     await app.page.keyboard.up('ArrowRight');
     await expect.poll(() => cell(app).inputValue()).toBe('11.80');

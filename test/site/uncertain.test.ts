@@ -11,7 +11,7 @@ async function isUncertain(app: AppPage, when: string): Promise<void> {
   }
 }
 
-test('a cable pulled before the answer to a write leaves not known what the timer holds, until it is read', async () => {
+test('a cable pulled before the answer to a write makes the timer uncertain until it is read', async () => {
   const app = await AppPage.open({ bench: { granted: true } });
   await app.connect();
   await app.type('DT time', '6:00');

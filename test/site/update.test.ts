@@ -29,7 +29,7 @@ async function isTaken(page: Page): Promise<void> {
   await expect.poll(() => page.title(), { timeout: 400_000 }).toBe('A later version');
 }
 
-test('a new version says by itself what is new in it, without a network, too; and is taken', async () => {
+test('a new version says what is new in it, also without a network, and can be used', async () => {
   const { host, page } = await visited();
   publishLater(host);
   expect(await update(page)).toBe('installed');
@@ -45,7 +45,7 @@ test('a new version says by itself what is new in it, without a network, too; an
   expect(await page.evaluate(async () => (await caches.keys()).length), 'the older one is gone').toBe(1);
 });
 
-test('a new version does not begin while another tab writes, and does when that one disconnects', async () => {
+test('a new version does not start while another tab writes, but does when that tab disconnects', async () => {
   const { host, page } = await visited();
   const app = new AppPage(page);
   const other = await app.sibling();
@@ -63,7 +63,7 @@ test('a new version does not begin while another tab writes, and does when that 
   await isTaken(page);
 });
 
-test('a new version that was taken waits for an open dialog of another tab', async () => {
+test('an accepted new version waits for an open dialog of another tab', async () => {
   const { host, page } = await visited();
   const other = await new AppPage(page).sibling();
   await other.button('New program…').click();
@@ -77,7 +77,7 @@ test('a new version that was taken waits for an open dialog of another tab', asy
   await isTaken(other.page);
 });
 
-test('all scripts are loaded soon: a page whose version is replaced needs none of them from the host', async () => {
+test('all scripts are loaded early, so that a replaced version needs none of them from the host', async () => {
   const { page } = await visited();
   const names = (addresses: readonly string[]): string[] =>
     addresses.map((address) => address.replace(/.*\//, '')).filter((name) => name.endsWith('.js'));

@@ -186,7 +186,7 @@ function losing({ timer: { core } }: AppBench): (answers: number) => void {
   };
 }
 
-it('every movement on the wire was asked for by a click or by the switch, and where the servos are said to stand they stand', async () => {
+it('every movement on the wire comes from a click or the switch, and the servos stand where the page says', async () => {
   await fc.assert(
     fc.asyncProperty(fc.array(step, { minLength: 5, maxLength: 40 }), setMoves, async (steps, moves) => {
       localStorage.clear();

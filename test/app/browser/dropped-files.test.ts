@@ -22,7 +22,7 @@ function taker(takes = true) {
   return spies;
 }
 
-it('holds what is dropped before there is anybody to take it, the last of it', () => {
+it('keeps the last dropped file until a part of the page takes it', () => {
   holdDroppedFiles();
   const later = new File(['{}'], 'b.sidus');
   expect(tell('dragover', [FILE])).toEqual({ isOurs: true, effect: 'copy' });
@@ -31,7 +31,7 @@ it('holds what is dropped before there is anybody to take it, the last of it', (
   expect(taker().drop, 'only one has it').not.toHaveBeenCalled();
 });
 
-it('gives it to the taker at once, and holds it again when that has gone', () => {
+it('gives it to that part at once, and keeps the next one when that part has gone', () => {
   const first = taker();
   tell('drop', [FILE]);
   expect(first.drop).toHaveBeenCalledTimes(1);
@@ -40,14 +40,14 @@ it('gives it to the taker at once, and holds it again when that has gone', () =>
   expect([first.drop, taker().drop].map((spy) => spy.mock.calls.length)).toEqual([1, 1]);
 });
 
-it('keeps the browser from taking a file that is not wanted now', () => {
+it('stops the browser from opening a file that is not wanted now', () => {
   const busy = taker(false);
   expect(tell('dragover', [FILE])).toEqual({ isOurs: true, effect: 'none' });
   expect(tell('drop', [FILE]).isOurs).toBe(true);
   expect([busy.drop.mock.calls, busy.over.mock.calls]).toEqual([[], [[false], [false]]]);
 });
 
-it('tells when files are over the page, and when they have left it, not each part of it', () => {
+it('reports when files are over the page and when they have left it, but not for each part', () => {
   const { over } = taker();
   tell('dragover', [FILE]);
   tell('dragleave', [FILE], false);
@@ -55,7 +55,7 @@ it('tells when files are over the page, and when they have left it, not each par
   expect(over.mock.calls).toEqual([[true], [false]]);
 });
 
-it('leaves all else that is dragged to the browser', () => {
+it('leaves everything else that is dragged to the browser', () => {
   const { drop } = taker();
   expect([tell('dragover', null), tell('drop', null)]).toEqual([
     { isOurs: false, effect: 'move' },
@@ -64,7 +64,7 @@ it('leaves all else that is dragged to the browser', () => {
   expect(drop).not.toHaveBeenCalled();
 });
 
-it('leaves alone what a part of the page takes itself, and no longer offers to take it', () => {
+it('ignores what a part of the page takes itself, and no longer offers to take it', () => {
   const take = (event: Event): void => event.preventDefault();
   document.body.addEventListener('dragover', take);
   document.body.addEventListener('drop', take);

@@ -57,7 +57,7 @@ async function taken(...parts: BlobPart[]): Promise<readonly [unknown, boolean]>
 afterEach(() => vi.restoreAllMocks());
 
 describe('a picture from a file', () => {
-  it.each(['image/jpeg', 'image/png', 'image/webp'])('%s is decoded as large as it is wanted', async (type) => {
+  it.each(['image/jpeg', 'image/png', 'image/webp'])('%s is decoded in the wanted size', async (type) => {
     expect(await taken(await made(type, 120, 90))).toEqual([[120, 90], true]);
     expect(await taken(await made(type, 1200, 600))).toEqual([[200, 100], true]);
     expect(await taken(await made(type, 600, 1200))).toEqual([[200, 400], true]);
@@ -69,13 +69,13 @@ describe('a picture from a file', () => {
     expect(await taken(upright)).toEqual([[200, 300], true]);
   });
 
-  it('is found behind all that a camera puts before it', async () => {
+  it('is found after everything that a camera puts before it', async () => {
     let bytes = await made('image/jpeg', 120, 90);
     for (let at = 0; at < 5; at++) bytes = withSegment(bytes, 0xe2, Array(60_000).fill(0xff));
     expect(await taken(bytes)).toEqual([[120, 90], true]);
   });
 
-  it('that asks for gigabytes is refused before anything is decoded', async () => {
+  it('is refused before it is decoded when it would need gigabytes', async () => {
     const [jpeg, png, webp] = await Promise.all([
       made('image/jpeg', 120, 90),
       made('image/png', 120, 90),
@@ -108,7 +108,7 @@ describe('a picture from a file', () => {
     expect(read).not.toHaveBeenCalled();
   });
 
-  it('that is none, or says no size, is refused', async () => {
+  it('is refused when it is not a picture, or has no size', async () => {
     const jpeg = await made('image/jpeg', 120, 90);
     const beginnings = Array.from({ length: heightAt(jpeg) + 3 }, (_, length) => jpeg.slice(0, length));
     const others = ['', 'no picture', '<svg xmlns="http://www.w3.org/2000/svg" width="1e9" height="1e9"/>', '%PDF-1.4'];

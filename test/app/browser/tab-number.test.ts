@@ -91,7 +91,7 @@ describe('the number of a tab', () => {
     expect(page.value).toBe(2);
   });
 
-  it('is free while no other tab has it, however often that is asked', async () => {
+  it('is free while no other tab has it, also at the second question', async () => {
     const newTab = browser();
     const [first, second] = [newTab().page(), newTab().page()];
     await taken(first);
@@ -110,7 +110,7 @@ describe('the number of a tab', () => {
     expect(await taken(second.page())).toBe(2);
   });
 
-  it('is waited for after a reload while the page before has not let go', async () => {
+  it('is waited for after a reload until the old page releases it', async () => {
     const newTab = browser();
     const tab = newTab();
     await taken(tab.page());
@@ -120,7 +120,7 @@ describe('the number of a tab', () => {
     expect(await next).toBe(1);
   });
 
-  it('is another one for the copy of a tab', async () => {
+  it('differs in the copy of a tab', async () => {
     const tab = browser()();
     await taken(tab.page());
     const page = tab.copy().page();
@@ -151,7 +151,7 @@ describe.each([
   }
   const notice = ({ session }: AppBench): string | undefined => session.notices.current.value?.code;
 
-  it('keep what is typed in each by itself, also over a reload', async () => {
+  it('keep their own edits, also over a reload', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
     const first = await trying({ store, tab: tabs[0].page() });
@@ -171,7 +171,7 @@ describe.each([
     }
   });
 
-  it('leave to the next tab what was typed in the one that was closed', async () => {
+  it('leave what was typed in a closed tab to the next one', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
     for (const [i, tab] of tabs.entries()) {
@@ -186,7 +186,7 @@ describe.each([
     expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
   });
 
-  it('leave it to the next tab also when the browser takes its time to clear the closed one away', async () => {
+  it('leave it to the next tab also when the browser removes the closed one late', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
     (await trying({ store, tab: tabs[0].page() })).editor.type(S1, '7');
@@ -200,7 +200,7 @@ describe.each([
     expect([...store.drafts.records.values()].map((draft) => draft.tab)).toEqual([2]);
   });
 
-  it('leave it to none that has edits of its own by then', async () => {
+  it('do not give it to a tab that has its own edits by then', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
     (await trying({ store, tab: tabs[0].page() })).editor.type(S1, '7');
@@ -221,7 +221,7 @@ describe.each([
     ]);
   });
 
-  it('keep it while they are only loaded again, also when another one waits for a timer beside them', async () => {
+  it('keep it through a reload, also when another tab waits for a timer', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tab = newTab();
     (await trying({ store, tab: tab.page() })).editor.type(S1, '7');
@@ -235,7 +235,7 @@ describe.each([
     expect([notice(other), other.editor.working.value]).toEqual([undefined, null]);
   });
 
-  it('leave it to an open tab, too, that comes to such a timer, and then it is there alone', async () => {
+  it('also leave it to an open tab that reads such a timer, and then only that tab has it', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const [tab, left] = [newTab(), newTab()];
     const bench = await appBench({ store, plug: { granted: true }, tab: tab.page() });
@@ -249,7 +249,7 @@ describe.each([
     expect([...store.drafts.records.values()].map((draft) => draft.tab)).toEqual([1]);
   });
 
-  it('keep what is tried on the bench in each by itself', async () => {
+  it('keep their own trials on the bench', async () => {
     const [newTab, store] = [browser(), new MemoryStore()];
     const tabs = [newTab(), newTab()] as const;
     const benches = [await trying({ store, tab: tabs[0].page() }), await trying({ store, tab: tabs[1].page() })];
@@ -270,7 +270,7 @@ describe.each([
   });
 });
 
-it('a tab that takes the timer of another over goes on with what was typed there', async () => {
+it('a tab that takes over the timer of another one continues with what was typed there', async () => {
   const [newTab, store, plug] = [browser(), new MemoryStore(), { granted: true }];
   const first = await appBench({ store, plug, tab: newTab().page() });
   await run(first.session.timer.connect());

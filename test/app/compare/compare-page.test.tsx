@@ -89,7 +89,7 @@ describe('two programs side by side', () => {
     expect(document.querySelector('.compare-page')?.textContent).toContain('There is nothing to compare with');
   });
 
-  it('give way to what is there when one is deleted', async () => {
+  it('change to what is still there when one is deleted', async () => {
     const bench = await page(false, setting('calm', CALM), setting('trimmed', TRIMMED), setting('wind', WIND));
     await compare(bench, 'setting/calm', 'setting/trimmed');
     bench.session.library.settings.remove('trimmed');
@@ -109,7 +109,7 @@ describe('two programs side by side', () => {
   });
 });
 
-describe('values of the other one', () => {
+describe('values of the other program', () => {
   it('are taken one by one into the program on the screen, each as one step', async () => {
     const bench = await page(true, setting('trimmed', TRIMMED));
     await compare(bench, 'screen', 'setting/trimmed');
@@ -168,7 +168,7 @@ describe('the backups of a model', () => {
     expect([bench.models.views.shown.value, bench.editor.changes.value.length]).toEqual(['program', 3]);
   });
 
-  it('say from when that is where the timer is not connected, and are loaded without it', async () => {
+  it('say from when that is while the timer is not connected, and can be loaded without it', async () => {
     const bench = await page(false);
     bench.store.backups.records.set('k', {
       key: 'k',

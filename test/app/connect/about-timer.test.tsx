@@ -57,7 +57,7 @@ describe('what is known to differ can be forgotten', () => {
     expect(bench.session.connection.value?.client.quirksAssumed).toEqual({});
   });
 
-  it('while no program can be shown, and what answers is read again without', async () => {
+  it('while no program can be shown, and the timer is then read again without it', async () => {
     const bench = await opened({ store: kept(), info: FTDI, plug: { granted: true } });
     let mute = true;
     const { core } = bench.timer;
@@ -83,7 +83,7 @@ describe('what is known to differ can be forgotten', () => {
     expect(bench.timer.core.answered).toEqual([]);
   });
 
-  it('and is not there before an adapter is known', async () => {
+  it('and is not shown before an adapter is known', async () => {
     await opened({ info: FTDI });
     await goTo('settings');
     expect(screen.queryByText('About this timer')).toBeNull();
@@ -100,7 +100,7 @@ describe('what the line says of the timer', () => {
     expect(screen.queryByText(/noisy/)).toBeNull();
   });
 
-  it('answers that nobody asked for are counted, and said', async () => {
+  it('answers that nobody asked for are counted and shown', async () => {
     const bench = await connected();
     bench.port.device.write(encodeFrame(0x62, Array<number>(22).fill(0)));
     await press('Read again');
@@ -110,8 +110,8 @@ describe('what the line says of the timer', () => {
   });
 });
 
-describe('what is no timer', () => {
-  it('is said to be something else, with what it says, and another port is one click away', async () => {
+describe('something else than a timer', () => {
+  it('is named so, with the bytes that came, and another port is one click away', async () => {
     const bench = await opened({ info: FTDI, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
@@ -125,7 +125,7 @@ describe('what is no timer', () => {
     expect(bench.session.link.state.value).toMatchObject({ port: other });
   });
 
-  it('stays waited for when no other port is chosen', async () => {
+  it('is still waited for when no other port is chosen', async () => {
     const bench = await opened({ info: FTDI, quirks: { echo: true }, plug: { granted: true } });
     bench.timer.core.sleep();
     await press('Connect');
@@ -138,7 +138,7 @@ describe('what is no timer', () => {
     expect(bench.editor.baseline.value).not.toBeNull();
   });
 
-  it('an identity that cannot be is shown as it came', async () => {
+  it('an impossible identity is shown as it came', async () => {
     const bench = await opened({ info: FTDI, plug: { granted: true } });
     bench.timer.core.answer = () => encodeFrame(0x6c, [0x51, 0x35, 0x33, 0x36, 0x37, 0x31, 0x20, 10, 4, 3, 0x20]);
     await press('Connect');
@@ -149,7 +149,7 @@ describe('what is no timer', () => {
 });
 
 describe('a choice of memory that is not answered', () => {
-  it('is said, with what to try, and works without a correct checksum when the pilot says so', async () => {
+  it('is explained with what to try, and the pilot can try it without a correct checksum', async () => {
     const bench = await connected({ quirks: { bareChecksumRequests: true } });
     await run(bench.session.reader.selectMemory(2));
     await idle();

@@ -10,19 +10,19 @@ describe('a range as text', () => {
   const program = programOf();
   const late = { ...program, times: [1000, 50, 1000, 995, 12507, 65535] };
 
-  it('is seconds and steps, apart by tabs and line breaks', () => {
+  it('is seconds and steps, separated by tabs and line breaks', () => {
     expect(formatTable(program, { top: 0, left: 0, bottom: 2, right: 3 })).toBe(
       '10.00\t10\t15\n0.50\t20\t25\n10.00\t30\t35',
     );
   });
 
-  it('has intervals where it has no times, and none at the start', () => {
+  it('has intervals in place of times, and none at the start', () => {
     expect(formatTable(late, { top: 0, left: 1, bottom: 5, right: 2 })).toBe(
       '\t10\n0.50\t20\n9.50\t30\n-0.05\t40\n115.12\t50\n530.28\t60',
     );
   });
 
-  it('has a decimal comma where that is asked for', () => {
+  it('has a decimal comma when that is wanted', () => {
     expect(formatTable(late, { top: 3, left: 0, bottom: 5, right: 0 }, { decimal: ',' })).toBe('9,95\n125,07\n655,35');
     expect(formatTable(late, { top: 3, left: 1, bottom: 3, right: 1 }, { decimal: ',' })).toBe('-0,05');
   });
@@ -94,7 +94,7 @@ describe('a text as a table', () => {
     expect(readTable(text)).toEqual({ rows, cut: false });
   });
 
-  it('is read whole up to its limit of cells, and beyond it in whole rows', () => {
+  it('is read completely up to the limit of cells, and beyond it in whole rows', () => {
     const full = `${'1\t2\n'.repeat(MAX_CELLS / 2)}`;
     expect(readTable(full)).toMatchObject({ rows: { length: MAX_CELLS / 2 }, cut: false });
     const over = readTable(`${full}3`);
@@ -111,7 +111,7 @@ describe('a text as a table', () => {
     expect([long.rows, long.cut]).toEqual([[['']], true]);
   });
 
-  it('takes little time, however large or strange it is', () => {
+  it('is read quickly, however large or strange it is', () => {
     const pieces = [
       '\t',
       '\n',

@@ -2,7 +2,7 @@ import { effect, signal } from '@preact/signals';
 import { expect, it } from 'vitest';
 import { computedList } from '../../../src/app/editing/computed-list.js';
 
-it('a computed list tells of what says something else, and keeps the items that do not', () => {
+it('a computed list reports items that have changed, and keeps those that have not', () => {
   const times = signal([100, 200]);
   const items = computedList(
     () => times.value.map((time) => ({ time })),

@@ -54,7 +54,7 @@ describe('an interval', () => {
     expect(timesAfter(setInterval(program, 3, -100))).toEqual([1000, 50, 1000, 900, 1150, 18000]);
   });
 
-  it('lists the field that was asked for also when its time is that already', () => {
+  it('lists the requested field also when it has that time already', () => {
     expect(valuesOf(setInterval(program, 3, 250))).toEqual([{ field: { kind: 'time', slot: 3 }, value: 1250 }]);
   });
 
@@ -69,7 +69,7 @@ describe('an interval', () => {
     expect(refusalIn(setInterval(program, slot, interval))).toBe(refused);
   });
 
-  it('says with a refusal what the field would have been, and its range', () => {
+  it('says with a refusal what the value would have been, and its range', () => {
     expect(setInterval(program, 2, 65300)).toMatchObject({
       refused: {
         code: 'time-out-of-range',
@@ -79,7 +79,7 @@ describe('an interval', () => {
     });
   });
 
-  it('that was set is there, and the others are as before', () => {
+  it('has the value that was set, and the others stay as before', () => {
     fc.assert(
       fc.property(
         anyProgram,
@@ -131,17 +131,17 @@ describe('a shift', () => {
     expect(refusalIn(shiftFrom(program, slot, by))).toBe(refused);
   });
 
-  it('takes no DT out of range that it does not move', () => {
+  it('is not refused for a DT that it does not move', () => {
     const late = { ...program, times: [1000, 50, 1000, 1250, 1500, 65535] };
     expect(refusalIn(shiftFrom(late, 3, 100))).toBe('done');
     expect(refusalIn(shiftFrom(late, 3, 100, { moveDt: true }))).toBe('time-out-of-range time:5');
   });
 
-  it('does not begin at what is reserved', () => {
+  it('does not begin at a reserved time', () => {
     expect(refusalIn(shiftFrom({ ...program, identity: B4 }, 0, 100))).toBe('reserved time:0');
   });
 
-  it('there and back is as before', () => {
+  it('back and forth changes nothing', () => {
     fc.assert(
       fc.property(
         anyProgram,
@@ -193,11 +193,11 @@ describe('a step', () => {
     expect([...all, ...ten]).toEqual(expected);
   });
 
-  it('is none for an idle throttle that is not known', () => {
+  it('does nothing to an unknown idle throttle', () => {
     expect(valuesOf(stepValue({ ...program, idleThrottle: null }, { kind: 'idleThrottle' }, 1))).toEqual([]);
   });
 
-  it('goes its way, stays in range and ends on the grid of the class', () => {
+  it('goes in its direction, stays in range and ends on a step of the class', () => {
     fc.assert(
       fc.property(
         anyProgram,
@@ -245,7 +245,7 @@ describe('a servo', () => {
     expect(after).toEqual({ ...program, positions: [program.positions[0], program.positions[0]] });
   });
 
-  it('that holds what cannot be set is not copied, but to one that holds the same', () => {
+  it('with a position that cannot be set is not copied, except to one that holds the same', () => {
     const odd = { ...program, positions: [[10, 200, 30, 40, 50, 60], program.positions[1] ?? []] };
     expect(refusalIn(copyServo(odd, 0, 1))).toBe('position-out-of-range position:1:1');
     const same = {
@@ -258,7 +258,7 @@ describe('a servo', () => {
     expect(refusalIn(copyServo(same, 0, 1))).toBe('done');
   });
 
-  it('is mirrored about the middle of its travel, but for what is no step', () => {
+  it('is mirrored about the middle of its travel, except values that are not steps', () => {
     const odd = { ...program, positions: [[0, 130, 65, 200, -1, 60], program.positions[1] ?? []] };
     const after = withValues(odd, valuesOf(reverseServo(odd, 0)));
     expect(after).toEqual({ ...odd, positions: [[130, 0, 65, 200, -1, 70], odd.positions[1]] });
@@ -274,7 +274,7 @@ describe('a servo', () => {
     );
   });
 
-  it('that there is not gives nothing', () => {
+  it('that does not exist is not edited', () => {
     expect([copyServo(program, 7, 0), reverseServo(program, 7)].map(valuesOf)).toEqual([[], []]);
   });
 });
@@ -324,7 +324,7 @@ describe('fill down', () => {
     ['a time', 0, 'time:1', 'done'],
     ['a position', 2, 'position:0:2', 'unreadable position:0:2'],
     ['a position', 2, 'time:2', 'done'],
-  ])('gives %s (slot %i) on only where it can be read: %s', (_, left, key, result) => {
+  ])('copies %s (slot %i) only when it can be read: %s', (_, left, key, result) => {
     const range = { top: 2, left, bottom: 3, right: left };
     expect(refusalIn(fillDown(program, range, { unreadable: new Set([key]) }))).toBe(result);
   });
@@ -334,7 +334,7 @@ describe('fill down', () => {
     expect(refusalIn(fillDown(program, range, { unreadable: new Set(['time:0']) }))).toBe('done');
   });
 
-  it('twice is the same as once, and touches nothing outside of the range but times after it', () => {
+  it('twice is the same as once, and outside of the range only later times change', () => {
     fc.assert(
       fc.property(programAndRange, fc.boolean(), ([before, range], moveDt) => {
         const after = byOrRefused(fillDown(before, range, { moveDt }), before);
@@ -371,14 +371,14 @@ describe('every edit', () => {
     expect([edit.name, edit.group]).toEqual([{ code, params }, group]);
   });
 
-  it('counts from no time whose text is no value', () => {
+  it('does not count from a time whose text is not a value', () => {
     const unreadable = new Set(['time:2']);
     const all = [setInterval(program, 3, 99, { unreadable }), stepInterval(program, 3, 1, { unreadable })];
     expect(all.map(refusalIn)).toEqual(['unreadable time:2', 'unreadable time:2']);
     expect(refusalIn(setInterval(program, 1, 99, { unreadable: new Set(['time:0', 'time:1']) }))).toBe('done');
   });
 
-  it('puts back what is known, and takes the text away where it is not', () => {
+  it('puts back a known value, and removes the text where none is known', () => {
     const throttle: ProgramField = { kind: 'idleThrottle' };
     const edit = putBack(name, { ...program, idleThrottle: null }, [field, throttle]);
     expect(edit).toMatchObject({ values: [{ field, value: 1250 }], texts: { 'time:3': null, idleThrottle: null } });

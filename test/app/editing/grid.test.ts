@@ -55,7 +55,7 @@ describe('the grid', () => {
 });
 
 describe('a range', () => {
-  it('is the same from whichever corner it was drawn', () => {
+  it('is the same from each corner', () => {
     const range = { top: 1, left: 0, bottom: 4, right: 3 };
     expect(rangeBetween({ row: 1, column: 3 }, { row: 4, column: 0 })).toEqual(range);
     expect(rangeBetween({ row: 4, column: 3 }, { row: 1, column: 0 })).toEqual(range);

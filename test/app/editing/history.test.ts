@@ -67,7 +67,7 @@ describe('undo and redo', () => {
     expect(screen.redo().redo().state).toBe('c');
   });
 
-  it('have nothing to do at the ends', () => {
+  it('do nothing at the ends', () => {
     expect([undo(EMPTY_HISTORY, 'x'), redo(EMPTY_HISTORY, 'x')]).toEqual([null, null]);
     const screen = new Screen().do('a');
     expect(screen.redo().state).toBe('a');
@@ -79,13 +79,13 @@ describe('undo and redo', () => {
     expect([screen.names, screen.redo().state, screen.undo().undo().state]).toEqual([[['c', 'a'], []], 'c', 'start']);
   });
 
-  it('come back to the present as it is, also when it moved without a step', () => {
+  it('come back to the present state, also when that changed without a step', () => {
     const screen = new Screen().do('a');
     screen.state = 'a, tidied';
     expect(screen.undo().redo().state).toBe('a, tidied');
   });
 
-  it('leave the history that they were given as it was', () => {
+  it('do not change the history that they are given', () => {
     const history = new Screen().do('a').do('b', 'g').undo().history;
     const before = structuredClone(history);
     recordStep(history, named('x'), 'y', 'g');
@@ -115,18 +115,18 @@ describe('steps of one group', () => {
     expect(screen.undo().state).not.toBe('start');
   });
 
-  it('are not begun by one that has no group', () => {
+  it('do not begin with a step without a group', () => {
     expect(new Screen().do('a').do('b').names[0]).toEqual(['b', 'a']);
   });
 
-  it('are none if they have come back to where they began', () => {
+  it('are no step when they end where they began', () => {
     const screen = new Screen().do('a').do('b', 'b').do('a', 'b');
     const settled = settle(screen.history, (state) => state === screen.state);
     expect([settled.past.map(({ state }) => state), settled.open]).toEqual([['start'], null]);
     expect(settle(screen.history, (state) => state === 'b').past).toHaveLength(2);
   });
 
-  it('are taken back whole by giving them up, as if they had not been', () => {
+  it('disappear as a whole when they are cancelled', () => {
     const screen = new Screen().do('a').do('b1', 'b').do('b2', 'b').abandon();
     expect([screen.state, screen.names]).toEqual(['a', [['a'], []]]);
     expect(screen.abandon().state).toBe('a');
@@ -216,7 +216,7 @@ function commandOf(act: Act): fc.Command<Model, Screen> {
 }
 
 describe('whatever a pilot does', () => {
-  it('is what the model says, back to the start and forth to the end, over 10,000 edits, undos and redos', () => {
+  it('undo and redo agree with a simple model, over 10,000 edits, undos and redos', () => {
     const anEdit: fc.Arbitrary<Act> = fc.record({
       state: fc.nat().map(String),
       group: fc.constantFrom(null, 'time:3', 'time:4', 'drag'),

@@ -27,7 +27,7 @@ const anyFilter: fc.Arbitrary<FlightFilter> = fc.record({
 });
 
 describe('the filter of the log', () => {
-  it('shows all in their order where it asks for nothing', () => {
+  it('shows all flights in their order when nothing is asked', () => {
     fc.assert(
       fc.property(anyLog, (log) => {
         expect(filtered(log, NO_FILTER, NOW)).toEqual(log);
@@ -35,7 +35,7 @@ describe('the filter of the log', () => {
     );
   });
 
-  it('shows what fits every part of it, and leaves nothing out that does', () => {
+  it('shows exactly the flights that fit every part of it', () => {
     fc.assert(
       fc.property(anyLog, anyFilter, (log, filter) => {
         const { period, from, until, ...rest } = filter;
@@ -88,7 +88,7 @@ describe('a period', () => {
 });
 
 describe('the log by days', () => {
-  it('has every flight once, in order, with those of its day and place', () => {
+  it('has every flight once, in order, grouped by day and place', () => {
     fc.assert(
       fc.property(anyLog, (log) => {
         const days = grouped(log);
@@ -117,7 +117,7 @@ describe('the log by days', () => {
 });
 
 describe('the totals', () => {
-  it('count flights, the best, the average of what was timed, and full rounds without fly-offs', () => {
+  it('count flights, the best and average result, and full rounds without fly-offs', () => {
     const log = [
       recordOf({ id: '1', result: 180, round: '1' }),
       recordOf({ id: '2', result: 179.5, round: '2' }),
@@ -129,7 +129,7 @@ describe('the totals', () => {
     expect(totalsOf([])).toEqual({ flights: 0, best: null, average: null, rounds: 0, maxima: 0 });
   });
 
-  it('lie where they can lie', () => {
+  it('are always possible', () => {
     fc.assert(
       fc.property(anyLog, (log) => {
         const { flights, best, average, rounds, maxima } = totalsOf(log);
@@ -143,7 +143,7 @@ describe('the totals', () => {
 });
 
 describe('what was flown before', () => {
-  it('offers places and models, the latest first, by the name of the latest flight', () => {
+  it('gives places and models to choose from, the latest first, under their latest name', () => {
     const log = [
       recordOf({ id: '1', place: 'B', model: 'x', modelName: 'Lancer 08' }),
       recordOf({ id: '2', place: '' }),

@@ -10,7 +10,7 @@ const WORDS = ['place', 'model', 'setting', 'round', 'note'] as const;
 const { columns: heads } = flightMessages.value.csv;
 
 describe('the table of flights', () => {
-  it('is read back by a reader of its own, for every flight and with both separators', () => {
+  it('is read back by an independent reader, for every flight and with both separators', () => {
     fc.assert(
       fc.property(fc.array(anyFlight, { maxLength: 8 }), fc.constantFrom(...SEPARATORS), (flights, separator) => {
         const csv = flightsCsv(flights, { separator, heads });
@@ -49,7 +49,7 @@ describe('the table of flights', () => {
     );
   });
 
-  it('says times with units in its head, numbers with a point, and a minus that stays a number', () => {
+  it('has units in its head, numbers with a point, and a minus that stays part of a number', () => {
     const flight = { ...PLAIN, temperature: -2.5, wind: 3.5, result: 178.25, note: '=HYPERLINK("x")' };
     const [head, row] = flightsCsv([flight], { separator: ';', heads }).split('\r\n');
     expect(head).toBe(

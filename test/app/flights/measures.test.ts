@@ -50,7 +50,7 @@ describe('a number of a flight', () => {
     expect('value' in read ? read.value : read.unreadable).toBe(wanted);
   });
 
-  it('is read again as what it is shown as, with a point or a comma', () => {
+  it('can be read back from its shown text, with a point or a comma', () => {
     fc.assert(
       fc.property(fc.constantFrom(...MEASURES), fc.integer({ min: 0, max: 1_000_000 }), (measure, number) => {
         const { min, max } = RANGES[measure];
@@ -63,7 +63,7 @@ describe('a number of a flight', () => {
     );
   });
 
-  it('steps to the next whole one, and never out of its range', () => {
+  it('steps to the next whole number, and never out of its range', () => {
     expect([steppedMeasure('wind', 3.5, 1), steppedMeasure('wind', 3.5, -1), steppedMeasure('wind', 3, -1)]).toEqual([
       4, 3, 2,
     ]);

@@ -31,7 +31,7 @@ describe('the energy that the rules of F1Q leave', () => {
     expect(allowanceFor(rule, weight, power)).toEqual({ energy, energyBy, run, runBy });
   });
 
-  it('is never passed by the run that it gives, and a tenth of a second more would be too much', () => {
+  it('gives the longest run that stays within it: a tenth of a second more is too much', () => {
     const weight = fc.double({ min: 10, max: 5000, noNaN: true });
     const power = fc.double({ min: 1, max: 5000, noNaN: true });
     fc.assert(
@@ -45,12 +45,12 @@ describe('the energy that the rules of F1Q leave', () => {
     );
   });
 
-  it('is what a motor run takes, rounded up', () => {
+  it('is the energy of a motor run, rounded up', () => {
     expect([energyOf(1000, 150), energyOf(870, 165), energyOf(0, 165)]).toEqual([1500, 1436, 0]);
   });
 });
 
-describe('a figure that is typed', () => {
+describe('a typed figure', () => {
   it.each([
     ['450', 450],
     [' 11,1 ', 11.1],

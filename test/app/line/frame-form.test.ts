@@ -79,7 +79,7 @@ describe('a frame by hand', () => {
     ['MOVETOFUNC', '04', 'moves'],
     ['UNLOCK', '', 'frees-motor'],
     ['JUMP2', '', 'unknown'],
-  ] as const)('is asked for twice and sent once: %s', async (command, data, effect) => {
+  ] as const)('needs a second click and is sent once: %s', async (command, data, effect) => {
     const { form, asked } = await atForm();
     form.edit({ command, data });
     expect(form.effect.value).toBe(effect);
@@ -100,7 +100,7 @@ describe('a frame by hand', () => {
     expect(asked()).toEqual(screenMayBeOld ? [command, ...READ_ALL] : [command]);
   });
 
-  it('holds the wire as any other job does', async () => {
+  it('occupies the line as any other job does', async () => {
     const { form, session, timer, asked } = await atForm();
     timer.core.sleep();
     form.edit({ command: 'GETMEMORY' });
@@ -124,7 +124,7 @@ describe('a frame by hand', () => {
     expect(editor.baseline.value?.positions[1]?.[4]).toBe(70);
   });
 
-  it('that selects a memory leaves open which one flies next, until the timer has said it', async () => {
+  it('that selects a memory makes it unknown which one flies next, until the timer says it', async () => {
     const { form, session, timer } = await atForm();
     form.edit({ command: 'SETMEMORY', data: '02' });
     await form.send();
@@ -140,7 +140,7 @@ describe('a frame by hand', () => {
     expect(session.nextFlight.word.value).toEqual({ code: 'other', memory: 2, original: 0 });
   });
 
-  it('may do anything when its letter is no request of the table, or when a question carries data', async () => {
+  it('may do anything when its letter is not in the table of requests, or when a question carries data', async () => {
     const { form } = await atForm();
     for (const letter of ['79', '62', '00', 'ff']) {
       form.edit({ command: null, letter, data: '' });
@@ -152,7 +152,7 @@ describe('a frame by hand', () => {
     expect(form.effect.value).toBe('unknown');
   });
 
-  it('is no longer asked for when it is changed, taken back, or when another connection is there', async () => {
+  it('is no longer waiting for a yes when it is changed, cancelled, or the connection is new', async () => {
     const { form, session, asked } = await atForm();
     const ask = async (): Promise<void> => {
       form.edit({ command: 'UNLOCK', data: '' });
@@ -175,7 +175,7 @@ describe('a frame by hand', () => {
     expect(asked().filter((name) => name === 'UNLOCK' || name === 'MOVETOFUNC')).toEqual([]);
   });
 
-  it('says when no reply came, and looks what the timer holds all the same', async () => {
+  it('says when no reply came, and still reads what the timer holds', async () => {
     const { form, asked } = await atForm();
     form.edit({ command: null, letter: '79', data: '' });
     await form.send();
@@ -197,7 +197,7 @@ describe('a frame by hand', () => {
     expect(form.step.value).toBe('edit');
   });
 
-  it('leaves it to others to say that the port is lost', async () => {
+  it('does not itself report that the port is lost', async () => {
     const { form, adapter, session } = await atForm();
     form.edit({ command: 'GETTIMERS' });
     const sending = form.send();

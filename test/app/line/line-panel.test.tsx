@@ -91,7 +91,7 @@ describe('the rows', () => {
     );
   });
 
-  it('show damage and errors of the line as such', async () => {
+  it('show damage and errors of the line by name', async () => {
     const { session } = await opened();
     session.log.add(damage('checksum', '00 00 00 00 00 03 6b 6c 45'));
     session.log.add(lineError('framing'));
@@ -124,7 +124,7 @@ describe('many rows', () => {
     await idle();
   }
 
-  it('are drawn as far as one looks, and the older ones when they are asked for', async () => {
+  it('are drawn only near the visible part, and older ones on a click', async () => {
     await add(await opened(), 100);
     expect(rows()).toHaveLength(32);
     expect(screen.getByText('The newest 32 of 114 are shown.')).toBeTruthy();
@@ -136,7 +136,7 @@ describe('many rows', () => {
     expect(screen.queryByRole('button', { name: 'Show older' })).toBeNull();
   });
 
-  it('cost their own group when one comes: the others are not drawn again', async () => {
+  it('are drawn in groups: a new one draws only its own group again', async () => {
     const bench = await opened();
     await add(bench, 80);
     await press('Show older');
@@ -156,15 +156,15 @@ describe('many rows', () => {
   });
 });
 
-describe('on a fresh page', () => {
-  it('stands that nothing was on the line yet, and what can be done all the same', async () => {
+describe('on a page without traffic', () => {
+  it('it says that nothing was on the line yet, and what can still be done', async () => {
     await panelOf(await appBench());
     expect(screen.getByText(/^Nothing has been on the line yet/)).toBeTruthy();
     expect(screen.getAllByRole('button').map(({ textContent }) => textContent)).toEqual(['Load…', 'Copy report']);
     expect(screen.queryByRole('table')).toBeNull();
   });
 
-  it('a recording is loaded, and a file that is none refused', async () => {
+  it('a recording is loaded, and another file is refused', async () => {
     await panelOf(await appBench());
     await load('field.txt', 'no recording');
     expect(await screen.findByRole('alert')).toBeTruthy();
@@ -193,7 +193,7 @@ describe('on a fresh page', () => {
 });
 
 describe('the tools', () => {
-  it('stop the picture, say how many came meanwhile, and go on', async () => {
+  it('stop the list, say how many entries came meanwhile, and go on', async () => {
     const { session } = await opened();
     const before = rows();
     await press('Pause');
@@ -213,7 +213,7 @@ describe('the tools', () => {
     expect(button('Save').disabled).toBe(true);
   });
 
-  it('show one kind, and what is searched for', async () => {
+  it('show one kind of entry, and search', async () => {
     await opened();
     change('Show', 'out');
     await idle();
@@ -279,7 +279,7 @@ describe('the tools', () => {
 });
 
 describe('a recording', () => {
-  it('is shown in the place of the line, as what it is, until one goes back', async () => {
+  it('is shown in place of the line, and named as a file, until the pilot goes back', async () => {
     await opened();
     const live = rows();
     await load('field.txt', ...RECORDING);
@@ -304,7 +304,7 @@ describe('a recording', () => {
     expect(await screen.findByRole('button', { name: 'Pause' }), 'the live line is shown').toBeTruthy();
   });
 
-  it('is not offered for replay when the timer does not say in it what it is', async () => {
+  it('is not offered for replay without the identity of the timer', async () => {
     await opened();
     await load('field.txt', ...RECORDING.slice(0, 2));
     expect(await screen.findByText(/It cannot be replayed/)).toBeTruthy();
@@ -374,7 +374,7 @@ describe('a frame by hand', () => {
     ['MOVETOFUNC', 'Servos may move.'],
     ['UNLOCK', 'the propeller may start.'],
     ['JUMP2', 'servos may move, the propeller may start, and what the timer holds may change.'],
-  ])('that may do more is asked for twice, with what may happen: %s', async (name, warning) => {
+  ])('that may do more needs a second click, after a text that says what may happen: %s', async (name, warning) => {
     const { timer } = await opened();
     await unfold('Send a frame by hand');
     change('Frame', name);
@@ -394,7 +394,7 @@ describe('a frame by hand', () => {
     expect(screen.queryByRole('alertdialog')).toBeNull();
   });
 
-  it.each(['button', 'Escape'])('is taken back by %s', async (how) => {
+  it.each(['button', 'Escape'])('is cancelled by %s', async (how) => {
     const { timer } = await opened();
     await unfold('Send a frame by hand');
     change('Frame', 'UNLOCK');
@@ -409,7 +409,7 @@ describe('a frame by hand', () => {
     expect(timer.core.answered).toEqual([]);
   });
 
-  it('takes a letter of one’s own', async () => {
+  it('can have any letter', async () => {
     await opened();
     await unfold('Send a frame by hand');
     change('Frame', 'other');

@@ -109,7 +109,7 @@ describe('a recording', () => {
     expect(records.map(({ rejected }) => rejected)).toEqual(['silence']);
   });
 
-  it('cannot be replayed where the timer does not say what it is', () => {
+  it('cannot be replayed without the identity of the timer', () => {
     const answer = '0.100 < 00 00 00 00 00 0c 6c 42 35 33 36 20 0a 04 03 20 9d 45';
     const question = '0.000 > 00 00 00 00 00 03 6b 6b 45';
     expect(parseRecording('x', `${HEADING}${question}\n${answer}`).replayable).toBe(true);
@@ -137,7 +137,7 @@ describe('a recording', () => {
     await expect(readRecording(gone)).rejects.toMatchObject({ fault: 'unreadable' });
   });
 
-  it('is shown in the place of the line until one goes back, and a bad file changes nothing', async () => {
+  it('is shown in place of the line until the pilot goes back, and a bad file changes nothing', async () => {
     const view = new LineView(new LineLog());
     await view.load(new File([`${HEADING}0.000 > 00 00 00 00 00 03 6b 6b 45`], 'field.txt'));
     expect(view.recording.value?.name).toBe('field.txt');
@@ -150,7 +150,7 @@ describe('a recording', () => {
     expect([view.fault.value, view.recording.value, view.shown.value.length]).toEqual([null, null, 0]);
   });
 
-  it('shows the newest rows of a long one, older ones when they are asked for, and finds all', async () => {
+  it('shows the newest rows when it is long, older ones on a click, and finds all', async () => {
     const lines = Array.from(
       { length: 1200 },
       (_, i) => `${i}.000 > 00 00 00 00 00 04 73 0${i % 4} 7${3 + (i % 4)} 45`,
@@ -192,7 +192,7 @@ describe('a session that was saved', () => {
     expect(again.session.simulated.value, 'its edits are no edits of a timer').toBe(true);
   });
 
-  it('answers although the log has long forgotten what the timer said of itself', async () => {
+  it('answers although the log no longer has the identity of the timer', async () => {
     const { session, editor } = await connectedBench();
     const program = editor.working.value;
     const client = session.connection.value?.client as TimerClient;
@@ -210,14 +210,14 @@ describe('a session that was saved', () => {
     expect(again.editor.working.value?.positions[0]).toEqual(CAPTURED_POSITIONS);
   });
 
-  it('has the echo of an adapter', async () => {
+  it('contains the echo of an adapter', async () => {
     const { session } = await connectedBench({ quirks: { echo: true } });
     const { records } = parseRecording('x', captureText(session.log.entries.value, []));
     expect(records.filter(({ direction, frame }) => direction === 'in' && frame?.code === 0x6b)).toHaveLength(2);
   });
 });
 
-it('keeps sent and came apart', async () => {
+it('what was sent and what came is kept apart', async () => {
   const records = await recorded(sent({ name: 'GETMEMORY' }, 5), came({ name: 'GETMEMORY', memory: 2 }, 9));
   expect(parseCapture(captureText(records, [])).map(({ time, direction }) => [time, direction])).toEqual([
     [0, 'out'],

@@ -31,7 +31,7 @@ const facts: ReportFacts = {
 afterEach(() => vi.unstubAllGlobals());
 
 describe('a report', () => {
-  it('says what a maintainer asks first', () => {
+  it('says what a maintainer needs first', () => {
     expect(reportText(facts).split('\n')).toEqual([
       '# Sidus capture 1',
       '# Sidus Timer 1.2.3',
@@ -75,7 +75,7 @@ describe('a report', () => {
     ]);
   });
 
-  it('has the last 60 entries, and in front of them what the timer said of itself', async () => {
+  it('has the last 60 entries, and before them the identity of the timer', async () => {
     const { session, editor } = await connectedBench({ quirks: { memoryReplyEmpty: true } });
     const program = editor.working.value;
     for (let i = 0; i < 20; i++) await run(session.reader.read());
@@ -105,7 +105,7 @@ describe('a report', () => {
     expect(text).toContain('# Line errors: none\n');
   });
 
-  it('still knows the timer when the line is cut, and tells no times of day', async () => {
+  it('still names the timer when the line is cut, and contains no times of day', async () => {
     const { session } = await connectedBench();
     await run(session.timer.disconnect());
     const text = reportText(gatherFacts(session));
@@ -114,7 +114,7 @@ describe('a report', () => {
     expect(text).not.toMatch(/20\d\d-|\d\d:\d\d:\d\d/);
   });
 
-  it('names the browser by what it tells in parts, and without what it makes up', async () => {
+  it('names the browser by its list of brands, without the invented one', async () => {
     const { session } = await appBench();
     const brands = [
       { brand: 'Not?A_Brand', version: '24' },

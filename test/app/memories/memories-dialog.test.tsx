@@ -38,7 +38,7 @@ describe('copying a memory', () => {
     expect(timer.core.memories[2]?.times[10]).toBe(18_000);
   });
 
-  it('that would change nothing says so', async () => {
+  it('says when it would change nothing', async () => {
     const { timer } = await connected();
     timer.core.memories.splice(1, 1, structuredClone(timer.core.content));
     await press('Copy M1 to M2…');
@@ -57,7 +57,7 @@ describe('copying a memory', () => {
     expect(screen.getByText('M3: DT: 5:00 min → 3:00 min · motor stop 10.0 s, stays')).toBeTruthy();
   });
 
-  it('that was cut off says what is not known, and which memory flies next as far as that is known', async () => {
+  it('says after an interruption what is not known, and which memory flies next, if that is known', async () => {
     const { timer, adapter } = await reviewed();
     timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && adapter.unplug();
     await write();

@@ -49,7 +49,7 @@ describe('the memories', () => {
     expect(buttons('M3')).toEqual(['Open: M3', 'Make it fly next: M3', 'Compare with M1: M3', 'Copy to…: M3']);
   });
 
-  it('that nobody has read say so, and are read with one click, which goes back and leaves the program as it was', async () => {
+  it('say when they were not read; one click reads one, goes back, and leaves the program as it was', async () => {
     const { timer, memories } = await atMemories();
     expect(said('M3')[0]).toBe('Not read yet.');
     expect(buttons('M3')).toEqual(['Look at M3', 'Make it fly next: M3', 'Copy to…: M3']);
@@ -60,7 +60,7 @@ describe('the memories', () => {
     expect([timer.core.memory, memories.looking.value]).toEqual([0, null]);
   });
 
-  it('are made to fly next there', async () => {
+  it('can be made to fly next there', async () => {
     const { timer } = await read();
     await press('Make it fly next: M3');
     expect(timer.core.memory).toBe(2);
@@ -101,7 +101,7 @@ describe('the memories', () => {
     expect(timer.core.memory).toBe(1);
   });
 
-  it('stay as they were read last, and are forgotten when a timer is connected: it may be another', async () => {
+  it('stay as last read, and are forgotten when a timer is connected, because it may be another', async () => {
     const { session } = await read();
     await press('Disconnect');
     expect([session.knowledge.of(2).state, session.standing.value.sure]).toEqual(['read', 'once']);
@@ -110,7 +110,7 @@ describe('the memories', () => {
     expect(session.knowledge.of(2).state).toBe('unread');
   });
 
-  it('are not there before a timer was read', async () => {
+  it('are not shown before a timer was read', async () => {
     await opened();
     await goTo('memories');
     expect(screen.queryByRole('article')).toBeNull();
@@ -119,7 +119,7 @@ describe('the memories', () => {
 });
 
 describe('Copy to', () => {
-  it('asks where to, and gives the focus back when it is not meant', async () => {
+  it('asks where to, and gives the focus back on cancel', async () => {
     await read();
     await press('Copy to…: M2');
     expect(document.activeElement?.getAttribute('aria-label')).toBe('Copy M2 to M1…');
@@ -137,7 +137,7 @@ describe('two memories', () => {
     await idle();
   };
 
-  it('are compared in place of the cards, and the way back leads where one came from', async () => {
+  it('are compared in place of the cards, and Back leads to the cards', async () => {
     await read();
     await press('Compare with M1: M3');
     expect(document.activeElement).toBe(screen.getByRole('heading', { name: 'M3 and M1 compared' }));
@@ -168,7 +168,7 @@ describe('two memories', () => {
     expect(screen.getByText('They hold the same.')).toBeTruthy();
   });
 
-  it('stand in the grid of the program when much differs, the idle throttle below', async () => {
+  it('are shown as a table of the program when much differs, with the idle throttle below', async () => {
     const { session } = await read();
     const m2 = session.knowledge.of(1);
     if (m2.state !== 'read') throw new Error('not read');
@@ -185,7 +185,7 @@ describe('two memories', () => {
     expect(row('Idle throttle')).toEqual(['Idle throttle', 'M2 77 M1 30', '']);
   });
 
-  it('are read there where one has not been', async () => {
+  it('can be read there when one was not read', async () => {
     await atMemories();
     await press('Compare with M2: M1');
     expect(screen.getByText('M2 has not been read')).toBeTruthy();

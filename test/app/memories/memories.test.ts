@@ -54,7 +54,7 @@ function known({ session }: AppBench): string[] {
 }
 
 describe('the memories at a glance', () => {
-  it('are as they were read last, also when another one is current since', async () => {
+  it('are as last read, also when another one is current by now', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
     made.memories.jobs.dismiss();
@@ -67,7 +67,7 @@ describe('the memories at a glance', () => {
     });
   });
 
-  it('are not those of the next timer: it may be another', async () => {
+  it('are forgotten for the next timer, because it may be another', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
     expect(known(made)).toEqual(['read', 'read', 'read', 'read']);
@@ -81,7 +81,7 @@ describe('the memories at a glance', () => {
 });
 
 describe('backing up all memories', () => {
-  it('keeps what each holds, and the one that was current is so again', async () => {
+  it('keeps what each holds, and the former current one is current again', async () => {
     const made = await bench();
     const before = contents(made);
     await job(made, { kind: 'back-up' });
@@ -98,7 +98,7 @@ describe('backing up all memories', () => {
     expect([made.editor.working.value?.memory, made.session.runner.busy.value]).toEqual([1, false]);
   });
 
-  it('has noted the memory to come back to before another is selected', async () => {
+  it('notes the memory to go back to before another is selected', async () => {
     const made = await bench();
     const noted: unknown[] = [];
     made.timer.core.onAnswer = ({ name }) => {
@@ -115,7 +115,7 @@ describe('backing up all memories', () => {
     expect([made.editor.textOf(S1), made.editor.changes.value.length]).toEqual(['7', 1]);
   });
 
-  it('that is stopped comes back, and says nothing of having kept them', async () => {
+  it('goes back when stopped, and does not say that all were kept', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.memories.jobs.dismiss();
@@ -137,7 +137,7 @@ describe('backing up all memories', () => {
     expect(made.memories.jobs.current.value, 'of each backup anew').toMatchObject({ step: 'done', kept: true });
   });
 
-  it('is refused by a timer that does not say which memory is current', async () => {
+  it('is refused for a timer that does not say which memory is current', async () => {
     const made = await connectedBench({ quirks: { memoryReplyEmpty: true } });
     await job(made, { kind: 'back-up' });
     expect([selected(made), made.memories.jobs.current.value, kept(made)]).toEqual([[], null, []]);
@@ -146,7 +146,7 @@ describe('backing up all memories', () => {
 });
 
 describe('copying a memory', () => {
-  it('reads what is copied for that: it may have changed since all were read', async () => {
+  it('reads the source again, because it may have changed since all were read', async () => {
     const made = await bench();
     await job(made, { kind: 'back-up' });
     made.memories.jobs.dismiss();
@@ -185,7 +185,7 @@ describe('copying a memory', () => {
     expect(made.timer.core.answered.map(({ name }) => name)).not.toContain('SETLOWRPM');
   });
 
-  it('after which the other holds what was not written is not done with', async () => {
+  it('is not complete when the target holds values that were not written', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.timer.core.content.positions[1]?.fill(77);
     await job(made, { kind: 'copy', from: 1, to: 3 });
@@ -193,7 +193,7 @@ describe('copying a memory', () => {
     expect(made.session.recovery.offer.value).toMatchObject({ kind: 'elsewhere', memory: 3 });
   });
 
-  it('does not take the edits along', async () => {
+  it('does not copy the edits', async () => {
     const made = await bench();
     made.editor.type(S1, '7');
     await job(made, { kind: 'copy', from: 1, to: 3 });
@@ -205,7 +205,7 @@ describe('copying a memory', () => {
 describe('a browser that does not keep everything', () => {
   const full = () => Promise.reject(new DOMException('The storage is full.', 'QuotaExceededError'));
 
-  it('is said after a backup: which memory to come back to is in this page alone', async () => {
+  it('is reported after a backup: only this page remembers which memory to restore', async () => {
     const made = await bench();
     made.store.unfinished.save = full;
     await job(made, { kind: 'back-up' });
@@ -248,7 +248,7 @@ describe('a browser that does not keep everything', () => {
 describe('what is about to be written', () => {
   const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
 
-  it('is shown with what the other memory holds, by a reading just now', async () => {
+  it('is shown with what the other memory holds, from a fresh reading', async () => {
     const made = await bench();
     made.timer.core.memories[3]?.times.splice(10, 1, 36_000);
     await run(made.memories.jobs.open(COPY));
@@ -267,7 +267,7 @@ describe('what is about to be written', () => {
     expect([made.timer.core.memory, selected(made)]).toEqual([1, [3, 1]]);
   });
 
-  it('is not written over what has changed since, and that is said', async () => {
+  it('does not overwrite what has changed since then, and says so', async () => {
     const made = await bench();
     made.session.safety.confirm();
     await run(made.memories.jobs.open(COPY));
@@ -279,7 +279,7 @@ describe('what is about to be written', () => {
     expect(made.session.knowledge.uncertain.value).toEqual([]);
   });
 
-  it('is for the connection on which it was shown, and gone with it', async () => {
+  it('belongs to the connection on which it was shown, and disappears with it', async () => {
     const made = await bench();
     await run(made.memories.jobs.open(COPY));
     made.adapter.unplug();
@@ -292,7 +292,7 @@ describe('what is about to be written', () => {
   });
 });
 
-describe('a copy that fails early ends in words', () => {
+describe('a copy that fails early says so', () => {
   const COPY: Plan = { kind: 'copy', from: 1, to: 3 };
 
   it('before anything is compared', async () => {
@@ -344,7 +344,7 @@ describe('a copy that fails early ends in words', () => {
 });
 
 describe('restoring a set', () => {
-  it('writes each memory as it was, keeps what they held, and comes back', async () => {
+  it('writes each memory as it was, keeps what they held, and goes back', async () => {
     const made = await bench();
     const before = contents(made);
     await job(made, { kind: 'back-up' });
@@ -376,30 +376,33 @@ describe('a plug that is pulled in the middle', () => {
     ['a copy that was complete', COPY, (_, name) => name === 'SETSERVO', null],
   ];
 
-  it.each(pulled)('of %s is said; the way back is offered at the next meeting', async (_, plan, at, rest) => {
-    const made = await bench();
-    made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
-    await job(made, plan);
-    expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
-    made.timer.core.onAnswer = undefined;
-    made.memories.jobs.dismiss();
-    const left = made.timer.core.memory;
-    made.adapter.replug();
-    await idle();
-    await run(made.session.reader.read());
-    expect(made.session.recovery.offer.value).toMatchObject({
-      kind: 'memories',
-      record: { original: 1 },
-      current: left,
-    });
-    expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
-    await run(made.session.reader.selectMemory(1));
-    expect(made.timer.core.memory).toBe(1);
-    if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);
-    else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
-  });
+  it.each(pulled)(
+    'during %s is reported; the way back is offered at the next connection',
+    async (_, plan, at, rest) => {
+      const made = await bench();
+      made.timer.core.onAnswer = ({ name }) => at(made, name) && made.adapter.unplug();
+      await job(made, plan);
+      expect(made.session.notices.current.value).toEqual({ kind: 'timer', code: 'memory-left' });
+      made.timer.core.onAnswer = undefined;
+      made.memories.jobs.dismiss();
+      const left = made.timer.core.memory;
+      made.adapter.replug();
+      await idle();
+      await run(made.session.reader.read());
+      expect(made.session.recovery.offer.value).toMatchObject({
+        kind: 'memories',
+        record: { original: 1 },
+        current: left,
+      });
+      expect(made.timer.core.memory, 'nothing is selected unasked').toBe(left);
+      await run(made.session.reader.selectMemory(1));
+      expect(made.timer.core.memory).toBe(1);
+      if (rest) expect(made.session.recovery.offer.value).toMatchObject(rest as object);
+      else expect([made.session.recovery.offer.value, made.store.unfinished.records.size]).toEqual([null, 0]);
+    },
+  );
 
-  it('of a copy leaves the idle throttle alone when the rest is shown', async () => {
+  it('during a copy leaves the idle throttle alone when the rest is shown', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && made.adapter.unplug();
     await job(made, COPY);
@@ -413,7 +416,7 @@ describe('a plug that is pulled in the middle', () => {
     expect([made.editor.textOf(S1), made.editor.working.value?.idleThrottle]).toEqual(['51', 30]);
   });
 
-  it('is known after a reload too', async () => {
+  it('is still known after a reload', async () => {
     const made = await bench();
     made.timer.core.onAnswer = ({ name }) => {
       if (name === 'GETTIMERS' && made.timer.core.memory === 2) made.adapter.unplug();
@@ -451,7 +454,7 @@ describe('which memory is current', () => {
     expect([made.session.link.state.value.status, selected(made), made.timer.core.memory]).toEqual(['on', [], 1]);
   });
 
-  it('can be asked for only with a timer that does nothing else', async () => {
+  it('can be changed only while the timer does nothing else', async () => {
     const made = await bench();
     const reading = made.session.reader.read();
     made.memories.jobs.open({ kind: 'back-up' });
@@ -464,7 +467,7 @@ describe('which memory is current', () => {
 });
 
 describe('a copy to a timer that keeps positions only where its servos stand', () => {
-  it('moves them only when it is asked for, and says what it was for want of', async () => {
+  it('moves them only when that is wanted, and else says what was not kept', async () => {
     const made = await bench({ quirks: { servoNeedsMove: true } });
     const moves = () => made.timer.core.answered.filter(({ name }) => name === 'MOVETOFUNC').length;
     const copy: Plan = { kind: 'copy', from: 1, to: 3 };

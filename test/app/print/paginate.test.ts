@@ -10,7 +10,7 @@ const block = (height: number): Measured => ({ head: 0, rows: [height] });
 const shown = ({ pages }: Pages) =>
   pages.map((parts) => parts.map(({ section, from, until }) => `${section}:${from}-${until}`));
 
-describe('sheets are dealt out to pages', () => {
+describe('sheets are distributed over pages', () => {
   it.each<[string, Measured[], string[][]]>([
     ['all on one', [block(20), table(5, 10)], [['0:0-1', '1:0-5']]],
     ['a table that does not fit goes to the next page whole', [block(60), table(5, 10)], [['0:0-1'], ['1:0-5']]],
@@ -35,7 +35,7 @@ describe('sheets are dealt out to pages', () => {
     expect(shown(paginate(sections, 100, null))).toEqual(pages);
   });
 
-  it('empty rows fill the last page, or have one of their own', () => {
+  it('empty rows fill the last page, or get their own', () => {
     expect(paginate([block(50)], 100, FILLER)).toMatchObject({ pages: [[{}]], empty: 4 });
     expect(paginate([block(61)], 100, FILLER)).toMatchObject({ pages: [[{}], []], empty: 9 });
     expect(paginate([block(20)], 1000, FILLER).empty, 'no more than anybody flies').toBe(12);

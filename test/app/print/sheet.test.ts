@@ -21,7 +21,7 @@ const linesOf = (program: TimerProgram): string[] =>
   );
 
 describe('a setting sheet', () => {
-  it('names model, memory, timer, and gives the figures that decide', () => {
+  it('names model, memory, timer, and gives DT and motor stop', () => {
     const sheet = sheetOf(sourceOf(SETTING.program));
     expect(sheet).toMatchObject({
       model: 'Lancer 07',
@@ -77,7 +77,7 @@ describe('a setting sheet', () => {
     ).toBe(true);
   });
 
-  it('loses nothing that a timer holds: a time that means nothing on its class stands beside the table', () => {
+  it('loses nothing: a time without a meaning on its class stands beside the table', () => {
     const program = programOf('B', [1234, 300, 18_000], [[1, 2, 3]]);
     expect(sheetOf(sourceOf(program)).others).toEqual([{ label: 'Start time', text: '12.34 s reserved' }]);
   });
@@ -102,7 +102,7 @@ describe('a setting sheet', () => {
         [12, 13, 14, 15, 16],
       ],
     ],
-  ])('%i servos stand in tables of %i at most', (servos, most, groups) => {
+  ])('%i servos stand in tables of at most %i', (servos, most, groups) => {
     expect(servoGroups(servos, most)).toEqual(groups);
   });
 });

@@ -45,7 +45,7 @@ afterEach(() => {
 });
 
 describe('the sheet', () => {
-  it.each(['touch', 'pen'])('comes for a field that is pressed by %s, in place of the keyboard', async (pointer) => {
+  it.each(['touch', 'pen'])('opens for a field that is pressed by %s, in place of the keyboard', async (pointer) => {
     await connected();
     await tap('Function 4, S2', pointer);
     expect(sheet('Function 4, S2').getByRole('status').textContent).toBe('55');
@@ -53,7 +53,7 @@ describe('the sheet', () => {
     expect(document.activeElement).toBe(field('Function 4, S2'));
   });
 
-  it('does not come for a mouse, nor for keys', async () => {
+  it('does not open for a mouse or for keys', async () => {
     await connected();
     await tap('Function 4, S2', 'mouse');
     await key('ArrowDown');
@@ -61,7 +61,7 @@ describe('the sheet', () => {
     expect([sheets(), withKeyboard() > 40]).toEqual([0, true]);
   });
 
-  it('gives way to a hardware keyboard, which works on in the field, and comes back with the next tap', async () => {
+  it('closes for a hardware keyboard, which types into the field, and opens again with the next tap', async () => {
     await connected();
     await tap('Function 4, S2');
     await press('+1');
@@ -74,7 +74,7 @@ describe('the sheet', () => {
     expect(sheets()).toBe(1);
   });
 
-  it('is there from the start on a screen for fingers, also when a button brings the focus', async () => {
+  it('opens at once on a touch screen, also when a button brings the focus', async () => {
     vi.spyOn(globalThis, 'matchMedia').mockImplementation(
       (query) => ({ matches: query === '(pointer: coarse)' }) as MediaQueryList,
     );
@@ -84,7 +84,7 @@ describe('the sheet', () => {
     expect(sheet('DT').getByRole('status').textContent).toBe('3:00 min');
   });
 
-  it('goes with “Done”, and with the focus', async () => {
+  it('closes with “Done”, and with the focus', async () => {
     await connected();
     await tap('Function 4, S2');
     await press('Done');
@@ -95,7 +95,7 @@ describe('the sheet', () => {
     expect(sheets()).toBe(0);
   });
 
-  it('goes with the Back key of a phone, and the page stays', async () => {
+  it('closes with the Back key of a phone, and the page stays', async () => {
     class Watcher extends EventTarget {
       static readonly open = new Set<Watcher>();
       constructor() {
@@ -116,7 +116,7 @@ describe('the sheet', () => {
     expect([sheets(), Watcher.open.size]).toEqual([0, 0]);
   });
 
-  it('does not come for a time that is reserved, until it is to be edited', async () => {
+  it('does not open for a reserved time before the pilot unlocks it', async () => {
     await connected({ identity: { timerClass: 'B' } });
     await tap('Start time');
     expect(sheets()).toBe(0);
@@ -130,7 +130,7 @@ describe('the sheet', () => {
 });
 
 describe('its keys', () => {
-  it('write over the value, then behind it, at the caret after a tap there; the last one goes again', async () => {
+  it('replace the value, then add to it, or at the caret after a tap there; the last one can be deleted', async () => {
     await connected();
     await tap('Function 4, S2');
     await press('7');
@@ -143,7 +143,7 @@ describe('its keys', () => {
     expect(sheet('Function 4, S2').getByText('A position must be 0 to 130 steps.')).toBeTruthy();
   });
 
-  it('are for a time a colon and a point, for a position the rows above and below', async () => {
+  it('include a colon and a point for a time, and the rows above and below for a position', async () => {
     await connected();
     await tap('DT time');
     await press('2', ':', '0', '5', '.', '5');
@@ -171,7 +171,7 @@ describe('its keys', () => {
     }
   });
 
-  it('step on while they are held, and not once more when they are let go', async () => {
+  it('keep stepping while they are held, and do not step again on release', async () => {
     await connected();
     await tap('Function 4, S2');
     const plus = sheet('Function 4, S2').getByRole('button', { name: '+1' });
@@ -187,7 +187,7 @@ describe('its keys', () => {
     expect(field('Function 4, S2').value).toBe('59');
   });
 
-  it('begin a value anew after a step, and after it was put back', async () => {
+  it('begin a new value after a step, and after Put back', async () => {
     await connected();
     await tap('Function 4, S2');
     await press('+1', '8', '1');
@@ -200,7 +200,7 @@ describe('its keys', () => {
     expect(field('Function 4, S2').value).toBe('9');
   });
 
-  it('lead along the row and on into the next one', async () => {
+  it('go along the row and on into the next one', async () => {
     await connected();
     await tap('Function 4, S2');
     await press('Go to S3 ›');
@@ -211,14 +211,14 @@ describe('its keys', () => {
     expect(document.activeElement).toBe(field('Function 5 interval'));
   });
 
-  it('go over the motor stop where its row stands', async () => {
+  it('pass through the motor stop at its row', async () => {
     await connected();
     await tap('Function 1 time');
     await press('Go to ‹ Motor', 'Go to 1 ›');
     expect(document.activeElement).toBe(field('Function 1 time'));
   });
 
-  it('make one step to undo of what is done at one field', async () => {
+  it('make one undo step of everything done at one field', async () => {
     const { editor } = await connected();
     await tap('Function 4, S2');
     await press('7', '2', 'Go to S3 ›', '+1', '+1');
@@ -232,7 +232,7 @@ describe('its keys', () => {
 });
 
 describe('a text that can be read in several ways', () => {
-  it.each(['Done', 'Go to 9 ›'])('is asked about in the sheet by “%s”, and nowhere else', async (way) => {
+  it.each(['Done', 'Go to 9 ›'])('brings a question in the sheet after “%s”, and nowhere else', async (way) => {
     await connected();
     await tap('Function 8, S3');
     await press('Go to 9 ›', '2', '3', '0', way === 'Done' ? way : 'Go to After ›');
@@ -245,7 +245,7 @@ describe('a text that can be read in several ways', () => {
     expect(sheets()).toBe(0);
   });
 
-  it('may stay as it is: then it is asked about at the field', async () => {
+  it('may stay unanswered: then the page asks at the field', async () => {
     await connected();
     await tap('DT time');
     await press('2', '3', '0', 'Done', 'Done');

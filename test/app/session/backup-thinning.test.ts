@@ -46,11 +46,11 @@ describe('backups before writes, over three years', () => {
   const all = daily(1096);
   const kept = left(all);
 
-  it('are all there of today', () => {
+  it('are all kept from today', () => {
     expect(kept.filter((each) => day(each) === new Date(NOW).toDateString())).toHaveLength(5);
   });
 
-  it('are one a day for a month, the first of the day', () => {
+  it('are kept for a month, the first of each day', () => {
     const days = kept.filter(({ savedAt }) => savedAt < NOW - 16 * 3_600_000 && savedAt >= NOW - 31.5 * DAY);
     expect(days).toHaveLength(31);
     for (const each of days) {
@@ -59,14 +59,14 @@ describe('backups before writes, over three years', () => {
     }
   });
 
-  it('are one a month before that, the first of the month', () => {
+  it('are kept before that, the first of each month', () => {
     const months = kept.filter(({ savedAt }) => savedAt < NOW - 32 * DAY);
     expect(new Set(months.map(month)).size).toBe(months.length);
     expect(months.length).toBeGreaterThanOrEqual(35);
     expect(kept.length).toBeLessThan(5 + 31 + 38);
   });
 
-  it('are one of each memory of each model', () => {
+  it('are kept for each memory of each model', () => {
     const at = NOW - 200 * DAY;
     const made = [
       { at, model: 'Lancer', memory: 0 },
@@ -79,30 +79,30 @@ describe('backups before writes, over three years', () => {
     expect(left([...made, today])).toEqual([...made.slice(0, 4), today]);
   });
 
-  it('stay where the pilot has asked for them', () => {
+  it('are all kept when the pilot has asked for them', () => {
     const asked = [1, 2, 3].map((hour) => backup({ at: NOW - 400 * DAY + hour, reason: 'memories' }));
     expect(left(asked)).toEqual(asked);
   });
 
-  it('are apart from those of simulated timers, of which nothing stays for more than a month', () => {
+  it('do not mix with those of simulated timers, which are kept for at most a month', () => {
     const real = backup({ at: NOW - 3 * DAY });
     const simulated = backup({ at: NOW - 3 * DAY - 1, simulated: true });
     expect(left([real, simulated])).toEqual([real, simulated]);
     expect(left([backup({ at: NOW - 40 * DAY, simulated: true })])).toEqual([]);
   });
 
-  it('stay where the clock of the device has gone back', () => {
+  it('are kept when the clock of the device has gone back', () => {
     const later = [1, 2, 3].map((hours) => backup({ at: NOW + 5 * DAY + hours }));
     expect(left(later)).toEqual(later);
   });
 
-  it('stay where the clock of the device is years ahead for once', () => {
+  it('are kept when the clock of the device is years ahead for once', () => {
     const today = [1, 2, 3].map((hours) => backup({ at: NOW - hours * 3_600_000 }));
     expect(left(today, NOW + 4000 * DAY)).toEqual(today);
     expect(left(left(all, NOW + 4000 * DAY)), 'and it comes to the same when it is right again').toEqual(kept);
   });
 
-  it('are 3000 at most: the oldest give way', () => {
+  it('are at most 3000: the oldest are deleted', () => {
     const asked = Array.from({ length: 3010 }, (_, at) => backup({ at: NOW - at * 1000, reason: 'memories' }));
     expect(left(asked)).toEqual(asked.slice(0, 3000));
   });
@@ -122,7 +122,7 @@ describe('thinning', () => {
     )
     .map((made) => made.map((each) => backup(each as Made)));
 
-  it('comes to the same done each day as done once', () => {
+  it('gives the same result each day as once', () => {
     fc.assert(
       fc.property(backups, fc.uniqueArray(fc.integer({ min: 0, max: 400 }), { maxLength: 20 }), (made, days) => {
         let rest: readonly Backup[] = made;
@@ -133,7 +133,7 @@ describe('thinning', () => {
     );
   });
 
-  it('leaves something of each memory of each model of each month', () => {
+  it('keeps something of each memory of each model in each month', () => {
     fc.assert(
       fc.property(backups, (made) => {
         const group = (each: Backup): string => `${each.model} ${each.program.memory} ${month(each)}`;
@@ -156,7 +156,7 @@ describe('the list of backups', () => {
     expect(store.backups.records.size).toBe(list.list.value.length);
   });
 
-  it('says whose they are, also those that were made before that was known', async () => {
+  it('says which model they belong to, also those made before the model was known', async () => {
     const store = new MemoryStore();
     let model: string | null = null;
     const list = new Backups(store.backups, () => model);

@@ -8,7 +8,7 @@ function notice({ session }: AppBench): string | undefined {
 }
 
 describe('a job', () => {
-  it('hands back what ended it, and says nothing of its own', async () => {
+  it('returns the error that ended it, and shows no message', async () => {
     const bench = await connectedBench();
     const failure = new RangeError('not foreseen');
     const end = await run(
@@ -20,7 +20,7 @@ describe('a job', () => {
     expect(await run(bench.session.runner.perform('bench', async () => {}))).toEqual({ good: true });
   });
 
-  it('does not begin where another one holds the wire, or there is none', async () => {
+  it('does not begin while another one uses the line, or without a connection', async () => {
     const bench = await connectedBench();
     const reading = bench.session.reader.read();
     const begun: string[] = [];
@@ -32,7 +32,7 @@ describe('a job', () => {
     expect(begun).toEqual([]);
   });
 
-  it('may no longer go on once the connection is another, it was stopped, or is no longer safe', async () => {
+  it('must not continue when the connection is new, it was stopped, or it is no longer safe', async () => {
     const bench = await connectedBench();
     const stillOn = async (change: () => void): Promise<unknown> => {
       bench.session.safety.confirm();
@@ -57,7 +57,7 @@ describe('a job', () => {
     expect(await stillOn(() => bench.adapter.unplug())).toMatchObject({ code: 'closed' });
   });
 
-  it('is told from its begin to its end, with how far it has come', async () => {
+  it('is shown from its beginning to its end, with its progress', async () => {
     const bench = await connectedBench();
     const { runner } = bench.session;
     const seen: unknown[] = [];
@@ -93,7 +93,7 @@ describe('a job', () => {
     ['frame', false],
     ['write', true],
     ['memories', true],
-  ])('is busy as %s, and is not to be cut off: %s', async (kind, writing) => {
+  ])('is busy as %s, and must not be cut off: %s', async (kind, writing) => {
     const { runner } = (await connectedBench()).session;
     const job = runner.run(kind, () => idle(100));
     expect([runner.busy.value, runner.ready.value, runner.writing.value]).toEqual([true, false, writing]);
@@ -101,7 +101,7 @@ describe('a job', () => {
     expect([runner.busy.value, runner.ready.value, runner.writing.value]).toEqual([false, true, false]);
   });
 
-  it('ends before whoever has asked it to stop goes on', async () => {
+  it('ends before the caller of stop continues', async () => {
     const { runner } = (await connectedBench()).session;
     const order: string[] = [];
     const job = runner.perform('memories', async (_, { signal, stillOn }) => {
@@ -123,7 +123,7 @@ describe('a job', () => {
     ['the plug is pulled', false, ({ adapter }) => adapter.unplug()],
   ];
 
-  it.each(answers)('that asks waits, and may be cut off, until %s: %s', async (_, goesOn, answer) => {
+  it.each(answers)('with a question waits, and may be cut off, until %s: %s', async (_, goesOn, answer) => {
     const bench = await connectedBench();
     const { runner } = bench.session;
     const job = runner.perform('write', (_, { ask }) => ask());
@@ -135,7 +135,7 @@ describe('a job', () => {
     expect(runner.job.value).toBeNull();
   });
 
-  it('asks nobody about a connection that is gone', async () => {
+  it('asks no question about a lost connection', async () => {
     const bench = await connectedBench();
     const job = bench.session.runner.perform('write', async (_, { ask }) => {
       bench.adapter.unplug();
@@ -145,7 +145,7 @@ describe('a job', () => {
     expect(await run(job)).toEqual({ good: true, value: false });
   });
 
-  it('is told by code what stopped it; a lost connection is no stop of the pilot', () => {
+  it('gets the code of what stopped it, and a lost connection is not a stop by the pilot', () => {
     const aborted = new TimerError('aborted', 'stopped on request');
     const end = { good: false } as const;
     expect(stoppedBy({ ...end, error: aborted, lost: false })).toBe('aborted');
@@ -170,8 +170,8 @@ describe('a dialog that shows what is about to be sent', () => {
   });
 });
 
-describe('what is said', () => {
-  it('is said again after a reading that has nothing to say itself', async () => {
+describe('the message of a job', () => {
+  it('is shown again after a reading without a message of its own', async () => {
     const { notices } = (await connectedBench()).session;
     const again = async (work: () => void) => {
       notices.say('nothing-written');

@@ -60,7 +60,7 @@ describe('a backup that is deleted', () => {
     expect(stored(bench)).toEqual(['b', 'c']);
   });
 
-  it('has ten seconds from the last one, together with those before', async () => {
+  it('can be put back for ten seconds after the last one, together with the earlier ones', async () => {
     const bench = await shown();
     bench.session.backups.remove(some(bench, 'a'));
     await idle(9000);
@@ -71,7 +71,7 @@ describe('a backup that is deleted', () => {
     expect(listed(bench)).toEqual(['c', 'b', 'a']);
   });
 
-  it('does not come back by looking again', async () => {
+  it('does not come back when the list is read again', async () => {
     const bench = await shown();
     bench.session.backups.remove(some(bench, 'a'));
     await run(bench.session.keptWork.bringBack());
@@ -79,8 +79,8 @@ describe('a backup that is deleted', () => {
   });
 });
 
-describe('what is kept is looked for again when the storage does again what it did not', () => {
-  it('at most once a second, where it answers one call and fails another', async () => {
+describe('when the storage works again, the page reads again what is kept', () => {
+  it('at most once a second while it answers one call and fails another', async () => {
     const store = new FaultyStore();
     store.fail('drafts.load', 'refuses');
     const bench = await connectedBench({ store });
@@ -94,7 +94,7 @@ describe('what is kept is looked for again when the storage does again what it d
   });
 });
 
-describe('what cannot be read', () => {
+describe('an unreadable record', () => {
   async function found(shelf: string): Promise<AppBench> {
     localStorage.clear();
     const store = new MemoryStore();
@@ -104,7 +104,7 @@ describe('what cannot be read', () => {
     return bench;
   }
 
-  it('is said, can be saved, and is said no more when it was seen', async () => {
+  it('is reported, can be saved, and is not reported again', async () => {
     const bench = await found('drafts');
     expect(screen.getByText('1 record could not be read and was set aside.')).toBeTruthy();
     expect(screen.queryByText(/read the timer before you fly/)).toBeNull();
@@ -116,7 +116,7 @@ describe('what cannot be read', () => {
     expect([next.models.aside.isNew.value, next.models.aside.list.value.length]).toEqual([false, 1]);
   });
 
-  it('and may be the note of a write is said to be that', async () => {
+  it('is named when it may be the note of a write', async () => {
     await found('unfinished');
     expect(screen.getByText(/read the timer before you fly/)).toBeTruthy();
   });
@@ -125,7 +125,7 @@ describe('what cannot be read', () => {
 describe('everything on this device', () => {
   const dialog = () => within(screen.getByRole('dialog', { name: 'Delete everything on this device' }));
 
-  it('is deleted when it was asked for, once, and the page begins afresh', async () => {
+  it('is deleted after a question, once, and the page begins afresh', async () => {
     const reload = vi.fn();
     const done: string[] = [];
     const eraser = (name: string) => async () => void done.push(name);
@@ -165,7 +165,7 @@ describe('everything on this device', () => {
     expect(dialog().getByRole('alert').textContent).toMatch(/read that timer before you fly/);
   });
 
-  it('that could not be deleted is named, and the page stays', async () => {
+  it('is named when it could not be deleted, and the page stays', async () => {
     const reload = vi.fn();
     const fine = async () => {};
     const bench = await appBench({

@@ -62,14 +62,14 @@ describe('what is known of a memory', () => {
     expect(one.knowledge.of(0)).toMatchObject({ at: 6000, verified: true });
   });
 
-  it('is nothing again when a timer was connected: it may be any', async () => {
+  it('is nothing again when a timer was connected, because it may be any timer', async () => {
     const { knowledge } = await page();
     knowledge.read(BEFORE);
     knowledge.anotherTimer();
     expect(knowledge.of(0)).toEqual({ state: 'unread' });
   });
 
-  it('is of the kind of timer at hand alone', async () => {
+  it('belongs only to the kind of the connected timer', async () => {
     const { knowledge, timer } = await cutOff();
     expect(knowledge.of(0).state).toBe('uncertain');
     timer.value = { ...Q, simulated: true };
@@ -83,7 +83,7 @@ describe('what is known of a memory', () => {
 });
 
 describe('a write', () => {
-  it('leaves nothing uncertain while it is under way, nor when its end was seen', async () => {
+  it('leaves nothing uncertain while it runs, or when its end was seen', async () => {
     const { knowledge, store } = await page();
     knowledge.read(BEFORE, 5000);
     expect(await knowledge.begin(BEFORE, GOAL)).toBe(true);
@@ -94,14 +94,14 @@ describe('a write', () => {
     expect([knowledge.uncertain.value, store.unfinished.records.size]).toEqual([[], 0]);
   });
 
-  it('that is cut off leaves two values for what it was to change, and one for all else', async () => {
+  it('leaves two possible values for each changed field when it is cut off, and one for all others', async () => {
     const one = await cutOff();
     expect(one.knowledge.of(0)).toMatchObject({ state: 'uncertain', before: BEFORE, goal: GOAL, readAt: 5000 });
     expect([values(one, DT), values(one, S1), values(one, STOP)]).toEqual([[18_000, 36_000], [11, 77], [1000]]);
     expect(one.knowledge.uncertain.value).toMatchObject([{ memory: 0, simulated: false, identity: BEFORE.identity }]);
   });
 
-  it('whose job ends without a word is cut off', async () => {
+  it('counts as cut off when its job ends without a report', async () => {
     const { knowledge } = await page();
     await knowledge.begin(BEFORE, GOAL);
     knowledge.jobOver();
@@ -132,7 +132,7 @@ describe('a write', () => {
     },
   );
 
-  it('may begin where the browser keeps nothing: then this page remembers', async () => {
+  it('may begin when the browser keeps nothing: then this page remembers it', async () => {
     const store = new MemoryStore();
     store.broken = true;
     const { knowledge } = await page(store);
@@ -198,7 +198,7 @@ describe('a fresh reading', () => {
     expect([one.knowledge.of(0).state, one.knowledge.of(1).state]).toEqual(['uncertain', 'read']);
   });
 
-  it('of what is another timer by the pilot is that timer: the first stays uncertain', async () => {
+  it('leaves the first timer uncertain when the pilot has said that this is another one', async () => {
     const one = await cutOff();
     one.knowledge.read(PART);
     const [{ key } = { key: '' }] = one.knowledge.writes.value;
@@ -211,7 +211,7 @@ describe('a fresh reading', () => {
     expect((await page(one.store)).knowledge.uncertain.value).toHaveLength(1);
   });
 
-  it('of one of two timers of a kind leaves the other uncertain where it does not explain it', async () => {
+  it('of one of two equal timers leaves the other uncertain when it does not explain the write', async () => {
     const one = await cutOff();
     one.knowledge.notThisTimer(one.knowledge.uncertain.value[0]?.key ?? '');
     const other = withValue(STRANGE, DT, 12_000);
@@ -223,7 +223,7 @@ describe('a fresh reading', () => {
     expect(one.knowledge.uncertain.value).toMatchObject([{ before: BEFORE }]);
   });
 
-  it('is not asked for by a write that was explained and is followed by another', async () => {
+  it('is not needed when an explained write is followed by another', async () => {
     const one = await cutOff();
     one.knowledge.read(PART);
     const next = withValue(PART, DT, 24_000);
@@ -237,7 +237,7 @@ describe('a fresh reading', () => {
 describe('single values, sent one after the other', () => {
   const step = (value: number): TimerProgram => withValue(BEFORE, S1, value);
 
-  it('are not uncertain while each is acknowledged, and are when the connection is lost before a reading', async () => {
+  it('are not uncertain while each is acknowledged, but are when the connection is lost before a reading', async () => {
     const one = await page();
     one.knowledge.read(BEFORE);
     await one.knowledge.begin(BEFORE, step(40));
@@ -261,7 +261,7 @@ describe('single values, sent one after the other', () => {
     expect(values(one, S1)).toEqual([40, 45]);
   });
 
-  it('are known by a reading at the end', async () => {
+  it('are known after a reading at the end', async () => {
     const one = await page();
     await one.knowledge.begin(BEFORE, step(40));
     one.knowledge.acknowledged(0);
@@ -280,7 +280,7 @@ describe('single values, sent one after the other', () => {
 });
 
 describe("the pilot's word", () => {
-  it('that there is nothing more to find out ends it, for good; then nothing is known', async () => {
+  it('to forget it ends the uncertainty for good, and then nothing is known', async () => {
     const one = await cutOff();
     await one.knowledge.forget(one.knowledge.uncertain.value[0]?.key ?? '');
     expect(one.knowledge.of(0)).toEqual({ state: 'unread' });
@@ -314,7 +314,7 @@ describe('another tab', () => {
     return { first, second, taken };
   }
 
-  it('does not call a write cut off that is under way in this one, and does when this one is closed', async () => {
+  it('does not call a write cut off while it runs in this tab, but does when this tab is closed', async () => {
     const { first, second, taken } = await tabs();
     await first.knowledge.begin(BEFORE, GOAL);
     await second.knowledge.refresh();
@@ -324,7 +324,7 @@ describe('another tab', () => {
     expect(second.knowledge.uncertain.value).toHaveLength(1);
   });
 
-  it('knows of a write that was cut off in this one, and what it reads this one knows', async () => {
+  it('knows of a write that was cut off in this tab, and this tab knows what the other one reads', async () => {
     const { first, second } = await tabs();
     await first.knowledge.begin(BEFORE, GOAL);
     await first.knowledge.cut(BEFORE, GOAL);
@@ -336,7 +336,7 @@ describe('another tab', () => {
   });
 });
 
-describe('a look into the storage that takes its time', () => {
+describe('a slow reading of the storage', () => {
   /** What the storage held before is on its way, and comes when the function is called. */
   async function slow(keep: (one: Awaited<ReturnType<typeof page>>) => Promise<unknown>) {
     const one = await page();
@@ -374,7 +374,7 @@ describe('a look into the storage that takes its time', () => {
   });
 });
 
-describe('the values that are open', () => {
+describe('the uncertain values', () => {
   it('begin with DT and the motor stop', () => {
     const goal = withValue(withValue(withValue(GOAL, STOP, 900), { kind: 'time', slot: 1 }, 40), DT, 1);
     expect(openValues({ before: BEFORE, goal }).map(({ field }) => field)).toEqual([
@@ -385,7 +385,7 @@ describe('the values that are open', () => {
     ]);
   });
 
-  it('are none where it was not to be changed', () => {
+  it('do not include a value that the write did not change', () => {
     expect(openValues({ before: { ...BEFORE, idleThrottle: 5 }, goal: { ...BEFORE, idleThrottle: null } })).toEqual([]);
   });
 });

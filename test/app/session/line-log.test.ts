@@ -35,7 +35,7 @@ describe('the log of the line', () => {
     expect(log.newest.value).toBe(1234);
   });
 
-  it('keeps its order at every size around that of the ring', async () => {
+  it('keeps its order at every size near that of the ring', async () => {
     for (const size of [0, 1, 499, 500, 501, 999, 1000, 1001]) {
       const log = new LineLog();
       for (let i = 0; i < size; i++) log.add(sent({ name: 'GETMEMORY' }));
@@ -45,7 +45,7 @@ describe('the log of the line', () => {
     }
   });
 
-  it('tells the screen once for all that came together', async () => {
+  it('updates the screen once for all that came together', async () => {
     const log = new LineLog();
     let drawn = 0;
     const stop = effect(() => {
@@ -60,14 +60,14 @@ describe('the log of the line', () => {
     stop();
   });
 
-  it('counts what went, what came, and what was wrong, also beyond what it keeps', async () => {
+  it('counts what was sent, what came, and what was wrong, also beyond what it keeps', async () => {
     const log = logOf(...IDENTIFIED, damage('noise', 'ff'), lineError('framing'), lineError('break'));
     for (let i = 0; i < 600; i++) log.add(sent({ name: 'GETMEMORY' }));
     await told();
     expect(log.counts.value).toEqual({ out: 601, in: 1, damaged: 1, errors: 2 });
   });
 
-  it('is empty and counts from nothing once it is cleared, and never gives a number twice', async () => {
+  it('is empty and counts from zero once it is cleared, and never gives a number twice', async () => {
     expect(new LineLog().used.value).toBe(false);
     const log = logOf(...IDENTIFIED);
     await told();
@@ -83,7 +83,7 @@ describe('the log of the line', () => {
     expect(log.entries.value[0]?.layout.identity, 'the timer is still the same').toEqual(B536);
   });
 
-  it('keeps the order also of what comes after it was full and then cleared', async () => {
+  it('keeps the order also after it was full and then cleared', async () => {
     const log = new LineLog();
     for (let i = 0; i < 600; i++) log.add(sent({ name: 'GETMEMORY' }));
     log.clear();
@@ -92,7 +92,7 @@ describe('the log of the line', () => {
     expect(numbers(log.entries.value)).toEqual(Array.from({ length: 300 }, (_, i) => 601 + i));
   });
 
-  it('remembers with each entry what was known of the timer by then', async () => {
+  it('remembers with each entry what was known of the timer at that time', async () => {
     const other = { ...B536, functions: 3 };
     let servoFirst = false;
     const log = new LineLog(() => ({ servoFirst }));
@@ -110,7 +110,7 @@ describe('the log of the line', () => {
     ]);
   });
 
-  it('puts what the timer said of itself in front of what is younger', async () => {
+  it('puts the identity of the timer in front of newer entries', async () => {
     const log = logOf(...IDENTIFIED);
     await told();
     expect(numbers(log.introduced(log.entries.value)), 'it is among them').toEqual([1, 2]);
@@ -133,7 +133,7 @@ describe('the log of the line', () => {
     expect(numbers(log.introduced(log.entries.value)).slice(0, 3)).toEqual([1, 2, 5]);
   });
 
-  it('puts the request back in front of its answer when it alone was lost', async () => {
+  it('puts the request back in front of its answer when only the request was lost', async () => {
     const log = logOf(sent({ name: 'GETSWVER' }), damage('noise', 'ff'), came({ name: 'GETSWVER', identity: B536 }));
     for (let i = 0; i < 498; i++) log.add(sent({ name: 'GETMEMORY' }));
     await told();
@@ -195,7 +195,7 @@ describe('the picture of the line', () => {
     expect(await shown(both)).toEqual([3]);
   });
 
-  it('stands still while the log goes on, says how many came, and goes on', async () => {
+  it('can be paused while the log goes on, says how many came, and goes on', async () => {
     const log = logOf(...mixed);
     await told();
     const view = new LineView(log);

@@ -52,7 +52,7 @@ describe('a port that another tab holds', () => {
     expect(first.portHolder.tab.value).toBeNull();
   });
 
-  it('is taken over: the other lets go and says so, and this one connects', async () => {
+  it('is taken over: the other tab releases it and says so, and this one connects', async () => {
     const { first, second } = await twoTabs();
     first.editor.type({ kind: 'position', servo: 0, slot: 2 }, '7');
     const { value: holder } = second.portHolder.tab;

@@ -90,14 +90,14 @@ describe('among 300 models', () => {
     );
   });
 
-  it('names nobody for a timer that it has never seen', () => {
+  it('names no model for a timer that it has never seen', () => {
     for (let seed = 300; seed < 600; seed++) {
       expect(found(season(seed), KNOWN)).toEqual({ kind: 'unknown', keys: [] });
     }
   });
 });
 
-describe('a crowd of sisters', () => {
+describe('many similar models', () => {
   /** Models of one pilot: copies of a few, with a few values changed, some in nothing at all. */
   const family = fc.array(
     fc.record({
@@ -134,7 +134,7 @@ describe('a crowd of sisters', () => {
     );
   });
 
-  it('names all that hold the very same', () => {
+  it('names all that hold exactly the same', () => {
     fc.assert(
       fc.property(crowds, fc.nat(), ({ sisters, models }, pick) => {
         const at = pick % sisters.length;
@@ -158,7 +158,7 @@ describe('a crowd of sisters', () => {
     );
   });
 
-  it('names one alone only where it holds nearly all that was read, and no other model is about as near', () => {
+  it('names only one when it holds nearly all that was read and no other is about as near', () => {
     const reads = fc.tuple(crowds, fc.nat(), fc.array(fc.constantFrom(DT, STOP, ...TRIMS), { maxLength: 6 }));
     fc.assert(
       fc.property(reads, ([{ sisters, models }, pick, fields]) => {
@@ -178,32 +178,32 @@ describe('a crowd of sisters', () => {
   });
 });
 
-describe('what tells nothing', () => {
+describe('a reading that does not decide', () => {
   const A = trimmed(1);
   const B = trimmed(2);
   const own = { ...trimmed(3), memory: 1 };
 
-  it('is a program that two models hold: both are named', () => {
+  it('is a program that two models hold, and both are named', () => {
     expect(found([A], [held('one', A), held('two', A), held('three', B)])).toEqual({
       kind: 'several',
       keys: ['two', 'one'].sort(),
     });
   });
 
-  it('is a program that differs in nothing but DT and motor stop from that of another model', () => {
+  it('is a program that differs from that of another model only in DT and motor stop', () => {
     const models = [held('one', A), held('two', differing(A, [DT, STOP]))];
     expect(found([A], models)).toEqual({ kind: 'several', keys: ['one', 'two'] });
     expect(found([differing(A, [DT], 3)], models).kind).toBe('several');
   });
 
-  it('is a program that is about as near to that of another model: up to twice as many values differ', () => {
+  it('is a program that is about as near to another model: up to twice as many values differ', () => {
     const one = held('one', differing(A, TRIMS.slice(0, 1)));
     const models = (count: number): ModelHeld[] => [one, held('two', differing(A, TRIMS.slice(10, 10 + count)))];
     expect(found([A], models(2))).toEqual({ kind: 'several', keys: ['one', 'two'] });
     expect(found([A], models(3))).toEqual({ kind: 'like', keys: ['one'], differs: 1 });
   });
 
-  it('is decided by another memory that was read', () => {
+  it('becomes clear with another memory that was read', () => {
     const models = [held('one', A, own), held('two', A, differing(own, TRIMS.slice(0, 20)))];
     expect(found([A, own], models)).toEqual({ kind: 'same', keys: ['one'], differs: 0 });
     expect(found([A, own], [held('one', A, own), held('two', A)])).toEqual({ kind: 'same', keys: ['one'], differs: 0 });
@@ -263,7 +263,7 @@ describe('a model is out of the question', () => {
     expect(found([differing(A, TRIMS.slice(0, 5))], [held('one', A)])).toEqual({ kind: 'unknown', keys: [] });
   });
 
-  it('where one memory differs in more, however well the others fit; it is offered last', () => {
+  it('where one memory differs in more, however well the others fit, and it is offered last', () => {
     const models = [held('one', A, own), held('two', differing(A, TRIMS.slice(0, 1)))];
     const strange = differing(own, TRIMS.slice(0, 9));
     expect(found([A, strange], models)).toEqual({ kind: 'like', keys: ['two'], differs: 1 });
@@ -272,7 +272,7 @@ describe('a model is out of the question', () => {
 });
 
 describe('a timer that does not say which memory is current', () => {
-  it('is compared with what was read so', () => {
+  it('is compared with readings without a current memory', () => {
     const A = trimmed(1, null);
     expect(found([A], [held('one', A), held('two', trimmed(1, 0))])).toEqual({
       kind: 'same',
@@ -282,7 +282,7 @@ describe('a timer that does not say which memory is current', () => {
   });
 });
 
-it('does not count an idle throttle that was not read', () => {
+it('an idle throttle that was not read does not count', () => {
   const A = { ...trimmed(1), idleThrottle: 12 };
   expect(found([{ ...A, idleThrottle: null }], [held('one', A)]).kind).toBe('same');
   expect(found([{ ...A, idleThrottle: 13 }], [held('one', A)])).toEqual({ kind: 'like', keys: ['one'], differs: 1 });

@@ -55,7 +55,7 @@ function nameOf({ session }: AppBench): string | null {
 const kindOf = ({ session }: AppBench) => session.recognition.found.value?.kind ?? null;
 
 describe('a timer that holds what a model held', () => {
-  it('is that of the model, with no word of the pilot', async () => {
+  it('belongs to the model, without a click of the pilot', async () => {
     const bench = await benchWith(record('Magpie'), record('Lancer 07', held(0)));
     expect(nameOf(bench)).toBeNull();
     await run(bench.session.timer.connect());
@@ -65,7 +65,7 @@ describe('a timer that holds what a model held', () => {
     expect(nameOf(bench)).toBeNull();
   });
 
-  it('is no longer that of the model when another memory tells something else', async () => {
+  it('no longer belongs to the model when another memory says something else', async () => {
     const bench = await benchWith(
       record('Lancer 07', [...held(0), { program: { ...HELD[3], memory: 1 } as TimerProgram, at: THEN }]),
     );
@@ -76,7 +76,7 @@ describe('a timer that holds what a model held', () => {
     expect(bench.store.models.records.get('Lancer 07')?.verified[1]?.program.times).toEqual(HELD[3]?.times);
   });
 
-  it('teaches what its other memories hold', async () => {
+  it('adds to the model what its other memories hold', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
     await run(bench.memories.look(2));
@@ -86,7 +86,7 @@ describe('a timer that holds what a model held', () => {
     expect(known?.[0]?.at).toBe(THEN);
   });
 
-  it('stays that of the model after a write, and is known again by what was written', async () => {
+  it('still belongs to the model after a write, and is recognised by what was written', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
     bench.editor.type({ kind: 'position', servo: 1, slot: 4 }, '77');
@@ -103,7 +103,7 @@ describe('a timer that holds what a model held', () => {
   });
 });
 
-it('is like a model that few values differ from, until a write that names it is verified', async () => {
+it('a timer is like a model when few values differ, until a verified write names it', async () => {
   const lancer = record('Lancer 07', held(0));
   const bench = await benchWith(lancer);
   (bench.timer.core.memories[0]?.times as number[])[10] = 24_000;
@@ -122,7 +122,7 @@ it('is like a model that few values differ from, until a write that names it is 
 });
 
 describe('a timer that is not known', () => {
-  it('is asked for, and said to be that of a model until the connection ends', async () => {
+  it('brings the question, and the answer holds until the connection ends', async () => {
     const bench = await benchWith(record('Magpie'), record('Swift'));
     await run(bench.session.timer.connect());
     const { recognition } = bench.session;
@@ -136,7 +136,7 @@ describe('a timer that is not known', () => {
     expect([kindOf(again), nameOf(again)]).toEqual(['same', 'Swift']);
   });
 
-  it('is asked for no more when the pilot does not want to be asked', async () => {
+  it('does not bring the question again after “Not now”', async () => {
     const bench = await benchWith(record('Magpie'));
     await run(bench.session.timer.connect());
     bench.session.recognition.notNow();
@@ -144,7 +144,7 @@ describe('a timer that is not known', () => {
     expect(bench.session.recognition.tells.value).toBe(false);
   });
 
-  it('can be that of a new model', async () => {
+  it('can belong to a new model', async () => {
     const bench = await benchWith();
     await run(bench.session.timer.connect());
     expect(bench.session.recognition.tells.value).toBe(false);
@@ -158,7 +158,7 @@ describe('a timer that is not known', () => {
     });
   });
 
-  it('cannot be said to be of a model of another class, or of one that is put away', async () => {
+  it('cannot belong to a model of another class, or to an archived one', async () => {
     const other = record('Alien');
     const away = record('Old');
     const bench = await benchWith(
@@ -170,7 +170,7 @@ describe('a timer that is not known', () => {
     expect(bench.session.recognition.choices.value.map(({ name }) => name)).toEqual(['Magpie']);
   });
 
-  it('may be of several: all are named, and none is taken', async () => {
+  it('may belong to several: all are named, and none is chosen', async () => {
     const bench = await benchWith(record('One', held(0)), record('Two', held(0)));
     await run(bench.session.timer.connect());
     expect([kindOf(bench), nameOf(bench)]).toEqual(['several', null]);
@@ -181,7 +181,7 @@ describe('a timer that is not known', () => {
 });
 
 describe('another timer in the place of the first, and the connection stays', () => {
-  it('is not that of the model any more, by the next reading', async () => {
+  it('no longer belongs to the model after the next reading', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
     await run(bench.session.timer.connect());
     filled(bench, OTHER);
@@ -190,7 +190,7 @@ describe('another timer in the place of the first, and the connection stays', ()
     expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
   });
 
-  it('takes the word back that was said of the first', async () => {
+  it('cancels what the pilot has said of the first', async () => {
     const bench = await benchWith(record('Lancer 07'), record('Magpie'));
     await run(bench.session.timer.connect());
     bench.session.recognition.say(bench.session.recognition.choices.value[1] as typeof MODEL);
@@ -201,7 +201,7 @@ describe('another timer in the place of the first, and the connection stays', ()
     expect(bench.store.models.records.get('Magpie')?.verified[0]?.program.times).toEqual(HELD[0]?.times);
   });
 
-  it('is asked for where only one value is another: the same timer, or one that is like it', async () => {
+  it('brings the question when only one value differs: it may be the same timer or a similar one', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
     const [first, ...rest] = held(0, 1, 2, 3).map(contentOf);
@@ -211,7 +211,7 @@ describe('another timer in the place of the first, and the connection stays', ()
     expect(bench.store.models.records.get('Lancer 07')?.verified).toEqual(held(0));
   });
 
-  it('is whatever it holds after it was away and has come back', async () => {
+  it('is recognised anew after it was away and has come back', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)));
     await run(bench.session.timer.connect());
     bench.adapter.unplug();
@@ -223,7 +223,7 @@ describe('another timer in the place of the first, and the connection stays', ()
 });
 
 describe('a library that changes, or does not come', () => {
-  it('lets a model go that another tab has deleted, and takes its new name', async () => {
+  it('forgets a model that another tab has deleted, and uses a new name', async () => {
     const bench = await benchWith(record('Lancer 07', held(0)), record('Magpie'));
     await run(bench.session.timer.connect());
     const lancer = bench.store.models.records.get('Lancer 07') as ModelRecord;
@@ -236,7 +236,7 @@ describe('a library that changes, or does not come', () => {
     expect([...bench.store.models.records.keys()]).toEqual(['Magpie']);
   });
 
-  it('lets the word go with the model', async () => {
+  it('forgets the answer of the pilot with the model', async () => {
     const bench = await benchWith(record('Magpie'));
     await run(bench.session.timer.connect());
     bench.session.recognition.say(bench.session.recognition.choices.value[0] as typeof MODEL);
@@ -246,7 +246,7 @@ describe('a library that changes, or does not come', () => {
     expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
   });
 
-  it('says nothing while the storage hangs, and all of it when the storage comes late', async () => {
+  it('says nothing while the storage hangs, and everything when it answers late', async () => {
     const store = new MemoryStore();
     store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
     let answer = (): void => {};
@@ -264,7 +264,7 @@ describe('a library that changes, or does not come', () => {
     expect([kindOf(bench), nameOf(bench)]).toEqual(['same', 'Lancer 07']);
   });
 
-  it('keeps the word on the screen where the browser keeps nothing', async () => {
+  it('keeps the answer of the pilot on the screen when the browser keeps nothing', async () => {
     const bench = await benchWith();
     await run(bench.session.timer.connect());
     bench.store.broken = true;
@@ -275,7 +275,7 @@ describe('a library that changes, or does not come', () => {
 });
 
 describe('simulated timers', () => {
-  it('and real ones do not know each other', async () => {
+  it('and real ones are never compared', async () => {
     const store = new MemoryStore();
     const simulated = held(0).map((each) => ({ ...each, simulated: true }));
     store.models.records.set('Lancer 07', record('Lancer 07', held(0)));
@@ -296,7 +296,7 @@ describe('simulated timers', () => {
   });
 });
 
-it('has no model before a timer is connected, and none that is not read', async () => {
+it('there is no model before a timer is connected and read', async () => {
   const bench = await connectedBench({ identity: IDENTITY });
   expect([kindOf(bench), nameOf(bench)]).toEqual(['unknown', null]);
 });

@@ -64,7 +64,7 @@ describe('a setting as a QR code', () => {
     expect(code?.isCut).toBe(read.note !== shared.note);
   });
 
-  it('stays small enough for a phone; what is longer is no code', () => {
+  it('stays small enough for a phone; a longer setting has no code', () => {
     expect(qrLinkOf({ ...SHARED, note: 'n'.repeat(5000) }, PAGE)?.link.length).toBeLessThanOrEqual(500);
     const { note: _, ...bare } = wide(8, 30);
     expect(qrLinkOf({ ...bare, note: '' }, PAGE)).toMatchObject({ isCut: false });
@@ -72,7 +72,7 @@ describe('a setting as a QR code', () => {
     expect(qrLinkOf(most, PAGE)).toBeNull();
   });
 
-  it('has four white modules around it, whatever it holds, and is read back', () => {
+  it('has four white modules around it, whatever it holds, and can be read back', () => {
     const text = fc.stringMatching(/^[\w-]{1,400}$/);
     fc.assert(
       fc.property(text, (code) => {

@@ -28,7 +28,7 @@ it('the height of rows follows the screen or the choice, and is kept', () => {
   expect(shown(), 'nobody listens any more').toBe('comfortable');
 });
 
-it('where the browser tells nothing, rows are dense', () => {
+it('rows are dense when the browser says nothing about the screen', () => {
   const page = document.implementation.createHTMLDocument();
   new Density().follow(page, null);
   expect(page.documentElement.getAttribute('data-density')).toBe('dense');

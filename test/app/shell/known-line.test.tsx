@@ -5,7 +5,7 @@ import { connectedBench, idle, run } from '../bench/bench.js';
 
 afterEach(() => localStorage.clear());
 
-it('what was tried is “in the timer” only as long as it is certain what that holds', async () => {
+it('tried values are “in the timer” only as long as it is certain what the timer holds', async () => {
   const app = await connectedBench();
   app.session.safety.confirm();
   await run(app.bench.moveTo(4));

@@ -17,7 +17,7 @@ function Open() {
 }
 
 describe('a new version of the page', () => {
-  it('waits for an open port alone, and begins once, when that is closed', async () => {
+  it('waits only for an open port, and begins once when that is closed', async () => {
     const { session, update } = await connectedBench();
     const begin = vi.fn();
     update.whenFree(begin);
@@ -65,7 +65,7 @@ describe('a new version of the page', () => {
     expect([update.waitsFor.value, begin.mock.calls.length]).toEqual([null, 1]);
   });
 
-  it('does not begin when something is opened in the same breath', async () => {
+  it('does not begin when something is opened at the same moment', async () => {
     const { session, update } = await connectedBench();
     const begin = vi.fn();
     update.whenFree(begin);
@@ -77,7 +77,7 @@ describe('a new version of the page', () => {
     expect([session.link.state.value.status, begin.mock.calls.length]).toEqual(['on', 0]);
   });
 
-  it('is offered with its version and what is new since this one, as soon as it has said so', async () => {
+  it('is offered with its version and news as soon as it has sent them', async () => {
     const { update } = await appBench();
     update.offer(() => {}, Promise.resolve(NEWS));
     expect([update.version.value, update.releases.value]).toEqual([null, []]);
@@ -86,7 +86,7 @@ describe('a new version of the page', () => {
     expect(update.releases.value.map((release) => release.version)).toEqual(['0.3.0', '0.2.0']);
   });
 
-  it('that has been replaced by a newer one is not told of any more', async () => {
+  it('is no longer offered when a newer one has replaced it', async () => {
     const { update } = await appBench();
     let tell = (_: News): void => {};
     update.offer(() => {}, new Promise((resolve) => (tell = resolve)));
@@ -96,7 +96,7 @@ describe('a new version of the page', () => {
     expect(update.version.value).toBeNull();
   });
 
-  it('is taken once, and is not offered again when a newer one takes its place meanwhile', async () => {
+  it('is accepted once, also when a newer one replaces it meanwhile', async () => {
     const { update } = await connectedBench();
     const took = vi.fn();
     update.offer(took);
@@ -119,7 +119,7 @@ describe('what is new in a version that waits', () => {
     postMessage: (_: unknown, [port]: readonly MessagePort[]) => port && answer(port),
   });
 
-  it('is told by its worker', async () => {
+  it('is sent by its worker', async () => {
     expect(await newsOfWaiting(worker((port) => port.postMessage(NEWS)) as never)).toEqual(NEWS);
   });
 
@@ -142,7 +142,7 @@ describe('what is new in a version that waits', () => {
     expect(await told).toBeNull();
   });
 
-  it('is at least the newest release, for whoever has that, too', () => {
+  it('is at least the newest release, also for a page of that release', () => {
     expect(newTo('0.3.0', NEWS).map(({ version }) => version)).toEqual(['0.3.0']);
     expect(newTo('0.2.0', NEWS).map(({ version }) => version)).toEqual(['0.3.0']);
     expect(newTo('0.0.1', NEWS).map(({ version }) => version)).toEqual(['0.3.0', '0.2.0', 'unreleased']);

@@ -66,7 +66,7 @@ it('records that are right are read', () => {
 });
 
 describe.each(SPOILT)('%s', (_, change) => {
-  it('is refused wherever a timer has said it, or is to be told it', () => {
+  it('is refused wherever it comes from a timer or goes to one', () => {
     const bad = spoil(change);
     expect([
       v.is(draftSchema, { ...DRAFT, baseline: bad }),
@@ -78,7 +78,7 @@ describe.each(SPOILT)('%s', (_, change) => {
 });
 
 describe('what a pilot has typed', () => {
-  it('is read back, also where no timer could hold it', () => {
+  it('can be read back, also when no timer could hold it', () => {
     const working = {
       ...PROGRAM,
       times: [1000, 0, 99_990_000, 18000],
@@ -91,7 +91,7 @@ describe('what a pilot has typed', () => {
     expect(v.is(draftSchema, { ...DRAFT, working: { ...PROGRAM, times: [1000, 0, time, 18000] } })).toBe(false);
   });
 
-  it('is lost with nothing but a history that cannot be', () => {
+  it('is lost only when its history is impossible', () => {
     const state = { working: spoil({ times: [1e300] }), texts: {} };
     const past = [{ name: { code: 'type', params: {} }, state }];
     expect(v.parse(draftSchema, { ...DRAFT, history: { past, future: [], open: null } })).toEqual({

@@ -7,7 +7,7 @@ function asked({ session }: AppBench): number {
 }
 
 describe('what is remembered of a port', () => {
-  it('is how its timers were taken to be: the next one is taken so at once', async () => {
+  it('is what was assumed of its timers, and the next one gets the same assumptions', async () => {
     const before = await connectedBench();
     expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
     await run(before.session.timer.assume({ bigEndianTimes: true }));
@@ -20,7 +20,7 @@ describe('what is remembered of a port', () => {
     expect(first).toEqual({ bigEndianTimes: true });
   });
 
-  it('is what a job found out by itself, too', async () => {
+  it('includes what a job has found out', async () => {
     const before = await connectedBench({ quirks: { memoriesFromOne: true } });
     expect(before.session.connection.value?.client.quirksAssumed).toEqual({});
     before.timer.core.memory = 3;
@@ -30,7 +30,7 @@ describe('what is remembered of a port', () => {
     expect(Object.values(record?.quirks ?? {})).toEqual([{ memoriesFromOne: true }]);
   });
 
-  it('is kept again only when a job has found out something', async () => {
+  it('is stored again only when a job has found something', async () => {
     const bench = await connectedBench();
     const saved = vi.spyOn(bench.store.ports, 'save');
     await run(bench.session.reader.read());
@@ -38,14 +38,14 @@ describe('what is remembered of a port', () => {
     expect(saved).not.toHaveBeenCalled();
   });
 
-  it('is not how another kind of timer was taken to be', async () => {
+  it('does not apply to another kind of timer', async () => {
     const before = await connectedBench();
     await run(before.session.timer.assume({ bigEndianTimes: true }));
     const after = await connectedBench({ store: before.store, identity: { timerClass: 'B' } });
     expect(after.session.connection.value?.client.quirksAssumed).toEqual({});
   });
 
-  it('is nothing of a simulated timer', async () => {
+  it('does not include a simulated timer', async () => {
     const bench = await connectedBench();
     await run(bench.session.timer.disconnect());
     bench.store.ports.records.clear();
@@ -54,7 +54,7 @@ describe('what is remembered of a port', () => {
     expect(bench.store.ports.records.size).toBe(0);
   });
 
-  it('is the rate at which a timer answered: it is asked there first', async () => {
+  it('includes the rate at which a timer answered, which is tried first', async () => {
     const bench = await connectedBench({ answersAt: 19_200 });
     expect(bench.session.connection.value?.settings.baudRate).toBe(19_200);
     expect(asked(bench)).toBeGreaterThan(3);
@@ -78,7 +78,7 @@ describe('what is remembered of a port', () => {
     expect(bench.session.link.recordOf(port.key)).toBeUndefined();
   });
 
-  it('is not needed: a browser that keeps nothing connects all the same', async () => {
+  it('is not needed: a browser that keeps nothing can still connect', async () => {
     const store = new MemoryStore();
     store.broken = true;
     const bench = await connectedBench({ store, answersAt: 19_200 });

@@ -29,7 +29,7 @@ describe('the lanes', () => {
     );
   });
 
-  it('have a tall one for the servo in hand, and a height for all others', () => {
+  it('have a tall one for the selected servo, and one height for all others', () => {
     fc.assert(
       fc.property(lanes, ({ front, lanes, servos, bottom }) => {
         const heights = lanes.map(({ from, until }) => until - from);
@@ -46,7 +46,7 @@ describe('the lanes', () => {
     [1, 236],
     [3, 180],
     [4, 158],
-  ])('give the one in hand of %i servos its height in a picture of 320 px', (servos, height) => {
+  ])('give the selected one of %i servos its height in a picture of 320 px', (servos, height) => {
     const program = programOf(
       'Q',
       [1000, 200, 18000],
@@ -57,7 +57,7 @@ describe('the lanes', () => {
     expect((first?.until ?? 0) - (first?.from ?? 0)).toBeCloseTo(height, 9);
   });
 
-  it('draw equal positions alike, whatever servo is in hand', () => {
+  it('draw equal positions alike, whichever servo is selected', () => {
     fc.assert(
       fc.property(lanes, fc.integer({ min: 0, max: 130 }), ({ servos, lanes, bottom }, position) => {
         const box = { left: 0, right: 100, top: 36, bottom };
@@ -100,7 +100,7 @@ describe('moving finely', () => {
     );
   });
 
-  it('goes finer the further away, at last less than a step for ten pixels', () => {
+  it('is finer the further away, at last less than a step for ten pixels', () => {
     const shares = [60, 100, 140, 180, 500].map(finenessAt);
     expect(shares).toEqual([...shares].sort((a, b) => a - b));
     expect(shares.at(-1)).toBe(1);

@@ -78,7 +78,7 @@ describe('any scale', () => {
     );
   });
 
-  it('gives every time back from its place', () => {
+  it('finds every time again from its place', () => {
     fc.assert(
       fc.property(anyScale, fc.integer({ min: 0, max: 200000 }), (scale, at) => {
         expect(Math.round(scale.time(scale.place(at)))).toBe(at);
@@ -87,7 +87,7 @@ describe('any scale', () => {
     );
   });
 
-  it('gives every place back from its time', () => {
+  it('finds every place again from its time', () => {
     fc.assert(
       fc.property(anyScale, fc.double({ min: 0, max: 2, noNaN: true }), (scale, place) => {
         expect(scale.place(scale.time(place))).toBeCloseTo(place, 9);
@@ -232,13 +232,13 @@ describe('what is in view', () => {
     );
   });
 
-  it('keeps what lies under the pointer there while it zooms', () => {
+  it('keeps what is under the pointer there while it zooms', () => {
     const model = new TimelineModel();
     model.zoom(4, 0.3);
     expect(model.view.value).toEqual({ start: 0.3 - 0.3 / 4, span: 0.25 });
   });
 
-  it('keeps what lies under two fingers there', () => {
+  it('keeps what is under two fingers there', () => {
     const model = new TimelineModel();
     model.hold({ place: 0.4, share: 0.1 }, { place: 0.5, share: 0.9 });
     const { start, span } = model.view.value;
@@ -274,7 +274,7 @@ describe('moving a time', () => {
     expect(limitsOf(q, at(2), true)).toEqual({ min: 0, max: 65530 });
   });
 
-  it('is not held by a neighbour that it has passed or reached', () => {
+  it('is not stopped by a neighbour that it has passed or reached', () => {
     const falls = programOf('Q', [0, 500, 300, 300, 18000]);
     expect(limitsOf(falls, at(2))).toEqual({ min: 0, max: 300 });
     expect(limitsOf(falls, at(3))).toEqual({ min: 300, max: 17990 });
@@ -291,7 +291,7 @@ describe('moving a time', () => {
     expect([stepped(odd, at(1), 1), stepped(odd, at(1), -1), stepped(odd, at(1), 10)]).toEqual([210, 200, 300]);
   });
 
-  it('is a whole step inside of what the wire can carry, or where it was', () => {
+  it('is a whole step within the range of the protocol, or stays where it was', () => {
     fc.assert(
       fc.property(
         fc.array(time, { minLength: 5, maxLength: 5 }),
@@ -350,13 +350,13 @@ describe('a flight', () => {
     expect(reachedAt(rising, time)).toEqual({ slot, certain: true });
   });
 
-  it('is not known where a later function has come and an earlier one has not', () => {
+  it('is not known when a later function has come and an earlier one has not', () => {
     expect(reachedAt(falling, 199)).toEqual({ slot: 0, certain: true });
     expect(reachedAt(falling, 300)).toEqual({ slot: 0, certain: false });
     expect(reachedAt(falling, 500)).toEqual({ slot: 2, certain: true });
   });
 
-  it('tells what happens between two times, each thing once', () => {
+  it('lists what happens between two times, each event once', () => {
     expect(eventsBetween(rising, 200, 400)).toEqual([
       { kind: 'motor-stop', time: 300 },
       { kind: 'slot', slot: 2, time: 400 },

@@ -124,7 +124,7 @@ describe('the handles', () => {
     expect(handle('Function 2, S3').getAttribute('aria-valuenow')).toBe('32');
   });
 
-  it('are not there when nothing can be changed, nor a reserved time ever', () => {
+  it('are not shown when nothing can be changed, and a reserved time never has one', () => {
     shown(programOf('B', [77, 200, 400, 600, 18000]), { onEdit: undefined });
     expect(screen.queryAllByRole('slider')).toEqual([]);
     shown(programOf('B', [77, 200, 400, 600, 18000]));
@@ -133,7 +133,7 @@ describe('the handles', () => {
 });
 
 describe('the lanes', () => {
-  it('lie one below the other: that of the servo in hand is tall, the others are low', async () => {
+  it('lie one below the other: that of the selected servo is tall, the others are low', async () => {
     shown();
     expect(laneOf('S1').height).toBeGreaterThanOrEqual(180);
     expect([laneOf('S2').height, laneOf('S3').height].every((height) => height >= 24 && height < 40)).toBe(true);
@@ -170,7 +170,7 @@ describe('the lanes', () => {
     expect(document.querySelector('.lane-names')?.textContent, 'in the tall one').toBe('rudder');
   });
 
-  it('are gone through by the keyboard, and said', async () => {
+  it('can be visited by the keyboard, and a screen reader says them', async () => {
     shown();
     const said: (string | null)[] = [];
     for (const pressed of ['ArrowDown', 'ArrowDown', 'ArrowDown', 'ArrowUp']) {
@@ -183,7 +183,7 @@ describe('the lanes', () => {
 });
 
 describe('the mouse', () => {
-  it('moves a time in steps of the class, tells so meanwhile, and says when it is let go', async () => {
+  it('moves a time in steps of the class, shows it meanwhile, and announces it on release', async () => {
     const { log, current } = shown();
     const release = await hold('Function 2 time', 12, 0);
     await drawn();
@@ -213,7 +213,7 @@ describe('the mouse', () => {
     expect(log.at(-1)).toBe('move-position 0.');
   });
 
-  it('says nothing of a click', async () => {
+  it('announces nothing on a click', async () => {
     const { log, selected } = shown();
     await (await hold('Function 2 time', 0, 0))();
     expect(log).toEqual([]);
@@ -222,7 +222,7 @@ describe('the mouse', () => {
     expect(handle('DT time').getAttribute('tabindex'), 'from here Tab goes on among the handles').toBe('0');
   });
 
-  it('puts back with Escape, and what moves after that is nothing', async () => {
+  it('puts back with Escape, and nothing moves after that', async () => {
     const { log, current } = shown();
     const release = await hold('Function 2, S1', 0, -40);
     await drawn();
@@ -237,7 +237,7 @@ describe('the mouse', () => {
     expect([log.at(-1), current.value.positions[0]?.[2]]).toEqual(['move-position 12 back.', 12]);
   });
 
-  it('takes the line in hand by any part of it, and of another lane only the servo', async () => {
+  it('takes the line of the selected servo by any part, and of another lane only selects the servo', async () => {
     const { log } = shown();
     await act(() => void fireEvent.click(screen.getByRole('button', { name: 'S3' })));
     const { clientX, clientY } = placeOf(handle('Function 3, S3'));
@@ -275,7 +275,7 @@ describe('the mouse', () => {
     expect([style().flex, style().height]).toEqual(['', '']);
   });
 
-  it('goes on beyond the edge for as long as it stays there', async () => {
+  it('continues beyond the edge as long as it stays there', async () => {
     const { log } = shown();
     const release = await hold('DT time', 80, 0);
     await drawn();
@@ -287,7 +287,7 @@ describe('the mouse', () => {
     expect(values).toEqual([...values].sort((a, b) => a - b));
   });
 
-  it('puts back what is held when the timeline goes away', async () => {
+  it('puts back what is held when the timeline is removed', async () => {
     const { log, unmount } = shown();
     await hold('Function 2, S1', 0, -40);
     await drawn();
@@ -313,7 +313,7 @@ describe('fingers', () => {
     expect(log.at(-1)).toBe('move-position 130.');
   });
 
-  it('take of two handles within reach the nearer one', async () => {
+  it('take the nearer one of two handles within reach', async () => {
     const { log } = shown(
       programOf(
         'B',
@@ -327,7 +327,7 @@ describe('fingers', () => {
     expect(handle('Function 20, S1').getAttribute('aria-valuenow')).toBe('130');
   });
 
-  it('put back what they held when the page scrolls after all', async () => {
+  it('put back what they held when the page scrolls', async () => {
     const { log } = shown();
     const { clientX, clientY } = placeOf(handle('Function 2, S1'));
     await act(() => void fireEvent.pointerDown(picture(), finger(1, clientX, clientY)));
@@ -353,7 +353,7 @@ describe('fingers', () => {
     for (const id of [1, 2]) await act(() => void fireEvent.pointerUp(window, finger(id, clientX, clientY)));
   });
 
-  it('take the servo in hand whose lane is tapped, and none that they move over', async () => {
+  it('select the servo whose lane is tapped, but none that they move over', async () => {
     shown();
     const tap = async (dx: number): Promise<void> => {
       const at = [100, laneOf('S3').middle] as const;
@@ -380,7 +380,7 @@ describe('fingers', () => {
     ['Function 2, S1', 1],
     ['Function 2 time', 10],
     ['DT time', 100],
-  ])('find every step of %s when they are far from where they took it', async (name, step) => {
+  ])('find every step of %s when they are far from the handle', async (name, step) => {
     const { log } = shown();
     const { clientX, clientY } = placeOf(handle(name));
     const isTime = name.endsWith('time');
@@ -401,7 +401,7 @@ describe('fingers', () => {
     expect(log.at(-1)).toMatch(/\.$/);
   });
 
-  it('on a handle keep the page from scrolling, beside one they do not', async () => {
+  it('stop the page from scrolling on a handle, but not beside one', async () => {
     shown();
     const { clientX, clientY } = placeOf(handle('DT, S1'));
     const scrolls = async (x: number, y: number): Promise<boolean> => {
@@ -436,7 +436,7 @@ describe('the keyboard', () => {
     expect(log).toEqual([`${step} ${value}`, `${step} ${value}.`]);
   });
 
-  it('makes one movement of a key that is held', async () => {
+  it('makes one movement while a key is held', async () => {
     const { log } = shown();
     const dt = handle('DT time');
     for (let i = 0; i < 3; i++) await act(() => void fireEvent.keyDown(dt, { key: 'ArrowRight', repeat: i > 0 }));
@@ -456,7 +456,7 @@ describe('the keyboard', () => {
     expect(document.activeElement).toBe(picture());
   });
 
-  it('passes the handles over with Tab, until Enter goes among them', async () => {
+  it('skips the handles with Tab, until Enter leads to them', async () => {
     shown();
     const stops = () =>
       screen.getAllByRole('slider').filter((slider) => slider.getAttribute('tabindex') === '0').length;
@@ -469,7 +469,7 @@ describe('the keyboard', () => {
     expect(stops()).toBe(0);
   });
 
-  it('goes from mark to mark, and what stands there is said', async () => {
+  it('goes from mark to mark, and a screen reader says what stands there', async () => {
     shown();
     const said: (string | null)[] = [];
     for (const pressed of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'End', 'ArrowLeft', 'Home']) {
@@ -523,7 +523,7 @@ describe('reading', () => {
     expect(screen.getByText('Point or tap to read')).toBeTruthy();
   });
 
-  it('tells what the mouse is over, until it leaves it or takes hold of it', async () => {
+  it('reports what the mouse is over, until it leaves it or drags it', async () => {
     const told: (ProgramField | null)[] = [];
     shown(PROGRAM, { onPoint: (field) => told.push(field) });
     const place = placeOf(handle('Function 2 time'));
@@ -540,25 +540,25 @@ describe('reading', () => {
     await release();
   });
 
-  it('shows the cursor when no pointer asks', () => {
+  it('shows the cursor when there is no pointer', () => {
     shown(PROGRAM, { cursor: 450 });
     expect(document.querySelector('.timeline-readout')?.textContent).toBe('4.50 s Function 2');
     expect(document.querySelectorAll('.crosshair')).toHaveLength(1);
   });
 
-  it('says that it does not know, where times fall', () => {
+  it('says that it does not know when times fall', () => {
     shown(programOf('Q', [1000, 500, 200, 600, 18000]), { cursor: 300 });
     expect(document.querySelector('.timeline-readout')?.textContent).toBe('3.00 s Not known: the times fall');
     expect(document.querySelectorAll('.unknown rect')).toHaveLength(1);
     expect(screen.getByText(/^Function 2 comes before Function 1. It is not known what the timer does/)).toBeTruthy();
   });
 
-  it('says which functions are passed over', () => {
+  it('says which functions are skipped', () => {
     shown(programOf('Q', [1000, 200, 400, 400, 18000]));
     expect(screen.getByText('Function 2 is skipped: Function 3 comes at the same time.')).toBeTruthy();
   });
 
-  it('has the same as a table', async () => {
+  it('has the same values as a table', async () => {
     shown(programOf('Q', [1000, 200, 400, 400, 18000]));
     const details = screen.getByText('As a table').closest('details') as HTMLDetailsElement;
     details.open = true;
@@ -576,13 +576,13 @@ describe('reading', () => {
     ]);
   });
 
-  it('draws a second program behind, by its name', () => {
+  it('draws a second program behind, with its name', () => {
     shown(PROGRAM, { overlay: { program: programOf('Q', [900, 100, 400, 600, 36000]), name: 'Timer holds' } });
     expect(screen.getByText('Timer holds')).toBeTruthy();
     expect(document.querySelectorAll('.overlay path:not(.mark)').length).toBeGreaterThanOrEqual(3);
   });
 
-  it('is one picture with one sentence where it is small', () => {
+  it('is one picture with one sentence when it is small', () => {
     shown(PROGRAM, { compact: true });
     const name = '3 servos and 3 functions over time, DT at 3:00, motor stop at 10.00 s.';
     expect(screen.getByRole('img', { name })).toBeTruthy();

@@ -23,7 +23,7 @@ function dialogsDrawn(): string[] {
   return drawn;
 }
 
-it('is not in the page while it is shut, and not drawn whatever else is', async () => {
+it('a dialog is not in the page while it is closed, and is not drawn with other changes', async () => {
   const { session } = await connected();
   const drawn = dialogsDrawn();
   await run(session.reader.read());
@@ -39,7 +39,7 @@ it('is not in the page while it is shut, and not drawn whatever else is', async 
   expect(document.querySelector('dialog')).toBeNull();
 });
 
-it('comes back when a browser closes it past its model, which has gone on', () => {
+it('a dialog comes back when the browser closes it and its model has it still open', () => {
   const onEscape = vi.fn();
   const modal = (held: boolean) => (
     <Modal open title="Question" titleId="question" held={held} onEscape={onEscape}>
@@ -55,7 +55,7 @@ it('comes back when a browser closes it past its model, which has gone on', () =
   expect([dialog.open, onEscape.mock.calls.length]).toEqual([false, 1]);
 });
 
-it('is closed before it goes, and does not take that for an Escape', () => {
+it('a dialog is closed before it is removed, and does not take that for Escape', () => {
   const onEscape = vi.fn();
   const modal = (open: boolean) => (
     <Modal open={open} title="Question" titleId="question" held={false} onEscape={onEscape}>

@@ -67,7 +67,7 @@ describe('the colours of each theme', () => {
     ['light', light],
     ['dark', dark],
     ['sun', sun],
-  ])('%s: what is read has the contrast that old eyes need', (theme, colours) => {
+  ])('%s: text has the contrast that old eyes need', (theme, colours) => {
     const weak = READ.flatMap(([inks, grounds, inRoom, inSun]) =>
       inks.flatMap((ink) =>
         grounds.flatMap((ground) => {
@@ -80,7 +80,7 @@ describe('the colours of each theme', () => {
     expect(weak).toEqual([]);
   });
 
-  it('say the same things: a theme is one set of the same names', () => {
+  it('have the same names: a theme is one set of values', () => {
     expect([...dark.keys()].sort()).toEqual([...light.keys()].sort());
     expect([...sun.keys()].sort()).toEqual([...light.keys()].sort());
   });

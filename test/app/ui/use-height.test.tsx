@@ -35,11 +35,11 @@ function told(usual: number | undefined, ...heights: number[]): string[] {
   return [...said, style.getPropertyValue('--bar')];
 }
 
-it('tells the styles how high it is in whole pixels, for as long as it is there', () => {
+it('an element tells the styles its height in whole pixels, as long as it is shown', () => {
   expect(told(undefined, 52.4, 0)).toEqual(['52px', '0px', '']);
 });
 
-it('tells nothing of what is as usual: it would style the whole page anew', () => {
+it('an element does not repeat the same height, because that would style the whole page again', () => {
   const { style } = document.documentElement;
   const sets = vi.spyOn(style, 'setProperty');
   expect([told(0, 0), sets.mock.calls]).toEqual([['', ''], []]);

@@ -15,7 +15,7 @@ const program = (timerClass: string, value: number, idleThrottle: number | null)
 const shown = (): string[] => [...document.querySelectorAll('.differs')].map(({ textContent }) => textContent ?? '');
 
 describe('what a write would change', () => {
-  it('is listed value by value, where that is short', () => {
+  it('is listed value by value when the list is short', () => {
     const before = program('Q', 0, 30);
     const goal = { ...before, times: [100, 200, 300, 18_000] };
     render(<Difference {...{ before, goal }} changes={differences(before, goal)} />);
@@ -56,7 +56,7 @@ describe('what a write would change', () => {
     );
   });
 
-  it('is listed, however long it is, where it is not known what the timer holds', () => {
+  it('is listed, however long, when it is not known what the timer holds', () => {
     const [before, goal] = [program('Q', 0, null), program('Q', 7, 40)];
     const changes = differences(before, goal).map((change) => ({ ...change, from: null }));
     render(<Difference {...{ before, goal, changes }} />);

@@ -44,7 +44,7 @@ const DIALOGS: readonly [title: string, open: () => Promise<unknown>][] = [
   ],
 ];
 
-it.each(DIALOGS)('“%s” says what is not known, as the band does that it covers', async (title, open) => {
+it.each(DIALOGS)('“%s” says what is not known, like the band that it covers', async (title, open) => {
   const { session, editor } = await connected();
   const before = { ...(editor.baseline.value as TimerProgram), memory: 1 };
   await session.knowledge.cut(before, withValue(before, { kind: 'time', slot: 10 }, 36_000));

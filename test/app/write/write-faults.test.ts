@@ -216,7 +216,7 @@ describe('a write', () => {
   /** A seed that has failed stays here. */
   const SEEDS: readonly (readonly [number, string])[] = [];
 
-  it('has no false word, whatever happens to it on the wire and in the storage, in whatever order', async () => {
+  it('says nothing false, whatever happens on the wire and in the storage, in any order', async () => {
     const count = await requests();
     expect(count).toBeGreaterThan(10);
     await fc.assert(law(count), { numRuns: 40 });

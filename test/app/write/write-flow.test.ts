@@ -38,7 +38,7 @@ describe('a write', () => {
     expect(bench.write.current.value).toBeNull();
   });
 
-  it('is told apart from what the timer holds now, not from what it held when it was last read', async () => {
+  it('is compared with what the timer holds now, not with the last reading', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     (bench.timer.core.content.positions[2] as number[])[4] = 99;
@@ -48,7 +48,7 @@ describe('a write', () => {
     expect(bench.session.notices.current.value?.code).toBe('edits-moved');
   });
 
-  it('decides what was in conflict', async () => {
+  it('ends the conflicts', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     (bench.timer.core.content.positions[0] as number[])[2] = 99;
@@ -60,7 +60,7 @@ describe('a write', () => {
     expect([bench.editor.changes.value.length, bench.editor.conflicts.value.size]).toEqual([1, 0]);
   });
 
-  it('is not offered as one of nothing when another memory is current by now', async () => {
+  it('does not open with no changes when another memory is current by now', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, '7');
     bench.timer.core.memory = 2;
@@ -77,7 +77,7 @@ describe('a write', () => {
     expect(sets(bench)).toEqual([]);
   });
 
-  it('is asked for the safety once in each connection', async () => {
+  it('asks for the safety once in each connection', async () => {
     const bench = await reviewed();
     await run(bench.write.start());
     bench.write.dismiss();
@@ -90,7 +90,7 @@ describe('a write', () => {
     expect(bench.write.ready.value).toBe(false);
   });
 
-  it('of something serious begins only when that is acknowledged, each time', async () => {
+  it('with something serious begins only after a tick, each time', async () => {
     const bench = await reviewed();
     bench.editor.type(STOP, '5:00');
     expect(bench.write.serious.value).toMatchObject([{ code: 'motor-stop-after-dt' }]);
@@ -105,7 +105,7 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
   });
 
-  it('cannot be opened while a text is no value, while something is read, or without a timer', async () => {
+  it('cannot be opened while a text is not a value, during a reading, or without a timer', async () => {
     const bench = await connectedBench();
     bench.editor.type(S1, 'x');
     await run(bench.write.open());
@@ -126,13 +126,13 @@ describe('a write', () => {
     expect(bench.write.current.value).toBeNull();
   });
 
-  it('is written once by a double click', async () => {
+  it('is done once by a double click', async () => {
     const bench = await reviewed();
     await run(Promise.all([bench.write.start(), bench.write.start()]));
     expect(sets(bench)).toEqual(['SETTIMERS', 'SETSERVO', 'SETSERVO']);
   });
 
-  it('that is stopped is not called verified, and finishes when it is done again', async () => {
+  it('is not called verified when it is stopped, and can be finished later', async () => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.write.dismiss();
     await run(bench.write.start());
@@ -150,7 +150,7 @@ describe('a write', () => {
     expect(bench.write.current.value).toMatchObject({ report: { result: 'verified' } });
   });
 
-  it('that is stopped when all of it is done is verified, and stays in sight', async () => {
+  it('is verified when it is stopped after its end, and the result stays visible', async () => {
     const bench = await reviewed();
     let asked = 0;
     bench.timer.core.onAnswer = ({ name }) => {
@@ -178,7 +178,7 @@ describe('a write', () => {
     ['SETSERVO', 2, 'part'],
     // Pulled before the first request arrived: its reply never came, and nothing is written.
     ['GETMEMORY', 0, 'nothing'],
-  ] as const)('whose plug is pulled at %s keeps the edits for the next', async (name, written, extent) => {
+  ] as const)('keeps the edits for the next one when the plug is pulled at %s', async (name, written, extent) => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = (request) => request.name === name && bench.adapter.unplug();
     await run(bench.write.start());
@@ -225,7 +225,7 @@ describe('a write', () => {
     expect(bench.write.current.value?.step, 'the difference is no longer offered').not.toBe('review');
   });
 
-  it('says so when something goes wrong that nobody has thought of', async () => {
+  it('says so when an unexpected error comes', async () => {
     const bench = await reviewed();
     const { client } = bench.session.connection.value ?? {};
     if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
@@ -271,7 +271,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     return bench;
   }
 
-  it('moves nothing unasked, also when it is known what the timer does', async () => {
+  it('moves nothing unasked, also when the timer is known to need it', async () => {
     const bench = await notHeld();
     await run(bench.write.again());
     expect([bench.write.current.value?.step, bench.session.servoMoves.allowed.value]).toEqual(['review', false]);
@@ -280,7 +280,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(moves(bench)).toBe(0);
   });
 
-  it('moves them when it is asked for, once', async () => {
+  it('moves them once when the pilot wants it', async () => {
     const bench = await notHeld();
     bench.write.dismiss();
     await run(bench.models.bench.moveTo(9));
@@ -298,7 +298,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(bench.session.servoMoves.allowed.value).toBe(false);
   });
 
-  it('moves nothing when it was agreed to and the dialog was left', async () => {
+  it('moves nothing when the pilot had agreed and left the dialog', async () => {
     const bench = await notHeld();
     await run(bench.write.again());
     bench.session.servoMoves.allow(true);
@@ -321,7 +321,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     ]);
   });
 
-  it('moves nothing when it was agreed to and the timer at hand does not need it', async () => {
+  it('moves nothing when the pilot had agreed and the connected timer does not need it', async () => {
     const bench = await reviewed();
     bench.session.servoMoves.allow(true);
     await run(bench.write.start());
@@ -353,7 +353,7 @@ describe('a write to a timer that keeps positions only where its servos stand', 
     expect(again.session.servoMoves.needed, 'also when another kind was on this port').toBe(true);
   });
 
-  it('asks the same of what finishes an interrupted write, or goes back', async () => {
+  it('asks the same when it finishes an interrupted write, or goes back', async () => {
     const bench = await notHeld();
     bench.editor.type(S3, '8');
     await run(bench.write.again());
@@ -389,7 +389,7 @@ describe('what was confirmed is what is written', () => {
     return release;
   }
 
-  it('on the connection where it was shown: what the storage held up does not go out on another one', async () => {
+  it('on the connection where it was shown: a write delayed by the storage does not go out on another one', async () => {
     const bench = await reviewed();
     const release = heldUp(bench);
     const writing = bench.write.start();
@@ -406,7 +406,7 @@ describe('what was confirmed is what is written', () => {
     expect(bench.editor.changes.value).toHaveLength(3);
   });
 
-  it('and no longer when the pilot has stopped it, or taken the safety back, while the storage was waited for', async () => {
+  it('and nothing is, when the pilot stops it or unticks the safety during the wait for the storage', async () => {
     for (const change of [(b: AppBench) => b.write.dismiss(), (b: AppBench) => b.session.safety.withdraw()]) {
       const bench = await reviewed();
       const release = heldUp(bench);
@@ -420,7 +420,7 @@ describe('what was confirmed is what is written', () => {
     }
   });
 
-  it('and is shown once more when something else is wanted by now', async () => {
+  it('and it is shown once more when the program has changed', async () => {
     const bench = await reviewed();
     bench.editor.type(S1, '9');
     await run(bench.write.start());
@@ -430,7 +430,7 @@ describe('what was confirmed is what is written', () => {
     expect(bench.timer.core.content.positions[0]?.[2]).toBe(9);
   });
 
-  it('of the timer whose content was shown: what it holds otherwise is shown, and asked again', async () => {
+  it('of the timer whose content was shown: other content is shown, and asked again', async () => {
     const bench = await reviewed();
     (bench.timer.core.content.positions[0] as number[])[2] = 99;
     await run(bench.write.start());
@@ -446,7 +446,7 @@ describe('what was confirmed is what is written', () => {
     expect(bench.write.current.value).toMatchObject({ step: 'done', report: { result: 'verified' } });
   });
 
-  it('of the kind of timer that was shown: another one is asked what it is, and read', async () => {
+  it('of the kind of timer that was shown: another one is identified and read', async () => {
     const bench = await reviewed();
     Object.assign(bench.timer.core.identity, { timerClass: 'B' });
     await run(bench.write.start());
@@ -476,7 +476,7 @@ describe('where this device keeps no copy of what the timer holds', () => {
     return { bench, writing };
   }
 
-  it('it is said, and written without one only when the pilot agrees', async () => {
+  it('the page says so, and writes without one only when the pilot agrees', async () => {
     const { bench, writing } = await asked();
     bench.session.runner.answer(true);
     await run(writing);
@@ -496,7 +496,7 @@ describe('where this device keeps no copy of what the timer holds', () => {
     expect(bench.editor.changes.value).toHaveLength(3);
   });
 
-  it('a storage that hangs is waited for 5 s', async () => {
+  it('the page waits 5 s for a storage that hangs', async () => {
     const bench = await reviewed();
     bench.store.backups.save = () => new Promise(() => {});
     const writing = bench.write.start();
@@ -510,7 +510,7 @@ describe('where this device keeps no copy of what the timer holds', () => {
 });
 
 describe('what a write leaves unknown', () => {
-  it('is what a cable pulled before the answer leaves, until a fresh reading', async () => {
+  it('is everything sent when the cable was pulled before the answer, until a fresh reading', async () => {
     const bench = await reviewed();
     bench.timer.core.onAnswer = ({ name }) => name === 'SETTIMERS' && bench.adapter.unplug();
     await run(bench.write.start());
@@ -531,7 +531,7 @@ describe('what a write leaves unknown', () => {
     });
   });
 
-  it('is anything after an error that nobody has thought of', async () => {
+  it('is anything after an unexpected error', async () => {
     const bench = await reviewed();
     const { client } = bench.session.connection.value ?? {};
     if (client) vi.spyOn(client, 'writeProgram').mockRejectedValue(new RangeError('not foreseen'));
@@ -539,7 +539,7 @@ describe('what a write leaves unknown', () => {
     expect(bench.session.knowledge.of(0).state).toBe('uncertain');
   });
 
-  it('is nothing after a verified one', async () => {
+  it('is nothing after a verified write', async () => {
     const bench = await reviewed();
     await run(bench.write.start());
     expect(bench.session.knowledge.of(0)).toMatchObject({ state: 'read', verified: true });

@@ -42,7 +42,7 @@ function opened(hash: string) {
 }
 
 describe('a link in the address', () => {
-  it('is shown when the page is opened with it, and asked for no more once it is answered', () => {
+  it('is shown when the page is opened with it, and not again after the answer', () => {
     const { window, views, sharing } = opened('#s=AAAA');
     expect(sharing.current.value).toEqual({ step: 'received', link: '#s=AAAA' });
     expect([views.shown.value, window.entries]).toEqual(['program', ['#s=AAAA']]);
@@ -52,7 +52,7 @@ describe('a link in the address', () => {
     expect(window.entries, 'closed once more it changes nothing').toEqual(['#program']);
   });
 
-  it('is shown over the view that is there, also while the page is open', () => {
+  it('is shown over the present view, also when the page is already open', () => {
     const { window, views, sharing } = opened('#library/none');
     window.goTo('#s=BBBB');
     expect(sharing.current.value).toEqual({ step: 'received', link: '#s=BBBB' });
@@ -63,7 +63,7 @@ describe('a link in the address', () => {
     expect(window.entries.at(-1)).toBe('#memories');
   });
 
-  it('gives way to one that comes after it, and leaves alone where the pilot has gone meanwhile', () => {
+  it('is replaced by a later one, and does not change the view that the pilot has opened meanwhile', () => {
     const { window, sharing } = opened('#s=AAAA');
     window.goTo('#s=CCCC');
     expect(sharing.current.value).toEqual({ step: 'received', link: '#s=CCCC' });
@@ -72,7 +72,7 @@ describe('a link in the address', () => {
     expect(window.location.hash).toBe('#memories');
   });
 
-  it('is nothing to a page that does not follow it any more, and other addresses are nothing to it', () => {
+  it('is ignored once the page no longer listens, and other addresses are ignored too', () => {
     const { window, sharing, end } = opened('#settings');
     expect(sharing.current.value).toBeNull();
     window.goTo('#memories');

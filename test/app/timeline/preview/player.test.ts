@@ -55,7 +55,7 @@ describe('a player', () => {
     expect(player.time.value).toBe(Math.min(18300, 100 * speed));
   });
 
-  it('loses no part of a hundredth, however short the frames are', () => {
+  it('loses no time, however short the frames are', () => {
     const { frames, player } = started();
     frames.run(1000, 1);
     expect(player.time.value).toBeGreaterThanOrEqual(99);
@@ -90,7 +90,7 @@ describe('a player', () => {
     expect([player.time.value, player.playing.value]).toEqual([0, true]);
   });
 
-  it('is sought while it plays and while it does not', () => {
+  it('can be moved to a time while it plays and while it does not', () => {
     const { frames, player } = started();
     player.seek(5000);
     frames.run(10, 100);
@@ -109,7 +109,7 @@ describe('a player', () => {
     expect(player.time.value).toBe(6300);
   });
 
-  it('plays once, however often it is told to', () => {
+  it('plays only once, however often it is started', () => {
     const { frames, player } = started();
     player.play();
     player.play();
@@ -156,8 +156,8 @@ describe('a player', () => {
   });
 });
 
-describe('what is shown', () => {
-  it('is what the pilot has in hand, until the flight is played or gone through', () => {
+describe('the time that is shown', () => {
+  it('is that of the selected cell, until the flight is played or stepped through', () => {
     const { frames, player } = bench();
     const seen = () => [player.shown.value, player.cursor.value];
     expect(seen()).toEqual([0, null]);
@@ -176,7 +176,7 @@ describe('what is shown', () => {
     expect(seen(), 'and stays where it was stopped').toEqual([2010, 2010]);
   });
 
-  it('is what is asked about, for as long as somebody asks', () => {
+  it('is that of the pointer, as long as it points', () => {
     const { player } = bench();
     player.seek(400);
     player.ask(120);
@@ -192,7 +192,7 @@ describe('what is shown', () => {
     expect(player.shown.value).toBe(2300);
   });
 
-  it('is played from what is in hand, and from launch where that is DT: nothing comes after it', () => {
+  it('begins at the selected cell when played, or at launch if that cell is DT, after which nothing comes', () => {
     const { frames, player } = bench(18300);
     player.take(18000);
     player.play();

@@ -64,7 +64,7 @@ describe('the flight preview', () => {
     expect(screen.getByRole('button', { name: 'Servos…' })).toBeTruthy();
   });
 
-  it('does not play until it is told to, then pauses and goes on', async () => {
+  it('plays only on a click, then pauses and goes on', async () => {
     const { run } = shown();
     await run(5);
     expect(clock()).toBe('0.00 s');
@@ -110,7 +110,7 @@ describe('the flight preview', () => {
     ]);
   });
 
-  it('says that it does not know, where times fall', async () => {
+  it('says that it does not know when times fall', async () => {
     const { player } = shown({ program: programOf('Q', [1000, 500, 200, 600, 18000]) });
     await seek(player, 300);
     expect(said()).toBe('Not known: the times fall');
@@ -133,7 +133,7 @@ describe('the flight preview', () => {
     ]);
   });
 
-  it('is scrubbed from launch to the end, and says where it is', async () => {
+  it('can be dragged from launch to the end, and says where it is', async () => {
     const { player } = shown();
     const slider = screen.getByRole<HTMLInputElement>('slider', { name: 'Time of the flight' });
     await act(() => void fireEvent.input(slider, { target: { value: slider.max } }));
@@ -143,7 +143,7 @@ describe('the flight preview', () => {
     expect(player.time.value).toBe(0);
   });
 
-  it('turns each surface as its servo stands, and says where that is', async () => {
+  it('turns each surface as its servo stands, and says its position', async () => {
     const { player } = shown();
     expect([turned('rudder'), turned('tailplane'), turned('wing')]).toEqual([
       'rotate(0deg)',
@@ -157,7 +157,7 @@ describe('the flight preview', () => {
     expect(turned('rudder'), 'to the left').toBe('rotate(28deg)');
   });
 
-  it('shows what is in hand, and goes by itself only when it is played', async () => {
+  it('shows the selected cell, and moves by itself only when it is played', async () => {
     const { player } = shown();
     await act(() => player.take(600));
     expect([clock(), screen.getByText('Function 3 at 6.00 s').getAttribute('role')]).toEqual(['6.00 s', null]);
@@ -174,7 +174,7 @@ describe('the flight preview', () => {
     expect(screen.getByText('DT: the model comes down')).toBeTruthy();
   });
 
-  it('tips it up also where a servo only lets it go', async () => {
+  it('tips it up also when a servo only releases it', async () => {
     const named = guessedUses(PROGRAM).map((use, servo) =>
       servo === 1 ? { ...use, duty: 'release' as const } : { ...use, duty: 'none' as const },
     );
@@ -192,7 +192,7 @@ describe('the flight preview', () => {
     expect([turned('tailplane'), document.querySelector('.fall')]).toEqual(['rotate(0deg)', null]);
   });
 
-  it('lets the pilot name the servos, with the way that each uses and its sense', async () => {
+  it('lets the pilot name the servos, with the range and the direction of each', async () => {
     const said: (readonly ServoUse[] | null)[] = [];
     shown({ onName: (uses) => said.push(uses) });
     await press('Name the servos…');
@@ -217,7 +217,7 @@ describe('the flight preview', () => {
     expect(document.querySelector('dialog[open]')).toBeNull();
   });
 
-  it('guesses again when it is told to, and changes nothing when the naming is cancelled', async () => {
+  it('guesses again on a click, and changes nothing when the naming is cancelled', async () => {
     const said: (readonly ServoUse[] | null)[] = [];
     shown({ named: guessedUses(PROGRAM), onName: (uses) => said.push(uses) });
     await press('Servos…');
@@ -242,14 +242,14 @@ describe('the flight preview', () => {
   it.each([
     ['B', 1],
     ['E', 0],
-  ])('on %s knows nothing of a motor', (timerClass, propellers) => {
+  ])('on %s shows no motor', (timerClass, propellers) => {
     shown({ program: { ...PROGRAM, identity: { ...PROGRAM.identity, timerClass } } });
     expect(screen.queryByText(/motor/i)).toBeNull();
     expect(document.querySelectorAll('.propeller')).toHaveLength(propellers);
     expect(document.querySelectorAll('.disc, .blade'), 'neither turning nor folded').toHaveLength(0);
   });
 
-  it('stops when it goes away', async () => {
+  it('stops when it is removed', async () => {
     const { player, unmount } = shown();
     await press('Play');
     await act(() => void unmount());

@@ -28,13 +28,13 @@ const turns = (row: readonly number[], said: ServoUse) => {
 };
 
 describe('a surface', () => {
-  it('turns from one end of the way that it uses to the other, and the other way round', () => {
+  it('turns from one end of its range to the other, and in reverse', () => {
     expect(turns([60, 65, 70, 60, 60], use('rudder', 60, 70))).toEqual([-28, 0, 28, -28, -28]);
     expect(turns([60, 65, 70, 60, 60], use('rudder', 60, 70, true))).toEqual([28, 0, -28, 28, 28]);
     expect(turns([0, 130, 65, 65, 65], use('wing'))).toEqual([-8, 8, 0, 0, 0]);
   });
 
-  it('that is the tailplane is straight in the glide, all up at DT, and trims about that look small', () => {
+  it('if it is the tailplane, is straight in the glide and all up at DT, and small trims look small', () => {
     expect(turns([48, 24, 52, 56, 95], use('tailplane', 24, 95))).toEqual([-4, -16, -2, 0, 42]);
     expect(turns([52, 55, 55, 55, 110], use('tailplane', 52, 110))).toEqual([-2.3, 0, 0, 0, 42]);
     expect(turns([56, 84, 56, 56, 20], use('tailplane', 20, 84, true))).toEqual([0, -16, 0, 0, 42]);
@@ -61,7 +61,7 @@ describe('a surface', () => {
     );
   });
 
-  it('stands still where no servo turns it, or where the servo has no way', () => {
+  it('stands still when no servo turns it, or when the servo has no range', () => {
     const program = programOf('Q', TIMES);
     expect(turnOf(program, 0, 'wing', [use('rudder'), use('other'), use('none')])).toBeNull();
     expect(servoOf('wing', [use('rudder')])).toBe(-1);
@@ -80,7 +80,7 @@ describe('where nobody has said what the servos move', () => {
       ),
     );
 
-  it('the first three are taken for rudder, tailplane and wing; one that is alone for a disc', () => {
+  it('the first three count as rudder, tailplane and wing, and a single one as a disc', () => {
     expect([1, 2, 3, 4].map((servos) => guess(servos).map(({ duty }) => duty))).toEqual([
       ['release'],
       ['rudder', 'tailplane'],
@@ -89,7 +89,7 @@ describe('where nobody has said what the servos move', () => {
     ]);
   });
 
-  it('each uses the way of the program, and a rudder is trimmed about its middle', () => {
+  it('each uses the range of the program, and a rudder is trimmed about its middle', () => {
     expect(guess(3).map(({ low, high }) => [low, high])).toEqual([
       [35, 95],
       [62, 95],
@@ -105,7 +105,7 @@ describe('where nobody has said what the servos move', () => {
     expect(turnOf(program, 4, 'tailplane', guessedUses(program))).toBe(42);
   });
 
-  it('a DT is seen to be one in every memory of the simulated timers', () => {
+  it('DT looks like DT in every memory of the simulated timers', () => {
     for (const timerClass of ['Q', 'B', 'E'] as const) {
       for (const { times, positions } of exampleMemories(timerClass)) {
         const program = programOf(timerClass, times, positions);
@@ -118,14 +118,14 @@ describe('where nobody has said what the servos move', () => {
 });
 
 describe('DT', () => {
-  it('is made by the servos that move then', () => {
+  it('is the work of the servos that move then', () => {
     const still = [65, 66, 67, 68, 68];
     const moves = [65, 65, 65, 65, 66];
     expect(movedAtDt(programOf('Q', TIMES, [still, moves, still, moves]))).toEqual([1, 3]);
     expect(movedAtDt(programOf('Q', TIMES, [still]))).toEqual([]);
   });
 
-  it('lets the tailplane go where a servo that does so moves', () => {
+  it('releases the tailplane when the servo for that moves', () => {
     const program = programOf('Q', TIMES, [
       [65, 66, 67, 68, 68],
       [65, 65, 65, 65, 66],
